@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// Adds the subcommands of `analysis/` to the program. Each is parse, load, compute, write.
+void add_analysis_commands(CLI::App& app);
+
+}  // namespace seamline

@@ -1,0 +1,23 @@
+# What every target of Seamline is built with.
+add_library(seamline_warnings INTERFACE)
+target_compile_options(seamline_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+  $<$<BOOL:${SEAMLINE_WERROR}>:-Werror>)
+
+# Same input, same bits: no fused multiply-add unless the source says so, no unsafe algebra.
+add_compile_options(-ffp-contract=off)
+if(SEAMLINE_SANITIZE)
+  add_compile_options(-fsanitize=${SEAMLINE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=${SEAMLINE_SANITIZE})
+endif()
+if(SEAMLINE_COVERAGE)
+  add_compile_options(--coverage -O0)
+  add_link_options(--coverage)
+endif()
+
+# One library a folder. The repository root is the include root, so an include names its folder: "stimuli/manifest.h".
+function(seamline_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE seamline_warnings)
+endfunction()

@@ -1,0 +1,51 @@
+// Seamline: study file -> plan -> stimuli -> sessions -> log -> thresholds -> report.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "analysis/commands.h"
+#include "renderer/commands.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
+#include "study/commands.h"
+
+namespace {
+
+constexpr int exit_wrong_input = 1;
+constexpr int exit_bug = 2;
+constexpr int exit_interrupted = 130;
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_wrong_input;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
+               "seamline"};
+  app.set_version_flag("--version", "seamline " + seamline::program_version());
+  app.require_subcommand(1);
+  seamline::add_renderer_commands(app);
+  seamline::add_study_commands(app);
+  seamline::add_analysis_commands(app);
+  seamline::catch_interrupts();
+  try {
+    return run(app, argc, argv);
+  } catch (const seamline::InputError& error) {
+    std::fprintf(stderr, "seamline: %s\n", error.what());
+    return exit_wrong_input;
+  } catch (const seamline::Interrupted&) {
+    std::fprintf(stderr, "seamline: stopped; run the same command again to continue\n");
+    return exit_interrupted;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "seamline: this is a bug in seamline: %s\n", error.what());
+    return exit_bug;
+  }
+}

@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+
+#include "stimuli/study_definition.h"
+
+namespace seamline {
+
+/// What a reader of a study file needs of the files it names.
+enum class AssetCheck {
+  must_exist,  ///< rendering: every named file must be there
+  not_needed   ///< sessions and analysis: only the definition is read
+};
+
+/// Reads a study file (TOML, `format = "seamline study 1"`). Strict: an unknown or misspelt key, a wrong type or unit and an
+/// impossible value are each an InputError naming file, key, what was wanted and what was found.
+[[nodiscard]] StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets = AssetCheck::must_exist);
+
+}  // namespace seamline

@@ -1,0 +1,83 @@
+#include "stimuli/support/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+InputError unwritable(const fs::path& path, int error_number) {
+  return input_error({.file = path.string(), .wanted = "a place that can be written to", .found = std::strerror(error_number)});
+}
+
+void sync_file(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY);
+  if (descriptor < 0) throw unwritable(path, errno);
+  const int failed = ::fsync(descriptor);
+  const int error_number = errno;
+  ::close(descriptor);
+  if (failed != 0) throw unwritable(path, error_number);
+}
+
+void write_all(const fs::path& path, std::string_view bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw unwritable(path, errno);
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int error_number = errno;
+      ::close(descriptor);
+      throw unwritable(path, error_number);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (::close(descriptor) != 0) throw unwritable(path, errno);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  const fs::path temporary =
+      path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) + path.extension().string());
+  try {
+    write(temporary);
+    sync_file(temporary);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) throw unwritable(path, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+void write_file_atomically(const fs::path& path, std::string_view bytes) {
+  write_file_atomically(path, [&](const fs::path& temporary) { write_all(temporary, bytes); });
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path))
+    throw input_error({.file = path.string(), .wanted = "a readable file", .found = fs::exists(path) ? "something else" : "none"});
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return std::move(bytes).str();
+}
+
+void prepare_output_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw unwritable(folder, error.value());
+  const fs::path probe = folder / (".writable." + std::to_string(::getpid()));
+  write_all(probe, "");
+  ::unlink(probe.c_str());
+}
+
+}  // namespace seamline
