@@ -28,8 +28,9 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
-               "seamline"};
+  CLI::App app{
+      "Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
+      "seamline"};
   app.set_version_flag("--version", "seamline " + seamline::program_version());
   app.require_subcommand(1);
   seamline::add_renderer_commands(app);

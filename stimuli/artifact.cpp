@@ -4,13 +4,20 @@ namespace seamline {
 
 std::string_view word(Artifact artifact) {
   switch (artifact) {
-    case Artifact::receiver: return "receiver";
-    case Artifact::shadow: return "shadow";
-    case Artifact::occlusion: return "occlusion";
-    case Artifact::overlap: return "overlap";
-    case Artifact::bounce: return "bounce";
-    case Artifact::all: return "all";
-    case Artifact::none: return "none";
+    case Artifact::receiver:
+      return "receiver";
+    case Artifact::shadow:
+      return "shadow";
+    case Artifact::occlusion:
+      return "occlusion";
+    case Artifact::overlap:
+      return "overlap";
+    case Artifact::bounce:
+      return "bounce";
+    case Artifact::all:
+      return "all";
+    case Artifact::none:
+      return "none";
   }
   return {};
 }
@@ -23,8 +30,10 @@ std::optional<Artifact> artifact_from_word(std::string_view text) {
 
 std::string_view word(Isolation isolation) {
   switch (isolation) {
-    case Isolation::query: return "query";
-    case Isolation::mask: return "mask";
+    case Isolation::query:
+      return "query";
+    case Isolation::mask:
+      return "mask";
   }
   return {};
 }

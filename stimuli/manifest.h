@@ -19,7 +19,7 @@ struct TinyDenominators {
 
 struct MeshRecord {
   std::int64_t triangles = 0;
-  double max_relative_error = 0;    ///< against the dense sphere, along its rays; 0 for the full mesh
+  double max_relative_error = 0;  ///< against the dense sphere, along its rays; 0 for the full mesh
 };
 
 /// One rendered stimulus as the manifest records it. Paths are relative to the set's folder.
@@ -28,15 +28,15 @@ struct ManifestStimulus {
   Stimulus stimulus;
   Isolation isolation = Isolation::query;
   std::string image;
-  std::string object_ids;           ///< 8-bit PNG: 0 background, 1 left, 2 middle, 3 right
+  std::string object_ids;  ///< 8-bit PNG: 0 background, 1 left, 2 middle, 3 right
   std::string reference;
   int spp = 0;
-  std::int64_t rays = 0;            ///< traced for this stimulus
-  std::optional<double> rmse;       ///< estimated noise, display units 0..1; none at 1 sample a pixel
+  std::int64_t rays = 0;       ///< traced for this stimulus
+  std::optional<double> rmse;  ///< estimated noise, display units 0..1; none at 1 sample a pixel
   MeshRecord mesh;
   TinyDenominators tiny_denominators;
-  double clipped_share = 0;         ///< share of channel values over display white
-  std::string sha256;               ///< of the image file
+  double clipped_share = 0;  ///< share of channel values over display white
+  std::string sha256;        ///< of the image file
 };
 
 /// A reference picture and its click map: one for each scene.
@@ -52,14 +52,15 @@ struct Manifest {
   std::string study_hash;
   std::string study_file = "study.toml";  ///< copy of the study file, relative to the set
   std::string program_version;
-  std::string instruction_set;            ///< Embree's; changes last bits
-  std::vector<std::string> left_out;      ///< what was not computed, and why
+  std::string instruction_set;        ///< Embree's; changes last bits
+  std::vector<std::string> left_out;  ///< what was not computed, and why
   int width_px = 0, height_px = 0;
   std::vector<ManifestReference> references;
   std::vector<ManifestStimulus> stimuli;
 };
 
-/// Throws InputError when there is no manifest, it is of another format or version, or a field is missing or wrong.
+/// Throws InputError when there is no manifest, it is of another format or version, or a field is missing or
+/// wrong.
 [[nodiscard]] Manifest read_manifest(const std::filesystem::path& set_folder);
 
 /// Writes `manifest.json` atomically.

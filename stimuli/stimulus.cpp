@@ -5,8 +5,8 @@
 namespace seamline {
 
 std::string stimulus_id(const Stimulus& stimulus) {
-  const std::string id = fmt::format("{}-{}-{}-{:04}", stimulus.scene, word(stimulus.artifact), stimulus.object,
-                                     stimulus.condition.depth_width_px);
+  const std::string id = fmt::format("{}-{}-{}-{:04}", stimulus.scene, word(stimulus.artifact),
+                                     stimulus.object, stimulus.condition.depth_width_px);
   return stimulus.condition.yaw_texels == 0 ? id : fmt::format("{}-yaw{}", id, stimulus.condition.yaw_texels);
 }
 

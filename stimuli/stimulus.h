@@ -10,7 +10,7 @@ namespace seamline {
 /// What is varied between stimuli of one scene, object and artifact.
 struct Condition {
   int depth_width_px = 0;  ///< W of the depth map; its height is W / 2
-  int yaw_texels = 0;      ///< phase of the sampling grid: the panorama is turned by this many of its own texels
+  int yaw_texels = 0;  ///< phase of the sampling grid: the panorama is turned by this many of its own texels
 
   [[nodiscard]] int depth_height_px() const { return depth_width_px / 2; }
   bool operator==(const Condition&) const = default;
@@ -28,7 +28,8 @@ struct Stimulus {
 /// `bedroom-receiver-statue-0512`; a non-zero yaw is appended as `-yaw3`.
 [[nodiscard]] std::string stimulus_id(const Stimulus& stimulus);
 
-/// Every stimulus of a study: scenes, artifacts, objects and widths in the order of the study file, widths innermost.
+/// Every stimulus of a study: scenes, artifacts, objects and widths in the order of the study file, widths
+/// innermost.
 [[nodiscard]] std::vector<Stimulus> list_stimuli(const StudyDefinition& study);
 
 /// Whether an id matches a pattern in which `*` stands for any text; an empty pattern matches everything.

@@ -15,20 +15,21 @@ namespace seamline {
 /// An object put into a scene: which file, and where. Applied to the file's vertices as
 /// position + R(rotation) * (scale * vertex), R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, +Y up.
 struct ObjectDefinition {
-  std::string name;                                          ///< unique in its scene; part of stimulus ids
-  std::string file;                                          ///< as written: `builtin:statue` or a path beside the study file
-  std::filesystem::path path;                                ///< resolved
+  std::string name;            ///< unique in its scene; part of stimulus ids
+  std::string file;            ///< as written: `builtin:statue` or a path beside the study file
+  std::filesystem::path path;  ///< resolved
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();    ///< pitch about X, yaw about Y, roll about Z
+  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< pitch about X, yaw about Y, roll about Z
   double scale = 1.0;
-  bool exempt_from_shape_rules = false;                      ///< `check` leaves out area and silhouette rules (paper: the teapot)
+  bool exempt_from_shape_rules = false;  ///< `check` leaves out area and silhouette rules (paper: the teapot)
 };
 
 /// The sun, when the study file overrides what the scene file holds (KHR_lights_punctual, directional).
 struct SunDefinition {
-  Eigen::Vector3d to_sun = Eigen::Vector3d::UnitY();         ///< direction from the scene towards the sun, unit length
-  std::array<double, 3> irradiance_w_m2 = {0, 0, 0};         ///< on a plane facing the sun, linear RGB
-  double angular_radius_deg = 0.0;                           ///< 0: a hard sun
+  Eigen::Vector3d to_sun =
+      Eigen::Vector3d::UnitY();  ///< direction from the scene towards the sun, unit length
+  std::array<double, 3> irradiance_w_m2 = {0, 0, 0};  ///< on a plane facing the sun, linear RGB
+  double angular_radius_deg = 0.0;                    ///< 0: a hard sun
 };
 
 /// A pinhole camera. Its position is also the centre of the panoramic depth maps.
@@ -44,34 +45,34 @@ struct SceneDefinition {
   std::string file;
   std::filesystem::path path;
   std::vector<Artifact> artifacts;
-  std::vector<ObjectDefinition> objects;                     ///< left, middle, right
-  std::optional<SunDefinition> sun;                          ///< none: the scene file's own
-  std::optional<CameraDefinition> camera;                    ///< none: the scene file's own (its first camera)
-  std::array<double, 3> environment_radiance = {1, 1, 1};    ///< constant environment, W/m2/sr, linear RGB
-  bool ambient_occlusion = false;                            ///< no sun, no bounce; visibility up to ao_distance_m
+  std::vector<ObjectDefinition> objects;                   ///< left, middle, right
+  std::optional<SunDefinition> sun;                        ///< none: the scene file's own
+  std::optional<CameraDefinition> camera;                  ///< none: the scene file's own (its first camera)
+  std::array<double, 3> environment_radiance = {1, 1, 1};  ///< constant environment, W/m2/sr, linear RGB
+  bool ambient_occlusion = false;  ///< no sun, no bounce; visibility up to ao_distance_m
   double ao_distance_m = 2.0;
-  int bounces = 4;                                           ///< further diffuse scatterings after the first
-  double albedo = 0.5;                                       ///< of the depth mesh, and of meshes without a material
-  double exposure_ev = 0.0;                                  ///< display = linear * 2^exposure_ev
+  int bounces = 4;           ///< further diffuse scatterings after the first
+  double albedo = 0.5;       ///< of the depth mesh, and of meshes without a material
+  double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
 };
 
 /// Texts and breaks of a session (paper section 4.2).
 struct SessionDefinition {
   std::string question = "Which of the three objects was inserted into the picture?";
   std::string rating_question = "How noticeable was the insertion artifact?";
-  std::array<std::string, 4> rating_labels = {"Slightly noticeable", "Moderately noticeable", "Very noticeable",
-                                              "Extremely noticeable"};
+  std::array<std::string, 4> rating_labels = {"Slightly noticeable", "Moderately noticeable",
+                                              "Very noticeable", "Extremely noticeable"};
   int break_every_trials = 28;
 };
 
 /// What the simulated observer `threshold` is made of. The planted widths are not the paper's.
 struct ObserverDefinition {
-  std::map<Artifact, double> midpoint_width_px = {{Artifact::receiver, 300}, {Artifact::shadow, 180},
+  std::map<Artifact, double> midpoint_width_px = {{Artifact::receiver, 300},  {Artifact::shadow, 180},
                                                   {Artifact::occlusion, 620}, {Artifact::overlap, 900},
                                                   {Artifact::bounce, 150},    {Artifact::all, 900},
                                                   {Artifact::none, 1}};
-  double scale_octaves = 0.5;       ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
-  double people_sd_octaves = 0.5;   ///< standard deviation of a person's shift
+  double scale_octaves = 0.5;      ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
+  double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
 };
 
 enum class MeshDensity { adaptive, full };
@@ -79,14 +80,14 @@ enum class MeshDensity { adaptive, full };
 /// A whole study: everything that decides what people are shown. Defaults are those of DESIGN section 6.
 struct StudyDefinition {
   std::string name;
-  std::filesystem::path file;                                ///< where it was read from
+  std::filesystem::path file;  ///< where it was read from
   Isolation isolation = Isolation::query;
   int width_px = 960;
   int height_px = 540;
   int samples_per_pixel = 64;
   std::uint64_t seed = 1;
   MeshDensity mesh = MeshDensity::adaptive;
-  double mesh_tolerance = 1e-4;                              ///< relative error along the ray that the adaptive mesh may make
+  double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
   std::vector<int> depth_width_px;
   int yaw_texels = 0;
   std::vector<SceneDefinition> scenes;
@@ -96,7 +97,8 @@ struct StudyDefinition {
 
 [[nodiscard]] std::string_view word(MeshDensity density);
 
-/// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its hash is over.
+/// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its
+/// hash is over.
 [[nodiscard]] std::string canonical_text(const StudyDefinition& study);
 
 /// SHA-256 of `canonical_text`.

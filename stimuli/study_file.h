@@ -11,8 +11,10 @@ enum class AssetCheck {
   not_needed   ///< sessions and analysis: only the definition is read
 };
 
-/// Reads a study file (TOML, `format = "seamline study 1"`). Strict: an unknown or misspelt key, a wrong type or unit and an
-/// impossible value are each an InputError naming file, key, what was wanted and what was found.
-[[nodiscard]] StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets = AssetCheck::must_exist);
+/// Reads a study file (TOML, `format = "seamline study 1"`). Strict: an unknown or misspelt key, a wrong type
+/// or unit and an impossible value are each an InputError naming file, key, what was wanted and what was
+/// found.
+[[nodiscard]] StudyDefinition read_study(const std::filesystem::path& path,
+                                         AssetCheck assets = AssetCheck::must_exist);
 
 }  // namespace seamline

@@ -29,7 +29,9 @@ std::vector<std::string> builtin_names(const fs::path& folder) {
 
 }  // namespace
 
-std::string program_version() { return SEAMLINE_VERSION_TEXT; }
+std::string program_version() {
+  return SEAMLINE_VERSION_TEXT;
+}
 
 fs::path resolve_asset(const std::string& name, const fs::path& study_file, const std::string& field) {
   if (name.starts_with(builtin_prefix)) {
@@ -37,12 +39,18 @@ fs::path resolve_asset(const std::string& name, const fs::path& study_file, cons
     const fs::path path = builtin_folder() / (wanted + ".glb");
     if (fs::exists(path)) return path;
     const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder()));
-    throw input_error({.file = study_file.string(), .field = field, .wanted = "a built-in scene or object",
-                       .found = "\"" + name + "\"" + (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
+    throw input_error({.file = study_file.string(),
+                       .field = field,
+                       .wanted = "a built-in scene or object",
+                       .found = "\"" + name + "\"" +
+                                (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
   }
   const fs::path path = study_file.parent_path() / name;
   if (!fs::is_regular_file(path))
-    throw input_error({.file = study_file.string(), .field = field, .wanted = "a file", .found = "no file at " + path.string()});
+    throw input_error({.file = study_file.string(),
+                       .field = field,
+                       .wanted = "a file",
+                       .found = "no file at " + path.string()});
   return path;
 }
 

@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 InputError unwritable(const fs::path& path, int error_number) {
-  return input_error({.file = path.string(), .wanted = "a place that can be written to", .found = std::strerror(error_number)});
+  return input_error({.file = path.string(),
+                      .wanted = "a place that can be written to",
+                      .found = std::strerror(error_number)});
 }
 
 void sync_file(const fs::path& path) {
@@ -46,8 +48,8 @@ void write_all(const fs::path& path, std::string_view bytes) {
 }  // namespace
 
 void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path temporary =
-      path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) + path.extension().string());
+  const fs::path temporary = path.parent_path() / ("." + path.stem().string() + "." +
+                                                   std::to_string(::getpid()) + path.extension().string());
   try {
     write(temporary);
     sync_file(temporary);
@@ -65,7 +67,9 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
 std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in || fs::is_directory(path))
-    throw input_error({.file = path.string(), .wanted = "a readable file", .found = fs::exists(path) ? "something else" : "none"});
+    throw input_error({.file = path.string(),
+                       .wanted = "a readable file",
+                       .found = fs::exists(path) ? "something else" : "none"});
   std::ostringstream bytes;
   bytes << in.rdbuf();
   return std::move(bytes).str();

@@ -15,12 +15,16 @@ namespace {
 constexpr std::int64_t largest_pixel_count = std::int64_t{16384} * 16384;
 
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
-  if (!fs::exists(path)) throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
+  if (!fs::exists(path))
+    throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
   auto input = OIIO::ImageInput::open(path.string());
-  if (!input) throw input_error({.file = path.string(), .wanted = "an image that can be decoded", .found = OIIO::geterror()});
+  if (!input)
+    throw input_error(
+        {.file = path.string(), .wanted = "an image that can be decoded", .found = OIIO::geterror()});
   const OIIO::ImageSpec& spec = input->spec();
   if (std::int64_t{spec.width} * spec.height > largest_pixel_count || spec.nchannels < 1 || spec.depth > 1)
-    throw input_error({.file = path.string(), .wanted = "a flat image of at most 16384 x 16384 pixels",
+    throw input_error({.file = path.string(),
+                       .wanted = "a flat image of at most 16384 x 16384 pixels",
                        .found = std::to_string(spec.width) + " x " + std::to_string(spec.height)});
   return input;
 }
@@ -28,8 +32,10 @@ std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
 void write_image(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
   write_file_atomically(path, [&](const fs::path& temporary) {
     auto output = OIIO::ImageOutput::create(temporary.string());
-    if (!output || !output->open(temporary.string(), spec) || !output->write_image(type, pixels) || !output->close())
-      throw input_error({.file = path.string(), .wanted = "a place that can be written to",
+    if (!output || !output->open(temporary.string(), spec) || !output->write_image(type, pixels) ||
+        !output->close())
+      throw input_error({.file = path.string(),
+                         .wanted = "a place that can be written to",
                          .found = output ? output->geterror() : OIIO::geterror()});
   });
 }
@@ -40,7 +46,8 @@ ByteImage display_image(const Image& linear, double exposure_ev) {
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   ByteImage out{linear.width_px, linear.height_px, linear.channels, {}};
   out.values.reserve(linear.values.size());
-  for (const float value : linear.values) out.values.push_back(code_from_display(srgb_from_linear(value * gain)));
+  for (const float value : linear.values)
+    out.values.push_back(code_from_display(srgb_from_linear(value * gain)));
   return out;
 }
 
@@ -49,7 +56,8 @@ Image read_image(const fs::path& path) {
   const OIIO::ImageSpec spec = input->spec();
   Image image(spec.width, spec.height, spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-    throw input_error({.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
+    throw input_error(
+        {.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
   if (!spec.format.is_floating_point())
     for (float& value : image.values) value = linear_from_srgb(value);
   return image;
@@ -59,9 +67,11 @@ ByteImage read_bytes_image(const fs::path& path) {
   const auto input = open_image(path);
   const OIIO::ImageSpec spec = input->spec();
   ByteImage image{spec.width, spec.height, spec.nchannels, {}};
-  image.values.resize(static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels));
+  image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
+                      static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.values.data()))
-    throw input_error({.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
+    throw input_error(
+        {.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
   return image;
 }
 

@@ -17,13 +17,20 @@ struct Image {
 
   Image() = default;
   Image(int width, int height, int channel_count, float fill = 0.0F)
-      : width_px(width), height_px(height), channels(channel_count),
-        values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channel_count), fill) {}
+      : width_px(width),
+        height_px(height),
+        channels(channel_count),
+        values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                   static_cast<std::size_t>(channel_count),
+               fill) {}
 
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels);
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)) *
+           static_cast<std::size_t>(channels);
   }
-  [[nodiscard]] float at(int x, int y, int channel = 0) const { return values[index(x, y) + static_cast<std::size_t>(channel)]; }
+  [[nodiscard]] float at(int x, int y, int channel = 0) const {
+    return values[index(x, y) + static_cast<std::size_t>(channel)];
+  }
   float& at(int x, int y, int channel = 0) { return values[index(x, y) + static_cast<std::size_t>(channel)]; }
   [[nodiscard]] Rgb rgb(int x, int y) const {
     const float* pixel = &values[index(x, y)];
@@ -45,7 +52,8 @@ struct ByteImage {
   std::vector<std::uint8_t> values;
 };
 
-/// Linear to sRGB 8-bit after multiplying by 2^exposure_ev: sRGB curve, clip at 1, round to nearest, no dither.
+/// Linear to sRGB 8-bit after multiplying by 2^exposure_ev: sRGB curve, clip at 1, round to nearest, no
+/// dither.
 [[nodiscard]] ByteImage display_image(const Image& linear, double exposure_ev = 0.0);
 
 /// Reads EXR, HDR, PNG or JPEG as float. 8- and 16-bit pictures are decoded from sRGB to linear.

@@ -16,7 +16,9 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::string title, double work_total)
-    : title_(std::move(title)), work_total_(std::max(work_total, 1e-9)), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : title_(std::move(title)),
+      work_total_(std::max(work_total, 1e-9)),
+      on_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (on_terminal_) std::fputs("\r\033[K", stderr);
@@ -35,8 +37,8 @@ void Progress::print(const std::string& now_doing) {
   const double share = std::clamp(work_done_ / work_total_, 0.0, 1.0);
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
   const std::string left = share > 0.002 ? duration_text(elapsed_s * (1 - share) / share) + " left" : "";
-  fmt::print(stderr, "{}{}: {:3.0f} %, {} {}{}", on_terminal_ ? "\r\033[K" : "", title_, 100 * share, left, now_doing,
-             on_terminal_ ? "" : "\n");
+  fmt::print(stderr, "{}{}: {:3.0f} %, {} {}{}", on_terminal_ ? "\r\033[K" : "", title_, 100 * share, left,
+             now_doing, on_terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 

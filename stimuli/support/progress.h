@@ -4,8 +4,8 @@
 
 namespace seamline {
 
-/// One line on standard error that says how far a long job is and how long it will still take. On a terminal the
-/// line is rewritten in place; in a file a line is printed at most every ten seconds.
+/// One line on standard error that says how far a long job is and how long it will still take. On a terminal
+/// the line is rewritten in place; in a file a line is printed at most every ten seconds.
 class Progress {
  public:
   /// `work_total` in any unit that grows evenly with time (samples, pixels, stimuli).

@@ -29,10 +29,13 @@ std::uint64_t Random::bits() {
   return result;
 }
 
-double Random::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+double Random::uniform() {
+  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
 
 std::uint64_t Random::below(std::uint64_t bound) {
-  const std::uint64_t rejected_below = (0 - bound) % bound;  // 2^64 mod bound values would be over-represented
+  const std::uint64_t rejected_below =
+      (0 - bound) % bound;  // 2^64 mod bound values would be over-represented
   for (;;)
     if (const std::uint64_t word = bits(); word >= rejected_below) return word % bound;
 }

@@ -8,17 +8,19 @@ namespace seamline {
 /// Mixes 64 bits so that every input bit changes every output bit (splitmix64 finaliser).
 [[nodiscard]] std::uint64_t mix_bits(std::uint64_t bits);
 
-/// Seamline's own generator (xoshiro256**, seeded by splitmix64): the same numbers on every platform and library.
-/// `std::*_distribution` and `std::shuffle` are not used anywhere, because they differ between libraries.
+/// Seamline's own generator (xoshiro256**, seeded by splitmix64): the same numbers on every platform and
+/// library. `std::*_distribution` and `std::shuffle` are not used anywhere, because they differ between
+/// libraries.
 class Random {
  public:
   /// Streams of the same seed are independent of each other.
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
 
-  std::uint64_t bits();                     ///< 64 uniform bits
-  double uniform();                         ///< uniform in [0, 1), 53 bits
-  std::uint64_t below(std::uint64_t bound); ///< uniform integer in [0, bound), without modulo bias; bound > 0
-  double normal();                          ///< standard normal (polar method)
+  std::uint64_t bits();  ///< 64 uniform bits
+  double uniform();      ///< uniform in [0, 1), 53 bits
+  std::uint64_t below(
+      std::uint64_t bound);  ///< uniform integer in [0, bound), without modulo bias; bound > 0
+  double normal();           ///< standard normal (polar method)
   int binomial(int trials, double probability);  ///< number of successes, by counting; trials >= 0
 
  private:

@@ -1,0 +1,221 @@
+#include "stimuli/manifest.h"
+
+#include <nlohmann/json.hpp>
+
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+#include "stimuli/support/hash.h"
+
+namespace seamline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const ManifestStimulus& record) {
+  const Stimulus& stimulus = record.stimulus;
+  Json json;
+  json["id"] = record.id;
+  json["scene"] = stimulus.scene;
+  json["artifact"] = word(stimulus.artifact);
+  json["object"] = stimulus.object;
+  json["object_index"] = stimulus.object_index;
+  json["condition"] = {{"depth_width_px", stimulus.condition.depth_width_px},
+                       {"depth_height_px", stimulus.condition.depth_height_px()},
+                       {"yaw_texels", stimulus.condition.yaw_texels}};
+  json["isolation"] = word(record.isolation);
+  json["image"] = record.image;
+  json["object_ids"] = record.object_ids;
+  json["reference"] = record.reference;
+  json["spp"] = record.spp;
+  json["rays"] = record.rays;
+  json["rmse"] = record.rmse ? Json(*record.rmse) : Json(nullptr);
+  json["mesh"] = {{"triangles", record.mesh.triangles},
+                  {"max_relative_error", record.mesh.max_relative_error}};
+  json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
+                               {"clamped_pixels", record.tiny_denominators.clamped_pixels}};
+  json["clipped_share"] = record.clipped_share;
+  json["sha256"] = record.sha256;
+  return json;
+}
+
+/// Reads fields of one JSON object; complaints name file and field.
+class FieldReader {
+ public:
+  FieldReader(const Json& json, std::string file, std::string prefix)
+      : json_(json), file_(std::move(file)), prefix_(std::move(prefix)) {}
+
+  template <class T>
+  [[nodiscard]] T get(const char* key) const {
+    const auto found = json_.is_object() ? json_.find(key) : json_.end();
+    if (found == json_.end()) throw complaint(key, "a value", "nothing");
+    try {
+      return found->get<T>();
+    } catch (const Json::exception&) {
+      throw complaint(key, "a value of its kind", found->dump().substr(0, 40));
+    }
+  }
+  [[nodiscard]] FieldReader object(const char* key) const {
+    if (!json_.is_object() || !json_.contains(key)) throw complaint(key, "an object", "nothing");
+    return {json_.at(key), file_, prefix_ + key + "."};
+  }
+  [[nodiscard]] const Json& array(const char* key) const {
+    if (!json_.is_object() || !json_.contains(key) || !json_.at(key).is_array())
+      throw complaint(key, "an array", "nothing");
+    return json_.at(key);
+  }
+  [[nodiscard]] InputError complaint(const char* key, const std::string& wanted,
+                                     const std::string& found) const {
+    return input_error({.file = file_, .field = prefix_ + key, .wanted = wanted, .found = found});
+  }
+
+ private:
+  const Json& json_;
+  std::string file_, prefix_;
+};
+
+Artifact read_artifact(const FieldReader& fields) {
+  const auto text = fields.get<std::string>("artifact");
+  const std::optional<Artifact> artifact = artifact_from_word(text);
+  if (!artifact) throw fields.complaint("artifact", "a known artifact", "\"" + text + "\"");
+  return *artifact;
+}
+
+Stimulus read_stimulus(const FieldReader& fields) {
+  const FieldReader condition = fields.object("condition");
+  Stimulus stimulus{.scene = fields.get<std::string>("scene"),
+                    .artifact = read_artifact(fields),
+                    .object = fields.get<std::string>("object"),
+                    .object_index = fields.get<int>("object_index"),
+                    .condition = {.depth_width_px = condition.get<int>("depth_width_px"),
+                                  .yaw_texels = condition.get<int>("yaw_texels")}};
+  if (stimulus.object_index < 1 || stimulus.object_index > 3)
+    throw fields.complaint("object_index", "1, 2 or 3", std::to_string(stimulus.object_index));
+  return stimulus;
+}
+
+ManifestStimulus read_record(const FieldReader& fields) {
+  ManifestStimulus record;
+  record.id = fields.get<std::string>("id");
+  record.stimulus = read_stimulus(fields);
+  const auto isolation = isolation_from_word(fields.get<std::string>("isolation"));
+  if (!isolation) throw fields.complaint("isolation", "query or mask", fields.get<std::string>("isolation"));
+  record.isolation = *isolation;
+  record.image = fields.get<std::string>("image");
+  record.object_ids = fields.get<std::string>("object_ids");
+  record.reference = fields.get<std::string>("reference");
+  record.spp = fields.get<int>("spp");
+  record.rays = fields.get<std::int64_t>("rays");
+  const auto rmse = fields.get<Json>("rmse");
+  if (rmse.is_number()) record.rmse = rmse.get<double>();
+  const FieldReader mesh = fields.object("mesh");
+  record.mesh = {mesh.get<std::int64_t>("triangles"), mesh.get<double>("max_relative_error")};
+  const FieldReader tiny = fields.object("tiny_denominators");
+  record.tiny_denominators = {tiny.get<std::int64_t>("floored_pixels"),
+                              tiny.get<std::int64_t>("clamped_pixels")};
+  record.clipped_share = fields.get<double>("clipped_share");
+  record.sha256 = fields.get<std::string>("sha256");
+  return record;
+}
+
+Json to_json(const ManifestReference& reference) {
+  Json json;
+  json["scene"] = reference.scene;
+  json["image"] = reference.image;
+  json["object_ids"] = reference.object_ids;
+  json["image_sha256"] = reference.image_sha256;
+  json["object_ids_sha256"] = reference.object_ids_sha256;
+  return json;
+}
+
+Json parse(const std::string& text, const std::string& file) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw input_error(
+        {.file = file, .wanted = "JSON", .found = "something else at byte " + std::to_string(error.byte)});
+  }
+}
+
+void check_version(const FieldReader& fields) {
+  const auto format = fields.get<std::string>("format");
+  if (format != manifest_format)
+    throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
+  const int version = fields.get<int>("version");
+  if (version != manifest_version)
+    throw fields.complaint(
+        "version",
+        "version " + std::to_string(manifest_version) + " (render the set again with this program)",
+        std::to_string(version));
+}
+
+std::filesystem::path manifest_path(const std::filesystem::path& set_folder) {
+  return set_folder / "manifest.json";
+}
+
+}  // namespace
+
+Manifest read_manifest(const std::filesystem::path& set_folder) {
+  const std::filesystem::path path = manifest_path(set_folder);
+  if (!std::filesystem::exists(path))
+    throw input_error(
+        {.file = path.string(), .wanted = "a set rendered by `seamline render`", .found = "no such file"});
+  const Json json = parse(read_file(path), path.string());
+  const FieldReader fields(json, path.string(), "");
+  check_version(fields);
+  Manifest manifest;
+  const FieldReader study = fields.object("study");
+  manifest.study_name = study.get<std::string>("name");
+  manifest.study_hash = study.get<std::string>("sha256");
+  manifest.study_file = study.get<std::string>("file");
+  const FieldReader program = fields.object("program");
+  manifest.program_version = program.get<std::string>("version");
+  manifest.instruction_set = program.get<std::string>("instruction_set");
+  manifest.left_out = fields.get<std::vector<std::string>>("left_out");
+  manifest.width_px = fields.get<int>("width_px");
+  manifest.height_px = fields.get<int>("height_px");
+  for (const Json& item : fields.array("references")) {
+    const FieldReader reference(item, path.string(),
+                                "references[" + std::to_string(manifest.references.size()) + "].");
+    manifest.references.push_back({reference.get<std::string>("scene"), reference.get<std::string>("image"),
+                                   reference.get<std::string>("object_ids"),
+                                   reference.get<std::string>("image_sha256"),
+                                   reference.get<std::string>("object_ids_sha256")});
+  }
+  for (const Json& item : fields.array("stimuli"))
+    manifest.stimuli.push_back(read_record(
+        FieldReader(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].")));
+  return manifest;
+}
+
+void write_manifest(const std::filesystem::path& set_folder, const Manifest& manifest) {
+  Json json;
+  json["format"] = manifest_format;
+  json["version"] = manifest_version;
+  json["study"] = {
+      {"name", manifest.study_name}, {"sha256", manifest.study_hash}, {"file", manifest.study_file}};
+  json["program"] = {{"version", manifest.program_version}, {"instruction_set", manifest.instruction_set}};
+  json["left_out"] = manifest.left_out;
+  json["width_px"] = manifest.width_px;
+  json["height_px"] = manifest.height_px;
+  json["references"] = Json::array();
+  for (const ManifestReference& reference : manifest.references)
+    json["references"].push_back(to_json(reference));
+  json["stimuli"] = Json::array();
+  for (const ManifestStimulus& record : manifest.stimuli) json["stimuli"].push_back(to_json(record));
+  write_file_atomically(manifest_path(set_folder), json.dump(1) + "\n");
+}
+
+std::string stimulus_record_text(const ManifestStimulus& record) {
+  return to_json(record).dump();
+}
+
+ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file) {
+  const Json json = parse(text, file);
+  return read_record(FieldReader(json, file, ""));
+}
+
+std::string set_hash(const std::filesystem::path& set_folder) {
+  return sha256_of_file(manifest_path(set_folder));
+}
+
+}  // namespace seamline

@@ -1,0 +1,106 @@
+#include "stimuli/study_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "stimuli/study_file_scene.h"
+#include "stimuli/toml_table.h"
+
+namespace seamline {
+namespace {
+
+constexpr const char* study_format = "seamline study 1";
+
+void check_format(const TomlTable& table) {
+  const std::string format = table.text("format");
+  if (format != study_format)
+    throw table.complaint("format", std::string("\"") + study_format + "\"", "\"" + format + "\"");
+}
+
+Isolation read_isolation(const TomlTable& table) {
+  const std::string text = table.text("isolation", "query");
+  const std::optional<Isolation> isolation = isolation_from_word(text);
+  if (!isolation) throw table.complaint("isolation", "\"query\" or \"mask\"", "\"" + text + "\"");
+  return *isolation;
+}
+
+MeshDensity read_mesh(const TomlTable& table) {
+  const std::string text = table.text("mesh", "adaptive");
+  for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full})
+    if (word(density) == text) return density;
+  throw table.complaint("mesh", "\"adaptive\" or \"full\"", "\"" + text + "\"");
+}
+
+std::vector<int> read_widths(const TomlTable& table) {
+  std::vector<int> widths = table.integers("depth_width_px", {2, 16384, "px"});
+  for (const int width : widths)
+    if (width % 2 != 0) throw table.complaint("depth_width_px", "even widths", std::to_string(width));
+  if (std::set<int>(widths.begin(), widths.end()).size() != widths.size())
+    throw table.complaint("depth_width_px", "widths that differ", "a width given twice");
+  std::sort(widths.begin(), widths.end());
+  return widths;
+}
+
+SessionDefinition read_session(const TomlTable& table) {
+  SessionDefinition session;
+  session.question = table.text("question", session.question);
+  session.rating_question = table.text("rating_question", session.rating_question);
+  session.break_every_trials =
+      table.integer("break_every_trials", session.break_every_trials, {1, 100000, "trials"});
+  if (table.has("rating_labels")) {
+    const std::vector<std::string> labels = table.texts("rating_labels");
+    if (labels.size() != session.rating_labels.size())
+      throw table.complaint("rating_labels", "four texts", std::to_string(labels.size()));
+    std::copy(labels.begin(), labels.end(), session.rating_labels.begin());
+  }
+  table.finish();
+  return session;
+}
+
+ObserverDefinition read_observer(const TomlTable& table) {
+  ObserverDefinition observer;
+  observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
+  observer.people_sd_octaves =
+      table.number("people_sd_octaves", observer.people_sd_octaves, {0, 100, "octaves"});
+  if (const auto midpoints = table.table("midpoint_width_px")) {
+    for (const Artifact artifact : every_artifact) {
+      double& width_px = observer.midpoint_width_px[artifact];
+      width_px = midpoints->number(std::string(word(artifact)), width_px, {1e-3, 1e9, "px"});
+    }
+    midpoints->finish();
+  }
+  table.finish();
+  return observer;
+}
+
+}  // namespace
+
+StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets) {
+  const TomlTable table = TomlTable::read(path);
+  check_format(table);
+  StudyDefinition study;
+  study.file = path;
+  study.name = table.text("name");
+  study.isolation = read_isolation(table);
+  study.width_px = table.integer("width_px", study.width_px, {8, 16384, "px"});
+  study.height_px = table.integer("height_px", study.height_px, {8, 16384, "px"});
+  study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
+  study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 2147483647}));
+  study.mesh = read_mesh(table);
+  study.mesh_tolerance = table.number("mesh_tolerance", study.mesh_tolerance, {1e-9, 1});
+  study.depth_width_px = read_widths(table);
+  study.yaw_texels = table.integer("yaw_texels", 0, {-16384, 16384, "texels"});
+  if (const auto session = table.table("session")) study.session = read_session(*session);
+  if (const auto observer = table.table("observer")) study.observer = read_observer(*observer);
+  std::set<std::string> names;
+  for (const TomlTable& scene : table.tables("scene")) {
+    study.scenes.push_back(read_scene(scene, path, assets));
+    if (!names.insert(study.scenes.back().name).second)
+      throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
+  }
+  table.finish();
+  if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
+  return study;
+}
+
+}  // namespace seamline
