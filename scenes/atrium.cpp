@@ -1,0 +1,128 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "scenes/backgrounds.h"
+#include "scenes/solids.h"
+
+namespace seamline {
+namespace {
+
+using Vector3d = Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double bay_m = 2.8;          ///< from column to column
+constexpr double spring_m = 2.6;       ///< where the lower arches begin
+constexpr double storey_m = 4.3;       ///< floor of the gallery
+constexpr double aisle_m = 3.0;        ///< depth behind the columns
+constexpr double shaft_m = 0.28;
+constexpr double thickness_m = 0.6;    ///< of the arcade wall
+constexpr int bays = 7;
+constexpr double first_x_m = -9.8;
+constexpr double arcade_z_m = -7.5;    ///< the plane of the columns' axes
+const Vector3d eye_m(3.2, 1.7, 0.0);
+
+void add(SceneContents& court, const std::string& name, const TriangleMesh& mesh, const Vector3d& shift = Vector3d::Zero()) {
+  court.parts.push_back({name, transformed(mesh, Eigen::Affine3d(Eigen::Translation3d(shift)))});
+}
+
+TriangleMesh make_column(double height_m, double radius_m) {
+  const double r = radius_m;
+  const double h = height_m;
+  TriangleMesh mesh = box({-1.5 * r, 0, -1.5 * r}, {1.5 * r, 0.12, 1.5 * r});
+  append(mesh, turned({{1.42 * r, 0.12}, {1.42 * r, 0.2}, {1.2 * r, 0.24}, {1.3 * r, 0.3}, {1.05 * r, 0.36}, {r, 0.42}, {0.88 * r, h - 0.42},
+                       {1.02 * r, h - 0.4}, {1.02 * r, h - 0.36}, {0.9 * r, h - 0.33}, {1.0 * r, h - 0.22}, {1.45 * r, h - 0.1}}, 32));
+  append(mesh, box({-1.6 * r, h - 0.1, -1.6 * r}, {1.6 * r, h, 1.6 * r}));
+  return mesh;
+}
+
+/// The wall over one bay: from the springing of the arch up to `top_m`, cut out by a half circle. In x 0..bay, z about 0.
+TriangleMesh make_arch(double springing_m, double top_m) {
+  constexpr int steps = 24;
+  const double pier = 0.36;
+  const double radius = bay_m / 2 - pier;
+  TriangleMesh mesh;
+  const auto slab = [&mesh](const std::vector<Eigen::Vector2d>& outline) { append(mesh, extruded(outline, -thickness_m / 2, thickness_m / 2)); };
+  slab({{0, springing_m}, {pier, springing_m}, {pier, top_m}, {0, top_m}});
+  slab({{bay_m - pier, springing_m}, {bay_m, springing_m}, {bay_m, top_m}, {bay_m - pier, top_m}});
+  for (int i = 0; i < steps; ++i) {
+    const auto on_arch = [&](int step) -> Eigen::Vector2d {
+      const double angle = pi * (1 - static_cast<double>(step) / steps);
+      return {bay_m / 2 + radius * std::cos(angle), springing_m + radius * std::sin(angle)};
+    };
+    const Eigen::Vector2d a = on_arch(i);
+    const Eigen::Vector2d b = on_arch(i + 1);
+    slab({a, b, {b.x(), top_m}, {a.x(), top_m}});
+  }
+  return mesh;
+}
+
+TriangleMesh make_balustrade() {
+  TriangleMesh mesh = box({0, 0, -0.14}, {bay_m, 0.1, 0.14});
+  append(mesh, box({0, 0.8, -0.16}, {bay_m, 0.92, 0.16}));
+  for (int i = 0; i < 9; ++i) {
+    const TriangleMesh baluster = turned({{0.06, 0.1}, {0.06, 0.16}, {0.035, 0.2}, {0.085, 0.36}, {0.035, 0.62}, {0.06, 0.7}, {0.06, 0.8}}, 12);
+    append(mesh, transformed(baluster, Eigen::Affine3d(Eigen::Translation3d((i + 0.5) * bay_m / 9, 0, 0))));
+  }
+  return mesh;
+}
+
+/// What the eye cannot see behind a shaft, from its axis back to the aisle's wall, a little narrower than the shaft.
+TriangleMesh make_screen(const Vector3d& axis) {
+  const Eigen::Vector2d eye(eye_m.x(), eye_m.z());
+  const Eigen::Vector2d foot(axis.x(), axis.z());
+  const Eigen::Vector2d sight = (foot - eye).normalized();
+  const Eigen::Vector2d side(-sight.y(), sight.x());
+  const double narrow = 0.8 * shaft_m;
+  const double wall_z = arcade_z_m - aisle_m;
+  TriangleMesh mesh;
+  for (const double hand : {-1.0, 1.0}) {
+    const Eigen::Vector2d edge = foot + hand * narrow * side;
+    const Eigen::Vector2d along = (edge - eye).normalized();
+    const Eigen::Vector2d end = edge + along * ((wall_z - edge.y()) / along.y());
+    append(mesh, beam({edge.x(), spring_m / 2, edge.y()}, {end.x(), spring_m / 2, end.y()}, 0.02, spring_m));
+  }
+  return mesh;
+}
+
+void add_arcade(SceneContents& court) {
+  TriangleMesh columns, arches, upper, balustrade, screens;
+  for (int i = 0; i <= bays; ++i) {
+    const Vector3d axis(first_x_m + i * bay_m, 0, arcade_z_m);
+    const Eigen::Affine3d there{Eigen::Translation3d(axis)};
+    append(columns, transformed(make_column(spring_m, shaft_m), there));
+    const Eigen::Affine3d above{Eigen::Translation3d(axis + Vector3d(0, storey_m, 0))};
+    append(upper, transformed(make_column(2.3, 0.2), above));
+    append(screens, make_screen(axis));
+    if (i == bays) continue;
+    append(arches, transformed(make_arch(spring_m, storey_m - 0.2), there));
+    append(upper, transformed(make_arch(2.3, 3.8), above));
+    append(balustrade, transformed(make_balustrade(), above));
+  }
+  add(court, "columns", columns);
+  add(court, "arches", arches);
+  add(court, "gallery_arcade", upper);
+  add(court, "balustrade", balustrade);
+  add(court, "screens", screens);
+}
+
+}  // namespace
+
+SceneContents make_atrium() {
+  SceneContents court;
+  const double low_x = first_x_m - 0.5;
+  const double high_x = first_x_m + bays * bay_m + 0.5;
+  const double wall_z = arcade_z_m - aisle_m;
+  add(court, "floor", box({low_x, -0.1, wall_z}, {high_x, 0, 5}));
+  add(court, "wall_back", box({low_x, 0, wall_z - 0.2}, {high_x, 9, wall_z}));
+  add(court, "wall_left", box({low_x - 0.2, 0, wall_z}, {low_x, 9, 5}));
+  add(court, "wall_right", box({high_x, 0, wall_z}, {high_x + 0.2, 9, 5}));
+  add(court, "wall_front", box({low_x, 0, 5}, {high_x, 9, 5.2}));
+  add(court, "gallery_floor", box({low_x, storey_m - 0.2, wall_z}, {high_x, storey_m, arcade_z_m + 0.3}));
+  add(court, "cornice", box({low_x, storey_m - 0.12, arcade_z_m + 0.3}, {high_x, storey_m, arcade_z_m + 0.45}));
+  add_arcade(court);
+  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.6, 1.9, -7}, .vertical_fov_rad = 0.6};
+  return court;
+}
+
+}  // namespace seamline

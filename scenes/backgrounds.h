@@ -1,0 +1,15 @@
+#pragma once
+#include "scenes/scene_file.h"
+
+namespace seamline {
+
+/// A room open to the left, where a low sun comes in: floor, walls, ceiling, and furniture of cuboids.
+[[nodiscard]] SceneContents make_bedroom();
+
+/// An open pavilion on a lawn with the sun behind it, whose shadow reaches towards the camera.
+[[nodiscard]] SceneContents make_gazebo();
+
+/// A court of two storeys of arcades, with screens behind its columns (paper section 4.1.1). No sun.
+[[nodiscard]] SceneContents make_atrium();
+
+}  // namespace seamline

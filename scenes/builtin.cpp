@@ -1,0 +1,39 @@
+#include "scenes/builtin.h"
+
+#include <stdexcept>
+
+#include "scenes/backgrounds.h"
+#include "scenes/objects.h"
+#include "scenes/polygonise.h"
+
+namespace seamline {
+namespace {
+
+std::invalid_argument unknown(std::string_view name) {
+  return std::invalid_argument("no built-in scene or object is called " + std::string(name));
+}
+
+TriangleMesh cast_in_triangles(const Sculpture& sculpture, double cell_m, const ModelOptions& options) {
+  return stood_on_ground(polygonise(sculpture, {.cell_m = cell_m * options.coarseness, .threads = options.threads}));
+}
+
+}  // namespace
+
+SceneContents builtin_scene(std::string_view name) {
+  if (name == "bedroom") return make_bedroom();
+  if (name == "gazebo") return make_gazebo();
+  if (name == "atrium") return make_atrium();
+  throw unknown(name);
+}
+
+TriangleMesh builtin_object(std::string_view name, const ModelOptions& options) {
+  if (name == "teapot") return make_teapot(22);
+  if (name == "statue") return cast_in_triangles(sculpt_statue(), 0.020, options);
+  if (name == "creature") return cast_in_triangles(sculpt_creature(), 0.020, options);
+  if (name == "beast") return cast_in_triangles(sculpt_beast(), 0.020, options);
+  if (name == "lion") return cast_in_triangles(sculpt_lion(), 0.020, options);
+  if (name == "dragon") return cast_in_triangles(sculpt_dragon(), 0.020, options);
+  throw unknown(name);
+}
+
+}  // namespace seamline

@@ -1,0 +1,191 @@
+#include "scenes/clay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace seamline {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+using Vector3d = Eigen::Vector3d;
+
+/// A round cone's two balls and what its distance needs of them.
+struct RoundCone {
+  Vector3d from = Vector3d::Zero();
+  Vector3d along = Vector3d::Zero();
+  double radius = 0;
+  double radius_step = 0;
+  double inverse_length2 = 0;
+};
+
+RoundCone round_cone(const Knot& a, const Knot& b) {
+  const Vector3d along = b.position_m - a.position_m;
+  return {.from = a.position_m, .along = along, .radius = a.radius_m, .radius_step = b.radius_m - a.radius_m,
+          .inverse_length2 = 1.0 / std::max(along.squaredNorm(), 1e-12)};
+}
+
+/// Distance to the balls that interpolate the two ends at the foot of the perpendicular: exact for slender cones.
+double distance_to(const RoundCone& cone, const Vector3d& point) {
+  const Vector3d offset = point - cone.from;
+  const double t = std::clamp(offset.dot(cone.along) * cone.inverse_length2, 0.0, 1.0);
+  return (offset - t * cone.along).norm() - (cone.radius + t * cone.radius_step);
+}
+
+Box bounds_of(const std::vector<Knot>& curve) {
+  Box box;
+  for (const Knot& knot : curve) {
+    box.extend(knot.position_m + Vector3d::Constant(knot.radius_m));
+    box.extend(knot.position_m - Vector3d::Constant(knot.radius_m));
+  }
+  return box;
+}
+
+Distance limb_distance(const std::vector<Knot>& curve) {
+  std::vector<RoundCone> cones;
+  for (std::size_t i = 1; i < curve.size(); ++i) cones.push_back(round_cone(curve[i - 1], curve[i]));
+  return [cones](const Vector3d& point) {
+    double nearest = std::numeric_limits<double>::max();
+    for (const RoundCone& cone : cones) nearest = std::min(nearest, distance_to(cone, point));
+    return nearest;
+  };
+}
+
+/// The box of a box after a rotation about `centre`.
+Box turned_box(const Vector3d& centre, const Vector3d& half, const Eigen::Quaterniond& turn) {
+  const Vector3d reach = turn.toRotationMatrix().cwiseAbs() * half;
+  return {centre - reach, centre + reach};
+}
+
+}  // namespace
+
+std::vector<Knot> smooth_curve(const std::vector<Knot>& knots, int steps) {
+  std::vector<Knot> curve;
+  const auto last = knots.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    const Knot& b = knots[i];
+    const Knot& c = knots[i + 1];
+    const Knot& a = i > 0 ? knots[i - 1] : b;
+    const Knot& d = i + 2 <= last ? knots[i + 2] : c;
+    for (int step = 0; step < steps; ++step) {
+      const double t = static_cast<double>(step) / steps;
+      const auto blend = [t](const auto& p, const auto& q, const auto& r, const auto& s) {
+        return (q + 0.5 * t * ((r - p) + t * ((2 * p - 5 * q + 4 * r - s) + t * (3 * (q - r) + s - p)))).eval();
+      };
+      using Scalar = Eigen::Matrix<double, 1, 1>;
+      const double radius = blend(Scalar(a.radius_m), Scalar(b.radius_m), Scalar(c.radius_m), Scalar(d.radius_m))[0];
+      curve.push_back({blend(a.position_m, b.position_m, c.position_m, d.position_m), std::max(radius, 0.0)});
+    }
+  }
+  curve.push_back(knots.back());
+  return curve;
+}
+
+Stroke limb(const std::vector<Knot>& knots, double blend_m, int steps) {
+  const std::vector<Knot> curve = smooth_curve(knots, steps);
+  return {.distance = limb_distance(curve), .bounds = bounds_of(curve), .blend_m = blend_m};
+}
+
+Stroke blade(const std::vector<Knot>& knots, const Vector3d& across, double flatness, double blend_m) {
+  const Vector3d normal = across.normalized();
+  const auto stretched = [normal, flatness](const Vector3d& p) -> Vector3d { return p + (flatness - 1) * normal.dot(p) * normal; };
+  std::vector<Knot> curve = smooth_curve(knots, 5);
+  const Box box = bounds_of(curve);
+  for (Knot& knot : curve) knot.position_m = stretched(knot.position_m);
+  const Distance round = limb_distance(curve);
+  // Divided by the stretch it never overestimates, so a joint stays within its width.
+  const auto distance = [round, stretched, flatness](const Vector3d& point) { return round(stretched(point)) / flatness; };
+  return {.distance = distance, .bounds = box, .blend_m = blend_m};
+}
+
+Stroke spike(const Vector3d& base_m, const Vector3d& tip_m, double radius_m, double blend_m) {
+  return limb({{base_m, radius_m}, {tip_m, 0.12 * radius_m}}, blend_m, 1);
+}
+
+Stroke lump(const Vector3d& centre_m, const Vector3d& half_axes_m, double blend_m, const Eigen::Quaterniond& turn) {
+  const Eigen::Matrix3d to_local = turn.toRotationMatrix().transpose();
+  const Eigen::Array3d inverse = half_axes_m.array().inverse();
+  const double smallest = half_axes_m.minCoeff();
+  const auto distance = [=](const Vector3d& point) {
+    const Eigen::Array3d scaled = (to_local * (point - centre_m)).array() * inverse;
+    const double k0 = scaled.matrix().norm();
+    if (k0 < 1e-6) return -smallest;
+    const double k1 = (scaled * inverse).matrix().norm();
+    return k0 * (k0 - 1.0) / k1;
+  };
+  return {.distance = distance, .bounds = turned_box(centre_m, half_axes_m, turn), .blend_m = blend_m};
+}
+
+Stroke drum(const Vector3d& base_m, double radius_m, double height_m, double edge_m, double blend_m) {
+  const Vector3d half(radius_m, height_m / 2, radius_m);
+  const Vector3d centre = base_m + Vector3d(0, height_m / 2, 0);
+  const auto distance = [=](const Vector3d& point) {
+    const Vector3d p = point - centre;
+    const double side = std::hypot(p.x(), p.z()) - radius_m + edge_m;
+    const double end = std::abs(p.y()) - height_m / 2 + edge_m;
+    return std::hypot(std::max(side, 0.0), std::max(end, 0.0)) + std::min(std::max(side, end), 0.0) - edge_m;
+  };
+  return {.distance = distance, .bounds = Box(centre - half, centre + half), .blend_m = blend_m};
+}
+
+Stroke block(const Vector3d& centre_m, const Vector3d& half_size_m, double edge_m, double blend_m, const Eigen::Quaterniond& turn) {
+  const Eigen::Matrix3d to_local = turn.toRotationMatrix().transpose();
+  const auto distance = [=](const Vector3d& point) {
+    const Vector3d q = (to_local * (point - centre_m)).cwiseAbs() - half_size_m + Vector3d::Constant(edge_m);
+    return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0) - edge_m;
+  };
+  return {.distance = distance, .bounds = turned_box(centre_m, half_size_m, turn), .blend_m = blend_m};
+}
+
+Stroke skin(const Vector3d& a_m, const Vector3d& b_m, const Vector3d& c_m, double half_thickness_m, double blend_m) {
+  const Vector3d ab = b_m - a_m;
+  const Vector3d bc = c_m - b_m;
+  const Vector3d ca = a_m - c_m;
+  const Vector3d normal = ab.cross(bc).normalized();
+  const auto edge2 = [](const Vector3d& offset, const Vector3d& edge) {
+    return (offset - std::clamp(offset.dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge).squaredNorm();
+  };
+  const auto distance = [=](const Vector3d& point) {
+    const Vector3d pa = point - a_m;
+    const Vector3d pb = point - b_m;
+    const Vector3d pc = point - c_m;
+    const bool over = normal.dot(ab.cross(pa)) >= 0 && normal.dot(bc.cross(pb)) >= 0 && normal.dot(ca.cross(pc)) >= 0;
+    if (over) return std::abs(normal.dot(pa)) - half_thickness_m;
+    return std::sqrt(std::min({edge2(pa, ab), edge2(pb, bc), edge2(pc, ca)})) - half_thickness_m;
+  };
+  Box box;
+  for (const Vector3d& corner : {a_m, b_m, c_m}) {
+    box.extend(corner + Vector3d::Constant(half_thickness_m));
+    box.extend(corner - Vector3d::Constant(half_thickness_m));
+  }
+  return {.distance = distance, .bounds = box, .blend_m = blend_m};
+}
+
+Stroke carved(Stroke stroke) {
+  stroke.carves = true;
+  return stroke;
+}
+
+Stroke mirrored(const Stroke& stroke, int axis) {
+  const auto flip = [axis](Vector3d point) {
+    point[axis] = -point[axis];
+    return point;
+  };
+  Stroke image = stroke;
+  image.distance = [flip, original = stroke.distance](const Vector3d& point) { return original(flip(point)); };
+  image.bounds = Box();
+  image.bounds.extend(flip(stroke.bounds.min()));
+  image.bounds.extend(flip(stroke.bounds.max()));
+  return image;
+}
+
+void add_pair(Sculpture& sculpture, const Stroke& stroke, int axis) {
+  sculpture.strokes.push_back(stroke);
+  sculpture.strokes.push_back(mirrored(stroke, axis));
+}
+
+Eigen::Quaterniond upright_to(const Vector3d& direction) {
+  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), direction.normalized());
+}
+
+}  // namespace seamline
