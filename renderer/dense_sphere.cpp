@@ -9,8 +9,6 @@
 namespace seamline {
 namespace {
 
-constexpr int smallest_dense_width = 2048;
-
 /// Where one coordinate of a vertex falls between two texels.
 struct Between {
   int first = 0, second = 0;
@@ -81,9 +79,9 @@ float mean_of_valid(std::span<const float> row) {
 
 }  // namespace
 
-DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads) {
+DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads, int smallest_width) {
   DenseSphere sphere;
-  sphere.width = std::max(map.width_px, smallest_dense_width);
+  sphere.width = std::max(map.width_px, smallest_width);
   sphere.height = sphere.width / 2;
   const double yaw_turns = static_cast<double>(yaw_texels % map.width_px) / map.width_px;
   fill_angles(sphere.sin_azimuth, sphere.cos_azimuth, sphere.width, [&](int column) {

@@ -8,6 +8,17 @@
 
 namespace seamline {
 
+/// A vertex of the dense sphere. Row -1 is the zenith, row `height` the nadir, where the column means
+/// nothing.
+struct GridVertex {
+  int row = 0;
+  int column = 0;
+};
+
+[[nodiscard]] inline bool is_hole(float distance_m) {
+  return !(distance_m < std::numeric_limits<float>::infinity());
+}
+
 /// The high-density spherical mesh of the paper's section 3.2, before it has triangles: which directions its
 /// vertices have and how far each is pushed out. Independent of the map's width below 2048, so that widths
 /// differ by their samples and not by their mesh. Column W is column 0 again. It may look into the map it was
@@ -37,20 +48,23 @@ struct DenseSphere {
     const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
     return {sin_azimuth[c] * cos_elevation[r], sin_elevation[r], -cos_azimuth[c] * cos_elevation[r]};
   }
-  /// Where the vertex lies, rounded as the mesh stores it. Not for holes.
+  [[nodiscard]] bool valid(const GridVertex& vertex) const {
+    if (vertex.row < 0) return !is_hole(zenith_m);
+    if (vertex.row == height) return !is_hole(nadir_m);
+    return !is_hole(at(vertex.row, vertex.column));
+  }
+  /// Where the vertex (no pole, no hole) lies, rounded as the mesh stores it.
   [[nodiscard]] Eigen::Vector3f position_m(int row, int column) const {
     return (direction(row, column) * static_cast<double>(at(row, column))).cast<float>();
   }
 };
 
-[[nodiscard]] inline bool is_hole(float distance_m) {
-  return !(distance_m < std::numeric_limits<float>::infinity());
-}
-
 /// Samples the map in the directions of the dense sphere's vertices, which lie at the texel centres of a
 /// panorama of its size: bilinear in (column, row), wrapping around, rows clamped at the poles, weights
 /// renormalised over valid texels. A vertex is a hole when the texel it lies in is one. The map's holes must
 /// be +infinity already (`clean_holes`). `yaw_texels` as in MeshOptions.
-[[nodiscard]] DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads);
+/// `smallest_width` (even) is another number only in tests.
+[[nodiscard]] DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads,
+                                            int smallest_width = 2048);
 
 }  // namespace seamline

@@ -1,7 +1,9 @@
 #include "renderer/depth_mesh.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "renderer/adaptive_mesh.h"
 #include "renderer/dense_sphere.h"
 #include "renderer/full_mesh.h"
 
@@ -10,8 +12,13 @@ namespace {
 
 DepthMesh build_from_clean_map(const DepthMap& map, const MeshOptions& options) {
   const DenseSphere sphere = make_dense_sphere(map, options.yaw_texels, options.threads);
-  // The adaptive mesh is still to come; full density meets every tolerance.
-  return build_full_mesh(sphere, options.threads);
+  switch (options.density) {
+    case MeshDensity::adaptive:
+      return build_adaptive_mesh(sphere, options.tolerance, options.threads);
+    case MeshDensity::full:
+      return build_full_mesh(sphere, options.threads);
+  }
+  throw std::logic_error("a mesh density that is neither adaptive nor full");
 }
 
 }  // namespace

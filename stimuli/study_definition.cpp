@@ -19,21 +19,6 @@ std::string object_text(const ObjectDefinition& object) {
                      text(object.rotation_deg), object.scale);
 }
 
-std::string scene_text(const SceneDefinition& scene) {
-  std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
-                                scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
-                                scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
-  for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
-  for (const ObjectDefinition& object : scene.objects) out += object_text(object);
-  if (scene.sun)
-    out += fmt::format("sun {} {} {}\n", text(scene.sun->to_sun), text(scene.sun->irradiance_w_m2),
-                       scene.sun->angular_radius_deg);
-  if (scene.camera)
-    out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
-                       scene.camera->horizontal_fov_deg);
-  return out;
-}
-
 std::string session_text(const SessionDefinition& session, const ObserverDefinition& observer) {
   std::string out = fmt::format("session {} | {} | {}\n", session.question, session.rating_question,
                                 session.break_every_trials);
@@ -56,13 +41,28 @@ std::string_view word(MeshDensity density) {
   return {};
 }
 
+std::string canonical_text(const SceneDefinition& scene) {
+  std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
+                                scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
+                                scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
+  for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
+  for (const ObjectDefinition& object : scene.objects) out += object_text(object);
+  if (scene.sun)
+    out += fmt::format("sun {} {} {}\n", text(scene.sun->to_sun), text(scene.sun->irradiance_w_m2),
+                       scene.sun->angular_radius_deg);
+  if (scene.camera)
+    out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
+                       scene.camera->horizontal_fov_deg);
+  return out;
+}
+
 std::string canonical_text(const StudyDefinition& study) {
   std::string out =
       fmt::format("seamline study 1\nname {}\nisolation {}\nimage {} {} spp {} seed {} mesh {} {} yaw {}\n",
                   study.name, word(study.isolation), study.width_px, study.height_px, study.samples_per_pixel,
                   study.seed, word(study.mesh), study.mesh_tolerance, study.yaw_texels);
   for (const int width_px : study.depth_width_px) out += fmt::format("depth_width_px {}\n", width_px);
-  for (const SceneDefinition& scene : study.scenes) out += scene_text(scene);
+  for (const SceneDefinition& scene : study.scenes) out += canonical_text(scene);
   return out + session_text(study.session, study.observer);
 }
 

@@ -101,6 +101,9 @@ struct StudyDefinition {
 /// hash is over.
 [[nodiscard]] std::string canonical_text(const StudyDefinition& study);
 
+/// The same for one scene: what its pictures depend on, besides the bytes of its files.
+[[nodiscard]] std::string canonical_text(const SceneDefinition& scene);
+
 /// SHA-256 of `canonical_text`.
 [[nodiscard]] std::string study_hash(const StudyDefinition& study);
 

@@ -13,10 +13,10 @@ class InputError : public std::runtime_error {
 
 /// Where something was wrong, what was wanted and what was found. Empty parts are left out of the sentence.
 struct Complaint {
-  std::string file;    ///< path as the user gave it
-  std::string field;   ///< e.g. `scene[0].object[1].scale`
-  std::string wanted;  ///< e.g. "a positive number"
-  std::string found;   ///< e.g. "-1"
+  std::string file = {};    ///< path as the user gave it
+  std::string field = {};   ///< e.g. `scene[0].object[1].scale`
+  std::string wanted = {};  ///< e.g. "a positive number"
+  std::string found = {};   ///< e.g. "-1"
 };
 
 /// Builds the sentence `FILE: FIELD: wanted WANTED, found FOUND`.

@@ -1,6 +1,8 @@
 // The only file that includes OpenImageIO.
 #include "stimuli/support/image.h"
 
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cmath>
@@ -81,6 +83,16 @@ void write_exr(const fs::path& path, const Image& image) {
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
   write_image(path, spec, OIIO::TypeDesc::FLOAT, image.values.data());
+}
+
+void draw_text(ByteImage& image, int x, int y, const std::string& text, int height_px, std::uint8_t code) {
+  static const std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  if (!fs::exists(font)) return;
+  const OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
+  OIIO::ImageBuf buffer(spec, image.values.data());
+  const float grey = static_cast<float>(code) / 255.0F;
+  const std::vector<float> colour(static_cast<std::size_t>(image.channels), grey);
+  OIIO::ImageBufAlgo::render_text(buffer, x, y, text, height_px, font, colour);
 }
 
 void write_png(const fs::path& path, const ByteImage& image) {

@@ -1,0 +1,35 @@
+#pragma once
+#include "stimuli/artifact.h"
+
+namespace seamline {
+
+/// Who answers a question that light asks of the real world.
+enum class Who { truth, depth };
+
+/// The table of DESIGN section 3: an artifact is a choice of who answers each of five questions.
+struct Answers {
+  Who receiver = Who::truth;    ///< 1: on which surface does the virtual shadow land
+  Who real_lit = Who::truth;    ///< 2: is the real surface lit by sun and sky
+  Who object_lit = Who::truth;  ///< 3: is the virtual object lit past real things
+  Who occlusion = Who::truth;   ///< 4: does the real world hide the virtual object
+  Who bounce = Who::truth;      ///< 5: bounce light
+
+  [[nodiscard]] bool needs_depth() const {
+    return receiver == Who::depth || real_lit == Who::depth || object_lit == Who::depth || occlusion == Who::depth ||
+           bounce == Who::depth;
+  }
+};
+
+/// Which layer of a composite is kept; the other comes from the reference.
+enum class Keep { everything, object_layer, rest_layer };
+
+struct Recipe {
+  Answers answers;
+  Keep keep = Keep::everything;
+};
+
+/// `query`: the table. `mask`: everything from the depth mesh, then for `shadow` only the object's layer is kept and for
+/// `overlap` only the rest (the paper's section 4.1.1); the reserved artifacts are as in `query`.
+[[nodiscard]] Recipe recipe(Artifact artifact, Isolation isolation);
+
+}  // namespace seamline

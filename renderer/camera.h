@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace seamline {
+
+/// A pinhole camera at the origin of the renderer's frame (everything is recentred on it), axes of the world.
+struct Camera {
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  ///< columns: right, up, back
+  float tan_half_horizontal = 0.577F;                  ///< tangent of half the horizontal field of view
+  int width_px = 960;
+  int height_px = 540;
+
+  /// Unit direction through image position (x, y) in pixels, (0, 0) being the upper left corner of the picture.
+  [[nodiscard]] Eigen::Vector3f direction(float x, float y) const {
+    const float scale = 2.0F * tan_half_horizontal / static_cast<float>(width_px);
+    const Eigen::Vector3f local((x - 0.5F * static_cast<float>(width_px)) * scale,
+                                (0.5F * static_cast<float>(height_px) - y) * scale, -1.0F);
+    return (axes * local).normalized();
+  }
+};
+
+}  // namespace seamline

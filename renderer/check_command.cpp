@@ -1,0 +1,34 @@
+#include "renderer/check_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+
+#include "renderer/check.h"
+#include "stimuli/study_file.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace {
+
+void run_check(const std::string& path) {
+  const StudyDefinition study = read_study(path);
+  int broken = 0;
+  for (const SceneDefinition& scene : study.scenes)
+    for (const RuleResult& result : check_scene(load_truth_scene(scene, study.width_px, study.height_px))) {
+      fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule, result.found);
+      broken += result.met ? 0 : 1;
+    }
+  if (broken > 0) throw input_error({.file = path, .wanted = "scenes that keep the study's rules", .found = fmt::format("{} broken (above)", broken)});
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* check = app.add_subcommand("check", "do the scenes keep the study's own rules");
+  check->add_option("study", *path, "study file (.toml)")->required();
+  check->callback([path] { run_check(*path); });
+}
+
+}  // namespace seamline

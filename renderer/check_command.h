@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// `seamline check`.
+void add_check_command(CLI::App& app);
+
+}  // namespace seamline

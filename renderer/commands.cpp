@@ -1,0 +1,15 @@
+#include "renderer/commands.h"
+
+#include "renderer/check_command.h"
+#include "renderer/render_command.h"
+#include "renderer/workbench_command.h"
+
+namespace seamline {
+
+void add_renderer_commands(CLI::App& app) {
+  add_render_command(app);
+  add_check_command(app);
+  add_workbench_commands(app);
+}
+
+}  // namespace seamline

@@ -1,0 +1,116 @@
+#include "renderer/composite.h"
+
+#include <algorithm>
+
+#include "renderer/bounce_filter.h"
+#include "stimuli/difference.h"
+
+namespace seamline {
+namespace {
+
+constexpr float floor_share = 1e-6F;        // of the frame's median: below it the ratio is 1
+constexpr float poorly_lit_share = 0.02F;   // of the frame's median: below it the bounce term is filtered
+constexpr float largest_ratio = 4.0F;
+
+std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
+  std::vector<StimulusSums> sums = layers.halves[0];
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += layers.halves[1][i];
+  return sums;
+}
+
+/// Median over the pixels with a ratio of S_no a sample, channels averaged.
+float median_denominator(const std::vector<StimulusSums>& sums) {
+  std::vector<float> values;
+  for (const StimulusSums& pixel : sums)
+    if (pixel.rest > 0) values.push_back(pixel.no.total().mean() / static_cast<float>(pixel.rest));
+  if (values.empty()) return 0.0F;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct RatioOutcome {
+  Rgb ratio = Rgb::Ones();
+  bool floored = false;
+  bool clamped = false;
+};
+
+RatioOutcome ratio_of(const StimulusSums& pixel, const Rgb& filtered_mean, float median) {
+  RatioOutcome outcome;
+  const Rgb no = pixel.no.total();
+  const Rgb change = pixel.with.total() - no;
+  const float samples = static_cast<float>(pixel.rest);
+  const bool poorly_lit = no.mean() < poorly_lit_share * median * samples;
+  const Rgb denominator = poorly_lit ? Rgb(pixel.no.direct + filtered_mean * samples) : no;
+  const float least = floor_share * median * samples;
+  for (int c = 0; c < 3; ++c) {
+    if (change[c] == 0.0F) continue;  // exactly 1: nothing changed
+    if (!(denominator[c] > least)) {
+      outcome.floored = true;
+      continue;
+    }
+    const float ratio = 1.0F + change[c] / denominator[c];
+    outcome.ratio[c] = std::clamp(ratio, 0.0F, largest_ratio);
+    // A fully blocked light ends a rounding error below 0: that is no clamped pixel.
+    outcome.clamped = outcome.clamped || ratio < -1e-4F || ratio > largest_ratio;
+  }
+  return outcome;
+}
+
+Composite compose_sums(const std::vector<StimulusSums>& sums, const std::vector<Guide>& guides, int width_px, int height_px,
+                       int samples, Compositing compositing) {
+  Composite out{Image(width_px, height_px, 3), Image(width_px, height_px, 3, 1.0F), {}};
+  const float median = median_denominator(sums);
+  const std::vector<Rgb> bounce = filtered_bounce(sums, guides, width_px, height_px);
+  for (int y = 0; y < height_px; ++y)
+    for (int x = 0; x < width_px; ++x) {
+      const std::size_t i = out.picture.index(x, y) / 3;
+      const StimulusSums& pixel = sums[i];
+      Rgb rest = pixel.background;
+      if (pixel.rest > 0) {
+        const RatioOutcome outcome = ratio_of(pixel, bounce[i], median);
+        out.ratio.set_rgb(x, y, outcome.ratio);
+        if (compositing == Compositing::ratio) {
+          rest *= outcome.ratio;
+          out.tiny_denominators.floored_pixels += outcome.floored ? 1 : 0;
+          out.tiny_denominators.clamped_pixels += outcome.clamped ? 1 : 0;
+        } else {
+          rest += pixel.with.total() - pixel.no.total();
+        }
+      }
+      out.picture.set_rgb(x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
+    }
+  return out;
+}
+
+}  // namespace
+
+Composite compose(const StimulusLayers& layers, Compositing compositing) {
+  return compose_sums(sum_halves(layers), layers.guides, layers.width_px, layers.height_px, layers.spp, compositing);
+}
+
+std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev) {
+  if (layers.spp < 2) return std::nullopt;
+  const auto half = [&](std::size_t i) {
+    const int samples = (layers.spp + 1 - static_cast<int>(i)) / 2;
+    return compose_sums(layers.halves[i], layers.guides, layers.width_px, layers.height_px, samples, Compositing::ratio).picture;
+  };
+  return 0.5 * display_rmse(half(0), half(1), exposure_ev);
+}
+
+LayerImages layer_images(const StimulusLayers& layers) {
+  LayerImages images{Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3),
+                     Image(layers.width_px, layers.height_px, 3)};
+  const std::vector<StimulusSums> sums = sum_halves(layers);
+  const float scale = 1.0F / static_cast<float>(layers.spp);
+  for (int y = 0; y < layers.height_px; ++y)
+    for (int x = 0; x < layers.width_px; ++x) {
+      const StimulusSums& pixel = sums[images.with.index(x, y) / 3];
+      images.with.set_rgb(x, y, (pixel.with.total() + pixel.object) * scale);
+      images.without.set_rgb(x, y, pixel.no.total() * scale);
+      images.object.set_rgb(x, y, pixel.object * scale);
+    }
+  return images;
+}
+
+}  // namespace seamline

@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace seamline {
+
+/// Checked reading of glTF accessors: every byte read is proven to lie inside its buffer first.
+class GltfReader {
+ public:
+  GltfReader(const tinygltf::Model& model, std::string file) : model_(model), file_(std::move(file)) {}
+
+  /// Accessor `index` as 3-vectors; throws InputError unless it is VEC3 of float or normalised integers.
+  [[nodiscard]] std::vector<Eigen::Vector3d> vectors(int index, const std::string& field) const;
+  /// Accessor `index` as unsigned scalars; throws InputError unless it is SCALAR of unsigned integers.
+  [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
+
+ private:
+  [[nodiscard]] std::vector<double> components(int index, int wanted_components, const std::string& field) const;
+  void overwrite_sparse(int index, int component_count, std::vector<double>& values, const std::string& field) const;
+
+  const tinygltf::Model& model_;
+  std::string file_;
+};
+
+}  // namespace seamline

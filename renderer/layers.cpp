@@ -1,0 +1,44 @@
+#include "renderer/layers.h"
+
+namespace seamline {
+namespace {
+
+template <class Radiance>
+Image image_of(const TruthLayers& truth, int channels, const Radiance& radiance) {
+  Image image(truth.width_px, truth.height_px, channels);
+  const float scale = 1.0F / static_cast<float>(truth.spp);
+  for (int y = 0; y < truth.height_px; ++y)
+    for (int x = 0; x < truth.width_px; ++x) {
+      const std::size_t i = truth.index(x, y);
+      const Rgb value = (radiance(truth.halves[0][i]) + radiance(truth.halves[1][i])) * scale;
+      for (int c = 0; c < channels; ++c) image.at(x, y, c) = value[c];
+    }
+  return image;
+}
+
+}  // namespace
+
+Image background_image(const TruthLayers& truth) {
+  return image_of(truth, 3, [](const TruthSums& sums) -> Rgb { return sums.sky + sums.no.total() + sums.behind; });
+}
+
+Image reference_image(const TruthLayers& truth) {
+  return image_of(truth, 3, [](const TruthSums& sums) -> Rgb { return sums.sky + sums.with.total() + sums.object.total(); });
+}
+
+Image matte_image(const TruthLayers& truth) {
+  return image_of(truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(static_cast<float>(sums.covered)); });
+}
+
+StimulusSums& StimulusSums::operator+=(const StimulusSums& other) {
+  sky += other.sky;
+  background += other.background;
+  no += other.no;
+  with += other.with;
+  object += other.object;
+  from_reference += other.from_reference;
+  rest += other.rest;
+  return *this;
+}
+
+}  // namespace seamline

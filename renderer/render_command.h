@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// `seamline render` and `seamline verify`.
+void add_render_command(CLI::App& app);
+
+}  // namespace seamline

@@ -1,0 +1,270 @@
+#include "renderer/render_set.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <set>
+
+#include "renderer/capture.h"
+#include "renderer/composite.h"
+#include "renderer/contact_sheet.h"
+#include "renderer/left_out.h"
+#include "renderer/parallel.h"
+#include "renderer/set_layers.h"
+#include "renderer/stimulus_pass.h"
+#include "renderer/timings.h"
+#include "stimuli/difference.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+#include "stimuli/support/hash.h"
+#include "stimuli/support/progress.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct Pending {
+  Stimulus stimulus;
+  std::string inputs;
+};
+
+/// One render job: what is asked, what is finished, and the order of work that shares the most: scene, object, width.
+class SetRenderer {
+ public:
+  SetRenderer(const StudyDefinition& study, const RenderRequest& request)
+      : study_(study),
+        request_(request),
+        settings_{request.spp.value_or(study.samples_per_pixel), study.seed, request.mesh.value_or(study.mesh)},
+        hashes_(study, settings_),
+        records_(request.set_folder),
+        threads_(request.threads > 0 ? request.threads : default_thread_count()),
+        timings_(request.set_folder, threads_) {}
+
+  RenderSummary run() {
+    const Clock::time_point start = Clock::now();
+    prepare_folder();
+    find_pending();
+    progress_.emplace("rendering " + study_.name, total_work());
+    for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
+    for (const SceneDefinition& scene : study_.scenes) render_scene(scene);
+    progress_.reset();
+    write_manifest(request_.set_folder, manifest());
+    summary_.seconds = seconds_since(start);
+    timings_.write(summary_.seconds);
+    return summary_;
+  }
+
+ private:
+  void prepare_folder() const {
+    prepare_output_folder(request_.set_folder);
+    for (const char* part : {"stimuli", "references", "records"}) prepare_output_folder(request_.set_folder / part);
+    if (fs::exists(request_.set_folder / "manifest.json")) {
+      const Manifest existing = read_manifest(request_.set_folder);
+      if (existing.study_name != study_.name)
+        throw input_error({.file = request_.set_folder.string(), .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
+                           .found = "a set of study \"" + existing.study_name + "\""});
+    }
+    write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
+  }
+
+  void find_pending() {
+    bool any = false;
+    for (const Stimulus& stimulus : list_stimuli(study_)) {
+      if (!matches_pattern(stimulus_id(stimulus), request_.only)) continue;
+      any = true;
+      const std::string inputs = hashes_.of_stimulus(stimulus);
+      if (records_.finished(stimulus_id(stimulus), inputs) && !(request_.layers && !has_layers(request_.set_folder, stimulus)))
+        ++summary_.already_finished;
+      else
+        pending_.push_back({stimulus, inputs});
+    }
+    if (!any)
+      throw input_error({.file = study_.file.string(), .field = "--only", .wanted = "a pattern that matches a stimulus id",
+                         .found = "\"" + request_.only + "\""});
+  }
+
+  // Weights of the progress bar, in passes over the picture.
+  static constexpr double reference_work = 1, truth_work = 1.5, mesh_work = 0.2, stimulus_work = 2;
+
+  [[nodiscard]] double total_work() const {
+    std::set<std::string> scenes, objects, widths;
+    for (const Pending& work : pending_) {
+      scenes.insert(work.stimulus.scene);
+      objects.insert(work.stimulus.scene + work.stimulus.object);
+      widths.insert(fmt::format("{}{}{}", work.stimulus.scene, work.stimulus.object, work.stimulus.condition.depth_width_px));
+    }
+    return static_cast<double>(scenes.size()) * reference_work + static_cast<double>(objects.size()) * truth_work +
+           static_cast<double>(widths.size()) * mesh_work + static_cast<double>(pending_.size()) * stimulus_work;
+  }
+
+  PassOptions pass(double work, const std::string& what) {
+    PassOptions options{.spp = settings_.spp, .seed = settings_.seed, .threads = threads_};
+    options.progress = [this, work, what, last = 0.0](double share) mutable {
+      progress_->advance((share - last) * work, what);
+      last = share;
+    };
+    return options;
+  }
+
+  [[nodiscard]] bool is_pending(const std::string& scene) const {
+    for (const Pending& work : pending_)
+      if (work.stimulus.scene == scene) return true;
+    return false;
+  }
+
+  /// Every wrong input is found before the first long computation.
+  void load_and_check(const SceneDefinition& definition) {
+    if (!is_pending(definition.name) && records_.finished_reference(definition.name, hashes_.of_reference(definition.name))) return;
+    TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
+    const Geometry everything = scene.geometry(true, {1, 2, 3});
+    const std::array<std::int64_t, 4> seen = visible_pixels(scene.camera, everything);
+    for (std::size_t i = 1; i < seen.size(); ++i)
+      if (seen[i] == 0)
+        throw input_error({.file = study_.file.string(),
+                           .field = fmt::format("scene \"{}\", object \"{}\"", definition.name, definition.objects[i - 1].name),
+                           .wanted = "an object that covers at least one pixel of the picture", .found = "none"});
+    scenes_.emplace(definition.name, std::move(scene));
+  }
+
+  void render_scene(const SceneDefinition& definition) {
+    const auto found = scenes_.find(definition.name);
+    if (found == scenes_.end()) return;
+    const TruthScene& scene = found->second;
+    finish_reference(scene);
+    for (int object = 1; object <= 3; ++object) {
+      if (object % request_.shard_count != request_.shard % request_.shard_count) continue;
+      render_object(scene, object);
+    }
+    scenes_.erase(found);
+  }
+
+  void finish_reference(const TruthScene& scene) {
+    const std::string& name = scene.definition.name;
+    const std::string inputs = hashes_.of_reference(name);
+    if (records_.finished_reference(name, inputs)) return;
+    const Clock::time_point start = Clock::now();
+    const SceneReference reference = render_reference(scene, pass(reference_work, name + " reference"));
+    ManifestReference record{.scene = name, .image = "references/" + name + ".png", .object_ids = "references/" + name + "-ids.png",
+                             .image_sha256 = {}, .object_ids_sha256 = {}};
+    write_png(request_.set_folder / record.image, display_image(reference.radiance, scene.definition.exposure_ev));
+    write_png(request_.set_folder / record.object_ids, reference.object_ids);
+    record.image_sha256 = sha256_of_file(request_.set_folder / record.image);
+    record.object_ids_sha256 = sha256_of_file(request_.set_folder / record.object_ids);
+    records_.finish_reference(record, inputs);
+    timings_.add("reference-" + name, seconds_since(start), reference.rays);
+  }
+
+  void render_object(const TruthScene& scene, int object_index) {
+    std::map<int, std::vector<Pending>> by_width;
+    for (const Pending& work : pending_)
+      if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
+        by_width[work.stimulus.condition.depth_width_px].push_back(work);
+    if (by_width.empty()) return;
+    const std::string what = scene.definition.name + " " + scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    const Clock::time_point start = Clock::now();
+    const ObjectGeometry geometry = object_geometry(scene, object_index);
+    const TruthLayers truth = render_truth(scene, geometry, pass(truth_work, what));
+    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start), truth.rays);
+    for (const auto& [width_px, works] : by_width) render_width(scene, geometry, truth, works);
+  }
+
+  /// All artifacts of one depth map share its mesh.
+  void render_width(const TruthScene& scene, const ObjectGeometry& geometry, const TruthLayers& truth,
+                    const std::vector<Pending>& works) {
+    const Condition& condition = works.front().stimulus.condition;
+    const Clock::time_point start = Clock::now();
+    MeshRecord mesh_record;
+    std::optional<Geometry> depth;
+    bool needed = request_.layers;
+    for (const Pending& work : works) needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+    if (needed) {
+      const DepthMesh mesh = build_depth_mesh(
+          capture_depth(geometry.truth, condition.depth_width_px, condition.yaw_texels, threads_),
+          {.density = settings_.mesh, .tolerance = study_.mesh_tolerance, .yaw_texels = condition.yaw_texels, .threads = threads_});
+      mesh_record = {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error};
+      depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
+    }
+    progress_->advance(mesh_work, "depth mesh");
+    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object, condition.depth_width_px),
+                 seconds_since(start), 0);
+    for (const Pending& work : works) render_one(scene, geometry, depth ? &*depth : nullptr, truth, mesh_record, work);
+  }
+
+  void render_one(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth, const TruthLayers& truth,
+                  const MeshRecord& mesh, const Pending& work) {
+    const Clock::time_point start = Clock::now();
+    const std::string id = stimulus_id(work.stimulus);
+    const StimulusLayers layers = render_stimulus(scene, geometry, depth, truth, recipe(work.stimulus.artifact, study_.isolation),
+                                                  pass(stimulus_work, id));
+    const Composite composite = compose(layers);
+    const double exposure_ev = scene.definition.exposure_ev;
+    ManifestStimulus record{.id = id,
+                            .stimulus = work.stimulus,
+                            .isolation = study_.isolation,
+                            .image = "stimuli/" + id + ".png",
+                            .object_ids = "references/" + scene.definition.name + "-ids.png",
+                            .reference = "references/" + scene.definition.name + ".png",
+                            .spp = settings_.spp,
+                            .rays = layers.rays,
+                            .rmse = estimated_noise(layers, exposure_ev),
+                            .mesh = mesh,
+                            .tiny_denominators = composite.tiny_denominators,
+                            .clipped_share = clipped_share(composite.picture, exposure_ev),
+                            .sha256 = {}};
+    write_png(request_.set_folder / record.image, display_image(composite.picture, exposure_ev));
+    record.sha256 = sha256_of_file(request_.set_folder / record.image);
+    if (request_.layers) write_layers(request_.set_folder, scene, depth, truth, layers, composite, work.stimulus);
+    records_.finish(record, work.inputs);
+    timings_.add(id, seconds_since(start), layers.rays);
+    ++summary_.rendered;
+  }
+
+  [[nodiscard]] Manifest manifest() const {
+    Manifest out;
+    out.study_name = study_.name;
+    out.study_hash = study_hash(study_);
+    out.program_version = program_version();
+    out.instruction_set = RayDevice::instruction_set();
+    out.left_out = what_is_left_out(study_);
+    out.width_px = study_.width_px;
+    out.height_px = study_.height_px;
+    std::set<std::string> scenes;
+    for (const Stimulus& stimulus : list_stimuli(study_))
+      if (const auto record = records_.finished(stimulus_id(stimulus), hashes_.of_stimulus(stimulus))) {
+        out.stimuli.push_back(*record);
+        scenes.insert(stimulus.scene);
+      }
+    for (const SceneDefinition& scene : study_.scenes)
+      if (const auto reference = records_.finished_reference(scene.name, hashes_.of_reference(scene.name));
+          reference && scenes.contains(scene.name))
+        out.references.push_back(*reference);
+    return out;
+  }
+
+  const StudyDefinition& study_;
+  const RenderRequest& request_;
+  RenderSettings settings_;
+  InputHashes hashes_;
+  SetRecords records_;
+  int threads_;
+  Timings timings_;
+  std::vector<Pending> pending_;
+  std::map<std::string, TruthScene> scenes_;
+  std::optional<Progress> progress_;
+  RenderSummary summary_;
+};
+
+}  // namespace
+
+RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
+  const RenderSummary summary = SetRenderer(study, request).run();
+  if (request.contact_sheet) write_contact_sheets(request.set_folder);
+  return summary;
+}
+
+}  // namespace seamline

@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace seamline {
+
+/// Points of one sample of one pixel: Owen-scrambled Sobol' (the first two dimensions, padded: every use of a `dimension`
+/// is its own scrambled and shuffled set), decorrelated between pixels by hashing. The same pixel, sample, dimension and
+/// seed always give the same point, which is how background, reference and composite share their sample points.
+/// Construction: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+class Sampler {
+ public:
+  Sampler(std::uint64_t seed, int x, int y, int sample);
+
+  /// A point in [0, 1)^2.
+  [[nodiscard]] Eigen::Array2f point(int dimension) const;
+
+ private:
+  std::uint32_t pixel_hash_;
+  std::uint32_t sample_;
+};
+
+/// Which dimension serves what, so that paths that share a vertex share its numbers.
+namespace dimension {
+inline constexpr int pixel = 0;
+[[nodiscard]] inline constexpr int direction(int vertex) { return 1 + 2 * vertex; }
+[[nodiscard]] inline constexpr int sun(int vertex) { return 2 + 2 * vertex; }
+}  // namespace dimension
+
+/// The second dimension of the Sobol' sequence before scrambling (the first is the reversed index); for tests.
+[[nodiscard]] std::uint32_t sobol_second_dimension(std::uint32_t index);
+
+}  // namespace seamline

@@ -1,0 +1,96 @@
+#include "renderer/set_records.h"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/geometry.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+#include "stimuli/support/hash.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string scene_inputs(const SceneDefinition& scene) {
+  std::string text = canonical_text(scene) + sha256_of_file(scene.path);
+  for (const ObjectDefinition& object : scene.objects) text += sha256_of_file(object.path);
+  return text;
+}
+
+bool has_hash(const fs::path& file, const std::string& expected) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) && sha256_of_file(file) == expected;
+}
+
+/// A record whose inputs agree; a record that cannot be read counts as unfinished work.
+std::optional<Json> read_record(const fs::path& path, const std::string& inputs) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;
+  const Json json = Json::parse(read_file(path), nullptr, false);
+  if (!json.is_object() || json.value("inputs", "") != inputs || !json.contains("record")) return std::nullopt;
+  return json["record"];
+}
+
+void write_record(const fs::path& path, const std::string& inputs, const Json& record) {
+  const Json json = {{"inputs", inputs}, {"record", record}};
+  write_file_atomically(path, json.dump(1) + "\n");
+}
+
+}  // namespace
+
+InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& settings)
+    : common_(fmt::format("seamline {} {} image {} {} spp {} seed {}", program_version(), RayDevice::instruction_set(),
+                          study.width_px, study.height_px, settings.spp, settings.seed)),
+      isolation_and_mesh_(fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
+  for (const SceneDefinition& scene : study.scenes) scenes_[scene.name] = scene_inputs(scene);
+}
+
+std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {
+  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh_, stimulus_id(stimulus), scenes_.at(stimulus.scene)));
+}
+
+std::string InputHashes::of_reference(const std::string& scene) const {
+  return sha256(fmt::format("{} reference {}", common_, scenes_.at(scene)));
+}
+
+SetRecords::SetRecords(fs::path set_folder) : set_folder_(std::move(set_folder)) {}
+
+std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, const std::string& inputs) const {
+  const fs::path path = set_folder_ / "records" / (id + ".json");
+  const std::optional<Json> json = read_record(path, inputs);
+  if (!json) return std::nullopt;
+  try {
+    const ManifestStimulus record = stimulus_record_from_text(json->dump(), path.string());
+    if (has_hash(set_folder_ / record.image, record.sha256)) return record;
+  } catch (const InputError&) {
+    // a damaged record is unfinished work
+  }
+  return std::nullopt;
+}
+
+void SetRecords::finish(const ManifestStimulus& record, const std::string& inputs) const {
+  write_record(set_folder_ / "records" / (record.id + ".json"), inputs, Json::parse(stimulus_record_text(record)));
+}
+
+std::optional<ManifestReference> SetRecords::finished_reference(const std::string& scene, const std::string& inputs) const {
+  const std::optional<Json> json = read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
+  if (!json) return std::nullopt;
+  const ManifestReference reference{scene, json->value("image", ""), json->value("object_ids", ""),
+                                    json->value("image_sha256", ""), json->value("object_ids_sha256", "")};
+  const bool whole = has_hash(set_folder_ / reference.image, reference.image_sha256) &&
+                     has_hash(set_folder_ / reference.object_ids, reference.object_ids_sha256);
+  return whole ? std::optional(reference) : std::nullopt;
+}
+
+void SetRecords::finish_reference(const ManifestReference& reference, const std::string& inputs) const {
+  write_record(set_folder_ / "records" / ("reference-" + reference.scene + ".json"), inputs,
+               {{"image", reference.image}, {"object_ids", reference.object_ids},
+                {"image_sha256", reference.image_sha256}, {"object_ids_sha256", reference.object_ids_sha256}});
+}
+
+}  // namespace seamline

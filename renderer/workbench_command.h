@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// The building blocks on the user's own files: `seamline capture`, `seamline mesh`, `seamline composite`.
+void add_workbench_commands(CLI::App& app);
+
+}  // namespace seamline
