@@ -1,0 +1,35 @@
+#include "study/procedure.h"
+
+#include <cassert>
+
+#include "study/overloaded.h"
+
+namespace seamline {
+
+std::optional<int> current_stimulus(const Procedure& procedure) {
+  return std::visit(Overloaded{[](const ConstantProcedure& constant) -> std::optional<int> {
+                      const auto due = static_cast<std::size_t>(constant.answered);
+                      if (due >= constant.order.size()) return std::nullopt;
+                      return constant.order[due];
+                    }},
+                    procedure);
+}
+
+Procedure after_answer(Procedure procedure, [[maybe_unused]] const TrialAnswer& answer) {
+  assert(current_stimulus(procedure) && answer.trial_index == answered_trials(procedure));
+  std::visit(Overloaded{[](ConstantProcedure& constant) { ++constant.answered; }}, procedure);
+  return procedure;
+}
+
+int answered_trials(const Procedure& procedure) {
+  return std::visit(Overloaded{[](const ConstantProcedure& constant) { return constant.answered; }},
+                    procedure);
+}
+
+int planned_trials(const Procedure& procedure) {
+  return std::visit(
+      Overloaded{[](const ConstantProcedure& constant) { return static_cast<int>(constant.order.size()); }},
+      procedure);
+}
+
+}  // namespace seamline
