@@ -1,0 +1,38 @@
+#pragma once
+
+namespace seamline {
+
+/// A sigmoid F on the real line, each shifted so that F(0) = 0.5 (thresholds of different sigmoids then mean
+/// the same).
+enum class Sigmoid {
+  logistic,  ///< F(z) = 1 / (1 + exp(-z))
+  normal,    ///< F(z) = Phi(z)
+  gumbel  ///< F(z) = 1 - 2^(-exp(z)); a Weibull function on a log axis. The textbook's 1 - exp(-exp(z)) is ln
+          ///< ln 2 away
+};
+
+enum class Axis { linear, log2 };
+enum class Direction { increasing, decreasing };
+
+/// The probability of a response as a function of a level x (Wichmann and Hill 2001):
+///
+///     psi(x) = guess + (1 - guess - lapse) F(d (a(x) - a(threshold)) / scale)
+///
+/// with a(x) = x or log2 x, and d = +1 or -1 for increasing and decreasing.
+struct PsychometricFunction {
+  Sigmoid sigmoid = Sigmoid::logistic;
+  Axis axis = Axis::log2;
+  Direction direction = Direction::decreasing;
+  double threshold = 1.0;  ///< level where F = 0.5, in the level's own unit
+  double scale = 1.0;      ///< > 0, on the axis: octaves when it is log2
+  double guess = 0.0;
+  double lapse = 0.0;
+};
+
+/// F(z), without guess and lapse. NaN gives NaN.
+[[nodiscard]] double sigmoid_value(Sigmoid sigmoid, double z);
+
+/// psi(x). On a log2 axis the level and the threshold are positive.
+[[nodiscard]] double response_probability(const PsychometricFunction& function, double level);
+
+}  // namespace seamline
