@@ -10,18 +10,18 @@ namespace seamline {
 
 /// One answer to one trial, as the log holds it.
 struct Answer {
-  std::string participant;    ///< a code, never a name
-  int trial_index = 0;        ///< 0-based place in the participant's order
+  std::string participant;  ///< a code, never a name
+  int trial_index = 0;      ///< 0-based place in the participant's order
   std::string stimulus_id;
   std::string scene;
   Artifact artifact = Artifact::none;
   std::string object;
-  int object_index = 0;       ///< the right choice: 1 left, 2 middle, 3 right
+  int object_index = 0;  ///< the right choice: 1 left, 2 middle, 3 right
   int depth_width_px = 0;
-  int chosen_index = 0;       ///< 1..3
-  int rating = 0;             ///< 1..4, asked on every trial
-  std::int64_t choice_ns = 0; ///< monotonic, from the image's onset to the choice; 0 for simulated people
-  std::int64_t rating_ns = 0;
+  int chosen_index = 0;        ///< 1..3
+  int rating = 0;              ///< 1..4, asked on every trial
+  std::int64_t choice_ns = 0;  ///< monotonic, from the image's onset to the choice; 0 for simulated people
+  std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
 
   [[nodiscard]] bool correct() const { return chosen_index == object_index; }
   /// Noticeability (paper section 4.2): 0 when the wrong object was chosen, else the rating.
@@ -33,22 +33,25 @@ struct ParticipantRecord {
   bool pilot = false;
   bool excluded = false;
   bool simulated = false;
-  std::string observer;       ///< kind of simulated observer, empty for a person
+  std::string observer;  ///< kind of simulated observer, empty for a person
   bool completed = false;
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;  ///< of the simulation; 0 for a person
+  int planned_trials = 0;
 };
 
 /// Everything the analysis needs from a log.
 struct LogContents {
   std::filesystem::path file;
   std::string study_name, study_hash, set_hash;
-  std::filesystem::path set_folder;  ///< where the set was; it may be gone
-  std::string study_text;            ///< the study file's text at the time of the first session
-  std::vector<ParticipantRecord> participants;
-  std::vector<Answer> answers;       ///< ordered by participant, then trial
+  std::filesystem::path set_folder;             ///< where the set was; it may be gone
+  std::string study_text;                       ///< the study file's text at the time of the first session
+  std::vector<ParticipantRecord> participants;  ///< in order of arrival
+  std::vector<Answer> answers;                  ///< ordered by participant, then trial
+  int forgotten_participants = 0;               ///< how many were deleted by request
 };
 
-/// Reads a log. Throws InputError when the file is missing, is not SQLite, or is of another schema version.
+/// Reads a log, also while a session is writing to it. Throws InputError when the file is missing, is not
+/// SQLite, is damaged, or is of another schema version.
 [[nodiscard]] LogContents read_log(const std::filesystem::path& path);
 
 }  // namespace seamline

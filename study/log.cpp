@@ -1,0 +1,91 @@
+#include "study/log.h"
+
+#include "study/log_database.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+void read_study_row(SQLite::Database& database, LogContents& log) {
+  SQLite::Statement row(database,
+                        "SELECT study_name, study_hash, set_hash, set_folder, study_text FROM study");
+  if (!row.executeStep())
+    throw input_error({.file = log.file.string(), .field = "study", .wanted = "a study", .found = "none"});
+  log.study_name = row.getColumn(0).getString();
+  log.study_hash = row.getColumn(1).getString();
+  log.set_hash = row.getColumn(2).getString();
+  log.set_folder = row.getColumn(3).getString();
+  log.study_text = row.getColumn(4).getString();
+}
+
+std::vector<ParticipantRecord> read_participants(SQLite::Database& database) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, pilot, excluded, observer, completed, seed,
+             (SELECT count(*) FROM trials WHERE trials.participant = participants.participant)
+      FROM participants ORDER BY participant)sql");
+  std::vector<ParticipantRecord> participants;
+  while (row.executeStep())
+    participants.push_back({.code = row.getColumn(0).getString(),
+                            .pilot = row.getColumn(1).getInt() != 0,
+                            .excluded = row.getColumn(2).getInt() != 0,
+                            .simulated = !row.getColumn(3).isNull(),
+                            .observer = row.getColumn(3).getString(),
+                            .completed = row.getColumn(4).getInt() != 0,
+                            .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
+                            .planned_trials = row.getColumn(6).getInt()});
+  return participants;
+}
+
+Artifact artifact_of(const std::string& text, const fs::path& file) {
+  const std::optional<Artifact> artifact = artifact_from_word(text);
+  if (!artifact)
+    throw input_error({.file = file.string(),
+                       .field = "stimuli.artifact",
+                       .wanted = "a known artifact",
+                       .found = "\"" + text + "\""});
+  return *artifact;
+}
+
+std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
+             chosen_index, rating, choice_ns, rating_ns
+      FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
+                   JOIN participants USING (participant)
+      ORDER BY participant, trial_index)sql");
+  std::vector<Answer> answers;
+  while (row.executeStep())
+    answers.push_back({.participant = row.getColumn(0).getString(),
+                       .trial_index = row.getColumn(1).getInt(),
+                       .stimulus_id = row.getColumn(2).getString(),
+                       .scene = row.getColumn(3).getString(),
+                       .artifact = artifact_of(row.getColumn(4).getString(), file),
+                       .object = row.getColumn(5).getString(),
+                       .object_index = row.getColumn(6).getInt(),
+                       .depth_width_px = row.getColumn(7).getInt(),
+                       .chosen_index = row.getColumn(8).getInt(),
+                       .rating = row.getColumn(9).getInt(),
+                       .choice_ns = row.getColumn(10).getInt64(),
+                       .rating_ns = row.getColumn(11).getInt64()});
+  return answers;
+}
+
+LogContents read_tables(SQLite::Database& database, const fs::path& path) {
+  const SQLite::Transaction one_moment(database);  // a session may be writing meanwhile
+  LogContents log;
+  log.file = path;
+  read_study_row(database, log);
+  log.participants = read_participants(database);
+  log.answers = read_answers(database, path);
+  log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();
+  return log;
+}
+
+}  // namespace
+
+LogContents read_log(const fs::path& path) {
+  SQLite::Database database = open_log_database(path, LogAccess::read);
+  return with_log_errors(path, [&] { return read_tables(database, path); });
+}
+
+}  // namespace seamline

@@ -1,0 +1,181 @@
+#include "study/log_database.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int patience_ms = 10000;
+constexpr std::uintmax_t header_bytes = 100;  // of a SQLite database
+constexpr const char* a_log = "a Seamline log";
+
+fs::path beside(const fs::path& path, const char* suffix) {
+  return path.string() + suffix;
+}
+
+/// Makes an empty file where there is none, so that exactly one program knows that it began the log.
+bool begin_file(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0 && errno == EEXIST) return false;
+  if (descriptor < 0)
+    throw input_error({.file = path.string(),
+                       .wanted = "a place where a log can be written",
+                       .found = std::strerror(errno)});
+  ::close(descriptor);
+  return true;
+}
+
+void remove_log_files(const fs::path& path) {
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink(beside(path, suffix).c_str());
+}
+
+/// Never opens the file: closing it again would drop the locks of other connections of this process (POSIX).
+void check_is_file(const fs::path& path, LogAccess access) {
+  std::error_code error;
+  const auto complaint = [&](const std::string& found) {
+    return input_error({.file = path.string(), .wanted = a_log, .found = found});
+  };
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) throw complaint("no such file");
+  if (error) throw complaint(error.message());
+  if (!fs::is_regular_file(status)) throw complaint("something that is not a file");
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  if (bytes == 0 && access != LogAccess::create) throw complaint("an empty file");
+  if (bytes > 0 && bytes < header_bytes)
+    throw complaint("a file that is not SQLite");  // SQLite overwrites one byte
+}
+
+bool is_blank(SQLite::Database& database) {
+  return database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0 &&
+         database.execAndGet("PRAGMA application_id").getInt() == 0;
+}
+
+/// Whether every table and index of the schema is there as it is written. Others beside them do no harm.
+bool has_schema(SQLite::Database& database) {
+  SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  model.exec(log_schema_sql());
+  SQLite::Statement wanted(model, "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
+  SQLite::Statement found(database, "SELECT count(*) FROM sqlite_schema WHERE name = ? AND sql = ?");
+  while (wanted.executeStep()) {
+    found.tryReset();
+    SQLite::bind(found, wanted.getColumn(0).getString(), wanted.getColumn(1).getString());
+    found.executeStep();
+    if (found.getColumn(0).getInt() != 1) return false;
+  }
+  return true;
+}
+
+void check_format(SQLite::Database& database, const fs::path& path) {
+  if (database.execAndGet("PRAGMA application_id").getInt() != log_application_id)
+    throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (version != log_schema_version)
+    throw input_error({.file = path.string(),
+                       .field = "user_version",
+                       .wanted = fmt::format("a log of schema version {}", log_schema_version),
+                       .found = fmt::format("version {}", version)});
+  if (!has_schema(database))
+    throw input_error({.file = path.string(),
+                       .wanted = fmt::format("the tables of schema version {}", log_schema_version),
+                       .found = "other tables"});
+}
+
+void create_tables(SQLite::Database& database, const fs::path& path) {
+  if (database.execAndGet("PRAGMA journal_mode = WAL").getString() != "wal")
+    throw input_error({.file = path.string(),
+                       .wanted = "a file system on which SQLite can keep a write-ahead log",
+                       .found = "one without shared memory"});
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  if (is_blank(database)) database.exec(log_schema_sql());  // else another program was faster
+  transaction.commit();
+}
+
+SQLite::Database open_for_writing(const fs::path& path, LogAccess access) {
+  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, patience_ms);
+  if (access == LogAccess::create && is_blank(database)) create_tables(database, path);
+  check_format(database, path);
+  database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA secure_delete = ON;");
+  return database;
+}
+
+/// A path as SQLite reads it in a URI.
+std::string uri_of(const fs::path& path) {
+  std::string uri = "file:";
+  for (const char letter : fs::absolute(path).string())
+    uri += letter == '?' || letter == '#' || letter == '%'
+               ? fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(letter)))
+               : std::string(1, letter);
+  return uri;
+}
+
+/// Reading a log in WAL mode needs the -shm file beside it, even when nobody writes. Where none can be made
+/// (an archive, a read-only disk) and no -wal file holds anything, the file itself is the whole log and
+/// cannot change.
+SQLite::Database open_for_reading(const fs::path& path) {
+  try {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, patience_ms);
+    database.exec("PRAGMA query_only = ON");
+    check_format(database, path);
+    return database;
+  } catch (const SQLite::Exception& error) {
+    const int code = error.getErrorCode() & 0xff;
+    std::error_code error_code;
+    const auto pending_bytes = fs::file_size(beside(path, "-wal"), error_code);
+    const bool nothing_pending = error_code || pending_bytes == 0;
+    if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || !nothing_pending) throw;
+  }
+  SQLite::Database database(uri_of(path) + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  check_format(database, path);
+  return database;
+}
+
+}  // namespace
+
+SQLite::Database open_log_database(const fs::path& path, LogAccess access) {
+  const bool begun_here = access == LogAccess::create && begin_file(path);
+  try {
+    check_is_file(path, access);
+    return with_log_errors(path, [&] {
+      return access == LogAccess::read ? open_for_reading(path) : open_for_writing(path, access);
+    });
+  } catch (...) {
+    if (begun_here) remove_log_files(path);
+    throw;
+  }
+}
+
+bool is_trouble_outside(const SQLite::Exception& error) {
+  switch (error.getErrorCode() & 0xff) {
+    case SQLITE_PERM:
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_READONLY:
+    case SQLITE_IOERR:
+    case SQLITE_CORRUPT:
+    case SQLITE_FULL:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PROTOCOL:
+    case SQLITE_NOTADB:
+      return true;
+    default:
+      return false;
+  }
+}
+
+InputError log_error(const fs::path& path, const SQLite::Exception& error) {
+  if ((error.getErrorCode() & 0xff) == SQLITE_NOTADB)
+    return input_error({.file = path.string(), .wanted = a_log, .found = "a file that is not SQLite"});
+  return input_error(
+      {.file = path.string(),
+       .wanted = "an undamaged log on a disk that can be used (every answer stored before is kept)",
+       .found = error.what()});
+}
+
+}  // namespace seamline

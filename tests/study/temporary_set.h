@@ -1,0 +1,78 @@
+#pragma once
+#include <fmt/core.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+
+#include "stimuli/manifest.h"
+#include "stimuli/stimulus.h"
+#include "stimuli/study_file.h"
+#include "stimuli/support/atomic_file.h"
+#include "study/study_set.h"
+
+namespace seamline {
+
+/// A folder that is gone again at the end of the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "seamline-study-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string study_text(const std::string& name, const std::string& widths_px) {
+  std::string text = fmt::format(
+      "format = \"seamline study 1\"\nname = \"{}\"\nseed = 7\ndepth_width_px = [{}]\n"
+      "[session]\nbreak_every_trials = 5\n",
+      name, widths_px);
+  const auto scene = [&](const char* scene_name, const char* artifacts) {
+    text += fmt::format("[[scene]]\nname = \"{}\"\nfile = \"none.glb\"\nartifacts = [{}]\n", scene_name,
+                        artifacts);
+    for (const char* object : {"left", "middle", "right"})
+      text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n", object);
+  };
+  scene("bedroom", "\"receiver\"");
+  scene("gazebo", "\"shadow\", \"overlap\"");
+  scene("atrium", "\"occlusion\"");
+  return text;
+}
+
+inline constexpr const char* paper_widths_px = "64, 128, 256, 512, 1024, 2048, 4096";
+
+/// Writes a set as `render` would, without images: 12 stimuli a width. The paper's widths make its 84.
+inline StudySet write_set(const std::filesystem::path& folder, const std::string& widths_px = "64, 512",
+                          const std::string& name = "tiny") {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "study.toml", study_text(name, widths_px));
+  const StudyDefinition study = read_study(folder / "study.toml", AssetCheck::not_needed);
+  Manifest manifest;
+  manifest.study_name = study.name;
+  manifest.study_hash = study_hash(study);
+  manifest.width_px = study.width_px;
+  manifest.height_px = study.height_px;
+  for (const Stimulus& stimulus : list_stimuli(study)) {
+    ManifestStimulus record;
+    record.id = stimulus_id(stimulus);
+    record.stimulus = stimulus;
+    record.image = record.id + ".png";
+    record.sha256 = std::string(64, '0');
+    manifest.stimuli.push_back(record);
+  }
+  write_manifest(folder, manifest);
+  return load_study_set(folder);
+}
+
+}  // namespace seamline
