@@ -1,4 +1,7 @@
 #pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -6,7 +9,22 @@ class App;
 
 namespace seamline {
 
+/// What `seamline study SET --log LOG --participant CODE [--pilot]` asks for.
+struct ParticipantRequest {
+  std::filesystem::path set_folder = {};
+  std::filesystem::path log = {};
+  std::string code = {};
+  bool pilot = false;
+};
+
+/// Runs a person's session in a window. `study/app/` provides one where there is a display; study/ knows
+/// none.
+using ParticipantRunner = std::function<void(const ParticipantRequest&)>;
+
+/// The runner of a build without a window: throws InputError saying so.
+[[noreturn]] void refuse_without_window(const ParticipantRequest& request);
+
 /// Adds the subcommands of `study/` to the program. Each is parse, load, compute, write.
-void add_study_commands(CLI::App& app);
+void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant = refuse_without_window);
 
 }  // namespace seamline

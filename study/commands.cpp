@@ -1,0 +1,109 @@
+#include "study/commands.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "stimuli/support/error.h"
+#include "stimuli/support/suggest.h"
+#include "study/log_admin.h"
+#include "study/log_writer.h"
+#include "study/simulation.h"
+
+namespace seamline {
+namespace {
+
+struct StudyOptions {
+  std::string set_folder, log, participant, observer;
+  bool pilot = false;
+  int count = 20;
+  std::uint64_t seed = 1;
+};
+
+struct LogOptions {
+  std::string log, exclude, forget;
+  bool status = false;
+};
+
+ObserverKind parse_observer(const std::string& text) {
+  if (const std::optional<ObserverKind> kind = observer_kind_from_word(text)) return *kind;
+  std::vector<std::string> known;
+  for (const ObserverKind kind : every_observer_kind) known.emplace_back(word(kind));
+  const std::string nearest = nearest_word(text, known);
+  throw input_error({.field = "--observer",
+                     .wanted = fmt::format("threshold, guesser or perfect{}",
+                                           nearest.empty() ? "" : " (did you mean " + nearest + "?)"),
+                     .found = "\"" + text + "\""});
+}
+
+void simulate(const StudyOptions& options) {
+  if (options.pilot)
+    throw input_error({.field = "--pilot", .wanted = "a person (--participant)", .found = "--observer"});
+  const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
+                                                         .log = options.log,
+                                                         .observer = parse_observer(options.observer),
+                                                         .count = options.count,
+                                                         .seed = options.seed});
+  fmt::print("{}: {} simulated participants run ({} answers), {} were complete before\n", options.log,
+             summary.participants_run, summary.answers_added, summary.participants_complete);
+}
+
+void study(const StudyOptions& options, const ParticipantRunner& run_participant) {
+  if (options.participant.empty() == options.observer.empty())
+    throw input_error({.field = "seamline study",
+                       .wanted = "either --participant CODE or --observer KIND",
+                       .found = options.observer.empty() ? "neither" : "both"});
+  if (!options.observer.empty()) return simulate(options);
+  check_participant_code(options.participant);
+  run_participant({.set_folder = options.set_folder,
+                   .log = options.log,
+                   .code = options.participant,
+                   .pilot = options.pilot});
+}
+
+void administer(const LogOptions& options) {
+  const bool does_something = options.status || !options.exclude.empty() || !options.forget.empty();
+  if (!does_something)
+    throw input_error(
+        {.field = "seamline log", .wanted = "--status, --exclude CODE or --forget CODE", .found = "none"});
+  if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
+  if (!options.forget.empty()) forget_participant(options.log, options.forget);
+  if (options.status) fmt::print("{}", status_text(read_log(options.log)));
+}
+
+}  // namespace
+
+void refuse_without_window(const ParticipantRequest&) {
+  throw input_error({.field = "--participant",
+                     .wanted = "a seamline that was built with its window application",
+                     .found = "one without (simulated people need no window: --observer KIND)"});
+}
+
+void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant) {
+  const auto study_options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("study", "Run a session: a person in a window, or simulated people");
+  command->add_option("set", study_options->set_folder, "folder of the rendered set")->required();
+  command->add_option("--log", study_options->log, "SQLite log of answers; made when it is missing")
+      ->required();
+  command->add_option("--participant", study_options->participant, "a person's code, never a name");
+  command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
+  command->add_option("--observer", study_options->observer,
+                      "simulated people: threshold, guesser or perfect");
+  command->add_option("--count", study_options->count, "how many simulated people")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--seed", study_options->seed, "of the simulated people")->capture_default_str();
+  command->callback([study_options, run_participant] { study(*study_options, run_participant); });
+
+  const auto log_options = std::make_shared<LogOptions>();
+  CLI::App* log =
+      app.add_subcommand("log", "Look after a log: who did what, exclude or forget a participant");
+  log->add_option("log", log_options->log, "the log")->required();
+  log->add_flag("--status", log_options->status, "print who has done what");
+  log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
+  log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  log->callback([log_options] { administer(*log_options); });
+}
+
+}  // namespace seamline
