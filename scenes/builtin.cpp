@@ -13,8 +13,13 @@ std::invalid_argument unknown(std::string_view name) {
   return std::invalid_argument("no built-in scene or object is called " + std::string(name));
 }
 
+/// Every sculpture is sampled at a hundredth of a metre or so and brought down to this many triangles.
+constexpr double sculpture_triangles = 60000;
+
 TriangleMesh cast_in_triangles(const Sculpture& sculpture, double cell_m, const ModelOptions& options) {
-  return stood_on_ground(polygonise(sculpture, {.cell_m = cell_m * options.coarseness, .threads = options.threads}));
+  const double coarseness = options.coarseness;
+  return stood_on_ground(polygonise(sculpture, {.cell_m = cell_m * coarseness, .threads = options.threads,
+                                                .triangles = static_cast<std::size_t>(sculpture_triangles / (coarseness * coarseness))}));
 }
 
 }  // namespace
@@ -28,11 +33,11 @@ SceneContents builtin_scene(std::string_view name) {
 
 TriangleMesh builtin_object(std::string_view name, const ModelOptions& options) {
   if (name == "teapot") return make_teapot(22);
-  if (name == "statue") return cast_in_triangles(sculpt_statue(), 0.020, options);
-  if (name == "creature") return cast_in_triangles(sculpt_creature(), 0.020, options);
-  if (name == "beast") return cast_in_triangles(sculpt_beast(), 0.020, options);
-  if (name == "lion") return cast_in_triangles(sculpt_lion(), 0.020, options);
-  if (name == "dragon") return cast_in_triangles(sculpt_dragon(), 0.020, options);
+  if (name == "statue") return cast_in_triangles(sculpt_statue(), 0.011, options);
+  if (name == "creature") return cast_in_triangles(sculpt_creature(), 0.011, options);
+  if (name == "beast") return cast_in_triangles(sculpt_beast(), 0.011, options);
+  if (name == "lion") return cast_in_triangles(sculpt_lion(), 0.011, options);
+  if (name == "dragon") return cast_in_triangles(sculpt_dragon(), 0.011, options);
   throw unknown(name);
 }
 

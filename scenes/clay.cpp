@@ -86,6 +86,19 @@ Stroke limb(const std::vector<Knot>& knots, double blend_m, int steps) {
   return {.distance = limb_distance(curve), .bounds = bounds_of(curve), .blend_m = blend_m};
 }
 
+Stroke ringed_limb(const std::vector<Knot>& knots, int rings, double depth_m, double blend_m) {
+  constexpr int steps_a_ring = 6;
+  const int spans = static_cast<int>(knots.size()) - 1;
+  std::vector<Knot> curve = smooth_curve(knots, std::max(2, rings * steps_a_ring / spans));
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double along = static_cast<double>(i) / static_cast<double>(curve.size() - 1) * rings;
+    const double phase = along - std::floor(along);
+    const double thin = curve[i].radius_m > 2 * depth_m ? 1.0 : curve[i].radius_m / (2 * depth_m);
+    curve[i].radius_m -= thin * depth_m * phase * phase;
+  }
+  return {.distance = limb_distance(curve), .bounds = bounds_of(curve), .blend_m = blend_m};
+}
+
 Stroke blade(const std::vector<Knot>& knots, const Vector3d& across, double flatness, double blend_m) {
   const Vector3d normal = across.normalized();
   const auto stretched = [normal, flatness](const Vector3d& p) -> Vector3d { return p + (flatness - 1) * normal.dot(p) * normal; };
@@ -182,6 +195,18 @@ Stroke mirrored(const Stroke& stroke, int axis) {
 void add_pair(Sculpture& sculpture, const Stroke& stroke, int axis) {
   sculpture.strokes.push_back(stroke);
   sculpture.strokes.push_back(mirrored(stroke, axis));
+}
+
+void add_crest(Sculpture& sculpture, const Crest& crest) {
+  const std::vector<Knot> foot = smooth_curve(crest.knots, 12);
+  std::vector<Knot> rises;
+  for (const Vector3d& rise : crest.rise_m) rises.push_back({rise, 0.0});
+  const std::vector<Knot> rise = smooth_curve(rises, 12);
+  for (int i = 0; i < crest.count; ++i) {
+    const auto at = static_cast<std::size_t>(i) * (foot.size() - 1) / static_cast<std::size_t>(std::max(crest.count - 1, 1));
+    const Knot& base = foot[at];
+    sculpture.strokes.push_back(spike(base.position_m, base.position_m + rise[at].position_m, base.radius_m, crest.blend_m));
+  }
 }
 
 Eigen::Quaterniond upright_to(const Vector3d& direction) {

@@ -16,6 +16,9 @@ struct Knot {
 /// A limb: round cones along the Catmull-Rom curve through the knots, `steps` between two of them.
 [[nodiscard]] Stroke limb(const std::vector<Knot>& knots, double blend_m, int steps = 6);
 
+/// A limb swollen into `rings` overlapping segments, `depth_m` deep at the creases: armoured tails, belly plates.
+[[nodiscard]] Stroke ringed_limb(const std::vector<Knot>& knots, int rings, double depth_m, double blend_m);
+
 /// A limb pressed flat: thinner by `flatness` (over 1) along the direction `across`; for feathers, fins, ears, petals.
 [[nodiscard]] Stroke blade(const std::vector<Knot>& knots, const Eigen::Vector3d& across, double flatness, double blend_m);
 
@@ -48,6 +51,15 @@ void add_pair(Sculpture& sculpture, const Stroke& stroke, int axis);
 
 /// The rotation that takes +Y to `direction`.
 [[nodiscard]] Eigen::Quaterniond upright_to(const Eigen::Vector3d& direction);
+
+/// Spikes along a smooth curve, standing on it: from knots[i] towards knots[i] + rise[i], base radius knots[i].radius_m.
+struct Crest {
+  std::vector<Knot> knots;
+  std::vector<Eigen::Vector3d> rise_m;   ///< one a knot
+  int count = 10;                        ///< spikes from the first knot to the last
+  double blend_m = 0.01;
+};
+void add_crest(Sculpture& sculpture, const Crest& crest);
 
 /// Points and radii on the Catmull-Rom curve through `knots`, `steps` a span, ends included.
 [[nodiscard]] std::vector<Knot> smooth_curve(const std::vector<Knot>& knots, int steps);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "scenes/decimate.h"
 #include "scenes/lattice.h"
 
 namespace seamline {
@@ -113,9 +114,8 @@ void settle(const Sculpture& sculpture, const PolygoniseOptions& options, Vector
   normal = normal.norm() > 1e-9 ? Vector3d(normal.normalized()) : Vector3d::UnitY();
 }
 
-}  // namespace
-
-TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& options) {
+/// The crossed edges' points, one vertex each, at the linear estimate of the surface.
+TriangleMesh march_and_weld(const Sculpture& sculpture, const PolygoniseOptions& options) {
   const Lattice lattice = sample_field(sculpture, options.cell_m, options.ground_m, options.threads);
   TriangleMesh mesh;
   std::unordered_map<Crossing, std::uint32_t, CrossingHash> numbers;
@@ -133,7 +133,10 @@ TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& opt
     mesh.triangles.push_back(triangle);
   }
   mesh.normals.resize(mesh.positions_m.size(), Vector3d::UnitY());
-  mesh = largest_piece(mesh);
+  return largest_piece(mesh);
+}
+
+void settle_all(TriangleMesh& mesh, const Sculpture& sculpture, const PolygoniseOptions& options) {
   constexpr int batch = 512;
   const auto count = static_cast<int>(mesh.positions_m.size());
   for_each_parallel((count + batch - 1) / batch, options.threads, [&](int part) {
@@ -142,6 +145,17 @@ TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& opt
       settle(sculpture, options, mesh.positions_m[vertex], mesh.normals[vertex]);
     }
   });
+}
+
+}  // namespace
+
+TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& options) {
+  TriangleMesh mesh = march_and_weld(sculpture, options);
+  settle_all(mesh, sculpture, options);
+  if (options.triangles > 0 && mesh.triangles.size() > options.triangles) {
+    mesh = decimated(mesh, options.triangles);
+    settle_all(mesh, sculpture, options);
+  }
   return mesh;
 }
 
