@@ -14,3 +14,13 @@ find_package(Boost 1.74 REQUIRED)
 if(NOT TARGET Boost::headers)
   add_library(Boost::headers ALIAS Boost::boost)
 endif()
+
+# Debian's OpenImageIO names OpenCV's header folder, which only its own build needed; without that package CMake refuses.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(oiio_existing)
+foreach(folder IN LISTS oiio_includes)
+  if(EXISTS "${folder}")
+    list(APPEND oiio_existing "${folder}")
+  endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing}")
