@@ -1,0 +1,47 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/cells.h"
+#include "analysis/participants.h"
+#include "analysis/resampling.h"
+#include "analysis/thresholds.h"
+#include "stimuli/study_definition.h"
+#include "study/log.h"
+
+namespace seamline {
+
+/// What the threshold observers of a log were made of, as the same functionals of their expected means at the
+/// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
+using PlantedValues = std::map<Artifact, CurveThresholds>;
+
+/// Everything that is computed from a log; what tables, figures and report are written from.
+struct Analysis {
+  LogContents log;
+  bool include_pilot = false;
+  ResamplingRequest resampling;
+  std::vector<ParticipantUse> people;
+  ParticipantCounts counts;
+  NoticeabilityData data;
+  std::vector<ArtifactThresholds> thresholds;  ///< in the order of `data.artifacts`
+  PlantedValues planted;           ///< empty unless every used participant is a `threshold` observer
+  std::vector<std::string> notes;  ///< what a reader must know, a sentence each
+};
+
+/// Computes everything. Throws InputError when no participant can be used.
+[[nodiscard]] Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling);
+
+/// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
+/// observers": goes on every figure and table.
+[[nodiscard]] std::string source_text(const Analysis& analysis);
+
+/// The planted values of `threshold` observers at the widths in `data`.
+[[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);
+
+/// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.
+[[nodiscard]] std::optional<StudyDefinition> study_of_log(const LogContents& log,
+                                                          std::vector<std::string>& notes);
+
+}  // namespace seamline

@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "analysis/analysis.h"
+#include "analysis/csv.h"
+
+namespace seamline {
+
+/// Every number of the report as tables: cells, curves, thresholds, participants and answers.
+[[nodiscard]] std::vector<CsvTable> report_tables(const Analysis& analysis);
+
+}  // namespace seamline

@@ -1,0 +1,116 @@
+#include "analysis/threshold_rows.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "analysis/paper_values.h"
+
+namespace seamline {
+
+namespace {
+
+void add_rows(const ArtifactThresholds& thresholds, const ArtifactScores& scores,
+              const PlantedValues& planted, std::vector<ThresholdRow>& rows) {
+  const std::optional<PaperThresholds> paper = paper_thresholds(thresholds.artifact);
+  const auto found = planted.find(thresholds.artifact);
+  const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;
+  const auto row = [&](const char* quantity, const char* key, const WidthEstimate& here) {
+    return ThresholdRow{.artifact = thresholds.artifact,
+                        .quantity = quantity,
+                        .key = key,
+                        .level = {},
+                        .here = here,
+                        .bootstrap = {},
+                        .smallest_px = scores.width_px.front(),
+                        .largest_px = scores.width_px.back(),
+                        .paper_px = {},
+                        .planted = {}};
+  };
+  ThresholdRow pt = row("PT", "perceptual_threshold", thresholds.estimates.perceptual);
+  ThresholdRow sn = row("SN", "slightly_noticeable", thresholds.estimates.slightly_noticeable);
+  ThresholdRow ip = row("IP", "inflection", thresholds.estimates.inflection);
+  pt.level = perceptual_level;
+  sn.level = slight_level;
+  pt.bootstrap = thresholds.perceptual_bootstrap;
+  sn.bootstrap = thresholds.slightly_noticeable_bootstrap;
+  if (paper) {
+    pt.paper_px = paper->perceptual_px;
+    sn.paper_px = paper->slightly_noticeable_px;
+    ip.paper_px = paper->inflection_px;
+  }
+  if (known != nullptr) {
+    pt.planted = known->perceptual;
+    sn.planted = known->slightly_noticeable;
+    ip.planted = known->inflection;
+  }
+  rows.insert(rows.end(), {pt, sn, ip});
+}
+
+std::string edge_text(double log2_px, int smallest_px, int largest_px) {
+  if (log2_px == below_every_width) return fmt::format("below {}", smallest_px);
+  if (log2_px == above_every_width) return fmt::format("above {}", largest_px);
+  return fmt::format("{:.0f}", std::exp2(log2_px));
+}
+
+}  // namespace
+
+std::vector<ThresholdRow> threshold_rows(const Analysis& analysis) {
+  std::vector<ThresholdRow> rows;
+  for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
+    add_rows(analysis.thresholds[i], analysis.data.artifacts[i], analysis.planted, rows);
+  return rows;
+}
+
+std::string artifact_title(Artifact artifact) {
+  std::string title(word(artifact));
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  if (const std::optional<PaperThresholds> paper = paper_thresholds(artifact))
+    title += fmt::format(" (type {})", paper->type);
+  return title;
+}
+
+std::string size_text(const WidthEstimate& estimate) {
+  if (!estimate.log2_px) return estimate.reason;
+  const double width_px = std::exp2(*estimate.log2_px);
+  return fmt::format("{:.0f} × {:.0f}", width_px, width_px / 2);
+}
+
+std::string interval_text(const WidthInterval& interval, int smallest_px, int largest_px) {
+  const std::string low = edge_text(interval.low_log2_px, smallest_px, largest_px);
+  if (interval.low_log2_px == interval.high_log2_px && !std::isfinite(interval.low_log2_px)) return low;
+  return low + " to " + edge_text(interval.high_log2_px, smallest_px, largest_px);
+}
+
+std::optional<double> bound_px(double log2_px) {
+  return std::isfinite(log2_px) ? std::optional(std::exp2(log2_px)) : std::nullopt;
+}
+
+std::string table_text(const Analysis& analysis) {
+  const bool simulated = !analysis.planted.empty();
+  const auto line = [&](const std::string& artifact, const std::string& quantity, const std::string& here,
+                        const std::string& interval, const std::string& paper, const std::string& planted) {
+    std::string text = fmt::format("{:<20}{:<4}{:<24}{:<26}{:<8}", artifact, quantity, here, interval, paper);
+    if (simulated) text += planted;
+    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  };
+  std::string text = fmt::format("Depth map width x height in px, {}\n", source_text(analysis));
+  text += line("artifact", "", "here", "95 % interval (width)", "paper", "planted");
+  for (const ThresholdRow& row : threshold_rows(analysis)) {
+    std::string here = size_text(row.here);
+    if (const auto cross = here.find(" × "); cross != std::string::npos) here.replace(cross, 4, " x ");
+    text += line(row.quantity == "PT" ? artifact_title(row.artifact) : "", row.quantity, here,
+                 interval_text(row.here.ci95, row.smallest_px, row.largest_px),
+                 row.paper_px ? std::to_string(*row.paper_px) : "-",
+                 !row.planted           ? ""
+                 : row.planted->log2_px ? fmt::format("{:.0f}", std::exp2(*row.planted->log2_px))
+                                        : row.planted->reason);
+  }
+  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point. '-': the paper gives no value.\n";
+  if (simulated)
+    text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";
+  return text;
+}
+
+}  // namespace seamline

@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/analysis.h"
+
+namespace seamline {
+
+/// One number of Table 1: a quantity of an artifact with everything that is printed beside it. What terminal,
+/// CSV, JSON and report are all written from, so that they cannot disagree.
+struct ThresholdRow {
+  Artifact artifact = Artifact::none;
+  std::string quantity;         ///< "PT", "SN" or "IP"
+  std::string key;              ///< "perceptual_threshold", "slightly_noticeable", "inflection"
+  std::optional<double> level;  ///< of noticeability; none for IP
+  WidthEstimate here;
+  std::optional<WidthInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
+  int smallest_px = 0, largest_px = 0;     ///< tested
+  std::optional<int> paper_px;
+  std::optional<WidthEstimate> planted;  ///< present when all participants are `threshold` observers
+};
+
+[[nodiscard]] std::vector<ThresholdRow> threshold_rows(const Analysis& analysis);
+
+/// "Receiver (type 1)"; artifacts outside the paper have no type.
+[[nodiscard]] std::string artifact_title(Artifact artifact);
+
+/// "426 × 213" (width and height of the depth map), or the reason why there is none.
+[[nodiscard]] std::string size_text(const WidthEstimate& estimate);
+
+/// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested widths is
+/// said in words.
+[[nodiscard]] std::string interval_text(const WidthInterval& interval, int smallest_px, int largest_px);
+
+/// A bound in px; none when it is open.
+[[nodiscard]] std::optional<double> bound_px(double log2_px);
+
+/// The table for a terminal: a line a quantity, beside the paper's value and, when simulated, the planted
+/// one.
+[[nodiscard]] std::string table_text(const Analysis& analysis);
+
+}  // namespace seamline
