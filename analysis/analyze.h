@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace seamline {
+
+/// What `seamline analyze LOG.sqlite --out REPORT` asks for.
+struct AnalysisRequest {
+  std::filesystem::path log;
+  std::filesystem::path report_folder;
+  int bootstrap_replicates = 10000;
+  std::uint64_t seed = 1;  ///< of the bootstrap; same seed, same intervals, for any number of threads
+  bool include_pilot = false;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+struct AnalysisSummary {
+  std::string table;                  ///< Table 1 from the data beside the paper's, for a terminal
+  std::vector<std::string> notes;     ///< what a reader must know, a sentence each
+  std::filesystem::path report_html;  ///< one file that opens offline
+};
+
+/// Reads the log, computes everything and writes the report folder: report.html, thresholds.json, CSV files
+/// with their data dictionary, figures as SVG. Throws InputError when the log is wrong, nobody in it can be
+/// used, gnuplot is missing, or the folder cannot be written; nothing is written before the first three are
+/// known.
+[[nodiscard]] AnalysisSummary analyze_log(const AnalysisRequest& request);
+
+}  // namespace seamline

@@ -1,0 +1,35 @@
+#include "analysis/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "analysis/analyze.h"
+
+namespace seamline {
+
+namespace {
+
+void run_analyze(const AnalysisRequest& request) {
+  const AnalysisSummary summary = analyze_log(request);
+  std::printf("%s", summary.table.c_str());
+  for (const std::string& note : summary.notes) std::printf("Note: %s\n", note.c_str());
+  std::printf("Report: %s\n", summary.report_html.c_str());
+}
+
+}  // namespace
+
+void add_analysis_commands(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("analyze", "thresholds, figures and a report from a log of answers");
+  const auto request = std::make_shared<AnalysisRequest>();
+  command->add_option("log", request->log, "the log, LOG.sqlite")->required();
+  command->add_option("--out", request->report_folder, "folder of the report; made when missing")->required();
+  command->add_option("--bootstrap", request->bootstrap_replicates, "bootstrap replicates")
+      ->check(CLI::Range(100, 1000000))
+      ->capture_default_str();
+  command->add_option("--seed", request->seed, "seed of the bootstrap")->capture_default_str();
+  command->add_flag("--include-pilot", request->include_pilot, "use pilot data as well");
+  command->callback([request] { run_analyze(*request); });
+}
+
+}  // namespace seamline

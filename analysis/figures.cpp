@@ -1,0 +1,182 @@
+#include "analysis/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/gnuplot.h"
+#include "analysis/threshold_rows.h"
+#include "stimuli/support/atomic_file.h"
+
+namespace seamline {
+
+namespace {
+
+/// Okabe and Ito's palette, and gnuplot's point types: circle, square, triangle, diamond, ... all filled.
+struct LineStyle {
+  const char* colour;
+  int point;
+};
+constexpr std::array<LineStyle, 7> styles = {{{"#0072B2", 7},
+                                              {"#D55E00", 5},
+                                              {"#009E73", 9},
+                                              {"#CC79A7", 13},
+                                              {"#E69F00", 11},
+                                              {"#56B4E9", 15},
+                                              {"#7F7F7F", 7}}};
+constexpr const char* ink = "#333334";  ///< axes and text; `inline_svg` replaces it by the page's text colour
+
+std::string style(std::size_t index, double point_size) {
+  const LineStyle& line = styles[index % styles.size()];
+  return fmt::format("lc rgb '{}' lw 2 pt {} ps {}", line.colour, line.point, point_size);
+}
+
+/// Widths seen in the data, rising.
+std::vector<int> all_widths(const NoticeabilityData& data) {
+  std::vector<int> widths;
+  for (const ArtifactScores& scores : data.artifacts)
+    widths.insert(widths.end(), scores.width_px.begin(), scores.width_px.end());
+  std::sort(widths.begin(), widths.end());
+  widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
+  return widths;
+}
+
+std::string axes(const Analysis& analysis) {
+  const std::vector<int> widths = all_widths(analysis.data);
+  std::string ticks;
+  for (int width : widths) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", width, width);
+  return fmt::format(
+      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
+      "set xtics ({1})\nset ytics 0, 1, 4\nset mytics 2\nset logscale x 2\n"
+      "set xrange [{2:.4f}:{3:.4f}]\nset yrange [0:4.15]\n"
+      "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
+      "set xlabel \"depth map width W (px)\" textcolor rgb '{0}'\nset ylabel \"mean noticeability\" "
+      "textcolor rgb '{0}'\n"
+      "set key textcolor rgb '{0}' Left reverse samplen 2\nset bars small\n",
+      ink, ticks, widths.front() / 1.25, widths.back() * 1.25);
+}
+
+/// A data block `width mean sem`, the widths moved by a share of an octave so that error bars of several
+/// lines stay apart.
+std::string data_block(const std::string& name, const std::vector<CellMean>& cells, double shift_octaves) {
+  std::string block = fmt::format("${} << EOD\n", name);
+  for (const CellMean& cell : cells)
+    block += fmt::format("{:.6g} {:.6g} {:.6g}\n", cell.width_px * std::exp2(shift_octaves), cell.mean,
+                         std::isnan(cell.sem) ? 0.0 : cell.sem);
+  return block + "EOD\n";
+}
+
+/// How far line `index` of `count` is moved, in octaves.
+double shift(std::size_t index, std::size_t count) {
+  return 0.09 * (static_cast<double>(index) - (static_cast<double>(count) - 1) / 2);
+}
+
+std::string plot_line(const std::string& block, std::size_t index, const std::string& title) {
+  return fmt::format("${0} with lines {1} notitle, ${0} using 1:2:3 with yerrorbars {2} title \"{3}\"", block,
+                     fmt::format("lc rgb '{}' lw 2", styles[index % styles.size()].colour),
+                     style(index, 0.75), gnuplot_text(title));
+}
+
+std::string object_panel(const Analysis& analysis, Artifact artifact) {
+  std::vector<const ObjectCurve*> objects;
+  for (const ObjectCurve& object : analysis.data.objects)
+    if (object.artifact == artifact) objects.push_back(&object);
+  std::string blocks, plots;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string name = fmt::format("{}{}", word(artifact), i + 1);
+    blocks += data_block(name, objects[i]->cells, shift(i, objects.size()));
+    const std::string title = fmt::format("{} {}", objects[i]->object_index, objects[i]->object);
+    plots += (i == 0 ? "plot " : ", \\\n     ") + plot_line(name, i, title);
+  }
+  return blocks +
+         fmt::format("set title \"{}\" font ',16' textcolor rgb '{}' offset 0,-0.3\n",
+                     gnuplot_text(artifact_title(artifact)), ink) +
+         plots + "\n";
+}
+
+Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  const std::size_t panels = analysis.data.artifacts.size();
+  const std::size_t columns = panels > 1 ? 2 : 1, rows = (panels + columns - 1) / columns;
+  Figure figure{
+      .name = "fig6_objects",
+      .title = "Noticeability by artifact and object",
+      .caption =
+          "Mean noticeability against depth map width, one panel an artifact and one line an object (1 left, "
+          "2 "
+          "middle, 3 right); bars: one standard error of the mean over participants. Points of one width are "
+          "moved apart a little. After Fig. 6 of the paper. Data: " +
+          source_text(analysis) + ".",
+      .svg = folder / "fig6_objects.svg"};
+  std::string script =
+      axes(analysis) +
+      fmt::format(
+          "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' margins {},0.985,{},{} "
+          "spacing 0.08,{}\nset key top right font ',12'\n",
+          rows, columns, gnuplot_text(source_text(analysis)), ink, columns == 1 ? 0.08 : 0.055,
+          rows == 1 ? 0.16 : 0.075, rows == 1 ? 0.86 : 0.915, rows == 1 ? 0.1 : 0.14);
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    script += object_panel(analysis, scores.artifact);
+  draw_svg(figure.svg, columns == 1 ? 640 : 1080, static_cast<int>(rows) * 390, script + "unset multiplot\n");
+  return figure;
+}
+
+Figure average_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  Figure figure{
+      .name = "fig7_averages",
+      .title = "Noticeability by artifact",
+      .caption =
+          "Mean noticeability over objects against depth map width; bars: one standard error of the mean "
+          "over "
+          "participants. Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
+          "noticeable (SN). After Fig. 7 of the paper. Data: " +
+          source_text(analysis) + ".",
+      .svg = folder / "fig7_averages.svg"};
+  std::string script = axes(analysis), plots;
+  for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
+    const ArtifactScores& scores = analysis.data.artifacts[i];
+    const std::string name(word(scores.artifact));
+    script += data_block(name, scores.cells, shift(i, analysis.data.artifacts.size()));
+    plots += ", \\\n     " + plot_line(name, i, artifact_title(scores.artifact));
+  }
+  script += fmt::format(
+      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top right font ',13'\nset lmargin 7\nset "
+      "rmargin 2\n"
+      "set label 1 'PT  0.5' at graph 0.004, first 0.5 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
+      "front\n"
+      "set label 2 'SN  1.0' at graph 0.004, first 1.0 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
+      "front\n"
+      "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
+      "notitle{2}\n",
+      gnuplot_text(source_text(analysis)), ink, plots);
+  draw_svg(figure.svg, 900, 540, script);
+  return figure;
+}
+
+void replace_all(std::string& text, const std::string& old, const std::string& fresh) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + fresh.size()))
+    text.replace(at, old.size(), fresh);
+}
+
+}  // namespace
+
+std::vector<Figure> draw_figures(const Analysis& analysis, const std::filesystem::path& folder) {
+  return {average_figure(analysis, folder), object_figure(analysis, folder)};
+}
+
+std::string inline_svg(const Figure& figure) {
+  std::string svg = read_file(figure.svg);
+  svg.erase(0, std::min(svg.find("<svg"), svg.size()));
+  for (const char* quote : {"'", "\""}) {
+    replace_all(svg, fmt::format("id={}", quote), fmt::format("id={}{}-", quote, figure.name));
+    replace_all(svg, fmt::format("href={}#", quote), fmt::format("href={}#{}-", quote, figure.name));
+  }
+  replace_all(svg, "url(#", "url(#" + figure.name + "-");
+  replace_all(svg, "rgb( 51,  51,  52)", "currentColor");
+  replace_all(svg, "rgb(51,51,52)", "currentColor");
+  replace_all(svg, ink, "currentColor");
+  return svg;
+}
+
+}  // namespace seamline

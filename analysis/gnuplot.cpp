@@ -1,0 +1,95 @@
+#include "analysis/gnuplot.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace seamline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+InputError no_gnuplot() {
+  return input_error({.file = "gnuplot",
+                      .field = "",
+                      .wanted = "the program gnuplot, which draws the figures (Debian package gnuplot-nox)",
+                      .found = "none on the PATH"});
+}
+
+/// Exit status of `gnuplot ARGUMENT` with its errors in `messages`.
+int run_gnuplot(const std::string& argument, const fs::path& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int write_flags = 01 | 0100 | 01000;  // O_WRONLY | O_CREAT | O_TRUNC
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), write_flags, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  std::string program = "gnuplot", script = argument;
+  std::array<char*, 3> arguments = {program.data(), script.data(), nullptr};
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure == ENOENT) throw no_gnuplot();
+  if (failure != 0) throw std::system_error(failure, std::generic_category(), "starting gnuplot");
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waiting for gnuplot");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+void require_gnuplot() {
+  const char* path = std::getenv("PATH");
+  std::string folders = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', begin), folders.size());
+    if (access((fs::path(folders.substr(begin, end - begin)) / "gnuplot").c_str(), X_OK) == 0) return;
+    begin = end + 1;
+  }
+  throw no_gnuplot();
+}
+
+void draw_svg(const fs::path& svg, int width_px, int height_px, const std::string& script) {
+  const fs::path script_file = fs::path(svg).replace_extension(".gnuplot");
+  const fs::path messages = fs::path(svg).replace_extension(".messages");
+  // Run from the figure's folder, so that the script names no folder and can be moved with the report.
+  write_file_atomically(
+      script_file,
+      fmt::format("set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
+                  "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
+                  width_px, height_px, svg.filename().string(), script));
+  const std::string call = fmt::format("call '{}' '{}'\n", script_file.string(), svg.string());
+  const fs::path caller = fs::path(svg).replace_extension(".call");
+  write_file_atomically(caller, call);
+  const int status = run_gnuplot(caller.string(), messages);
+  const std::string said = read_file(messages);
+  fs::remove(messages);
+  fs::remove(caller);
+  if (status != 0) throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + said);
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string safe;
+  for (char c : text) {
+    if (c == '\\' || c == '"' || c == '`' || c == '\n') c = c == '"' ? '\'' : ' ';
+    if (std::string_view("^_@&~{}").find(c) != std::string_view::npos) safe += "\\\\";
+    safe += c;
+  }
+  return safe;
+}
+
+}  // namespace seamline

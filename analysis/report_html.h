@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/analysis.h"
+#include "analysis/figures.h"
+#include "analysis/stimulus_samples.h"
+
+namespace seamline {
+
+/// The whole report as one page that opens offline: figures and sample stimuli are inside. All text from
+/// files and people is escaped. Light and dark by the reader's preference, and a style for print.
+[[nodiscard]] std::string report_html(const Analysis& analysis, const std::vector<Figure>& figures,
+                                      const StimulusSamples& samples);
+
+/// The page's style sheet.
+[[nodiscard]] const char* report_style();
+
+/// Table 1 from the data, beside the paper's and the planted values.
+[[nodiscard]] std::string threshold_table_html(const Analysis& analysis);
+
+[[nodiscard]] std::string participant_table_html(const Analysis& analysis);
+
+[[nodiscard]] std::string samples_html(const StimulusSamples& samples);
+
+}  // namespace seamline

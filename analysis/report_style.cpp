@@ -1,0 +1,43 @@
+#include "analysis/report_html.h"
+
+namespace seamline {
+
+const char* report_style() {
+  return R"css(
+:root { color-scheme: light dark; --page: #ffffff; --ink: #1f2326; --soft: #5a6268; --line: #d5d9dd; --card: #f5f6f7;
+  --accent: #0062a3; --note: #fff6df; --note-line: #e0b040; }
+@media (prefers-color-scheme: dark) { :root { --page: #15181b; --ink: #e6e8ea; --soft: #a3abb2; --line: #3a4046;
+  --card: #1d2125; --accent: #6db8ea; --note: #2d2716; --note-line: #a5822e; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 70rem; background: var(--page); color: var(--ink);
+  font: 16px/1.55 system-ui, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .4rem; }
+h2 { font-size: 1.3rem; margin: 2.8rem 0 .8rem; }
+p { max-width: 46rem; }
+.soft, figcaption, .facts dt { color: var(--soft); }
+.badge { display: inline-block; margin: .6rem 0; padding: .15rem .7rem; border: 1px solid var(--note-line); border-radius: 1rem;
+  background: var(--note); font-size: .92rem; }
+.notes { padding: .6rem 1rem .6rem 2rem; border-left: 4px solid var(--note-line); background: var(--note); max-width: 46rem; }
+.facts { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1.2rem; margin: 1rem 0; }
+.facts dd { margin: 0; overflow-wrap: anywhere; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .94rem; }
+th, td { padding: .38rem .9rem .38rem 0; text-align: left; vertical-align: top; white-space: nowrap; }
+thead th { border-bottom: 2px solid var(--ink); vertical-align: bottom; }
+tbody tr { border-bottom: 1px solid var(--line); }
+tbody tr.group { border-top: 1px solid var(--soft); }
+td.number, th.number { text-align: right; }
+figure { margin: 1.2rem 0 2rem; }
+figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }
+figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }
+.samples { display: grid; gap: .5rem; grid-auto-flow: column; grid-auto-columns: minmax(110px, 1fr); overflow-x: auto; }
+.samples div { font-size: .85rem; text-align: center; color: var(--soft); }
+.samples img { width: 100%; display: block; border-radius: 3px; }
+.sample-title { margin: 1.2rem 0 .4rem; font-weight: 600; }
+a { color: var(--accent); }
+@media print { :root { --page: #fff; --ink: #000; --soft: #444; --line: #bbb; --card: #fff; --note: #fff; }
+  body { max-width: none; padding: 0; font-size: 10.5pt; } figure, tr, .samples { break-inside: avoid; } h2 { break-after: avoid; } }
+)css";
+}
+
+}  // namespace seamline
