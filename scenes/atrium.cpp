@@ -11,16 +11,16 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double bay_m = 2.8;          ///< from column to column
-constexpr double spring_m = 2.6;       ///< where the lower arches begin
-constexpr double storey_m = 4.3;       ///< floor of the gallery
+constexpr double bay_m = 3.0;          ///< from column to column
+constexpr double spring_m = 2.75;      ///< where the lower arches begin
+constexpr double storey_m = 4.5;       ///< floor of the gallery
 constexpr double aisle_m = 3.0;        ///< depth behind the columns
-constexpr double shaft_m = 0.28;
+constexpr double shaft_m = 0.26;
 constexpr double thickness_m = 0.6;    ///< of the arcade wall
-constexpr int bays = 7;
-constexpr double first_x_m = -9.8;
+constexpr int bays = 8;
+constexpr double first_x_m = -12.0;
 constexpr double arcade_z_m = -7.5;    ///< the plane of the columns' axes
-const Vector3d eye_m(3.2, 1.7, 0.0);
+const Vector3d eye_m(2.4, 1.75, 1.4);
 
 void add(SceneContents& court, const std::string& name, const TriangleMesh& mesh, const Vector3d& shift = Vector3d::Zero()) {
   court.parts.push_back({name, transformed(mesh, Eigen::Affine3d(Eigen::Translation3d(shift)))});
@@ -85,6 +85,15 @@ TriangleMesh make_screen(const Vector3d& axis) {
   return mesh;
 }
 
+/// A long bench along the aisle, on which things stand behind the columns.
+TriangleMesh make_plinths() {
+  const double z = arcade_z_m - 1.35;
+  TriangleMesh mesh = box({first_x_m, 0, z - 0.75}, {first_x_m + bays * bay_m, 0.12, z + 0.75});
+  append(mesh, box({first_x_m, 0.12, z - 0.68}, {first_x_m + bays * bay_m, 0.62, z + 0.68}));
+  append(mesh, box({first_x_m, 0.62, z - 0.74}, {first_x_m + bays * bay_m, 0.72, z + 0.74}));
+  return mesh;
+}
+
 void add_arcade(SceneContents& court) {
   TriangleMesh columns, arches, upper, balustrade, screens;
   for (int i = 0; i <= bays; ++i) {
@@ -99,6 +108,7 @@ void add_arcade(SceneContents& court) {
     append(upper, transformed(make_arch(2.3, 3.8), above));
     append(balustrade, transformed(make_balustrade(), above));
   }
+  add(court, "plinths", make_plinths());
   add(court, "columns", columns);
   add(court, "arches", arches);
   add(court, "gallery_arcade", upper);
@@ -121,7 +131,7 @@ SceneContents make_atrium() {
   add(court, "gallery_floor", box({low_x, storey_m - 0.2, wall_z}, {high_x, storey_m, arcade_z_m + 0.3}));
   add(court, "cornice", box({low_x, storey_m - 0.12, arcade_z_m + 0.3}, {high_x, storey_m, arcade_z_m + 0.45}));
   add_arcade(court);
-  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.6, 1.9, -7}, .vertical_fov_rad = 0.6};
+  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.2, 2.35, -7.5}, .vertical_fov_rad = 0.70};
   return court;
 }
 

@@ -30,7 +30,6 @@ void add_ring(TriangleMesh& mesh, const ProfilePoint& low, const ProfilePoint& h
     }
     if (low.radius_m > 0) mesh.triangles.push_back({first, first + 2, first + 3});
     if (high.radius_m > 0) mesh.triangles.push_back({first, first + 3, first + 1});
-    if (high.radius_m <= 0 && low.radius_m <= 0) continue;
   }
 }
 
@@ -58,6 +57,12 @@ TriangleMesh turned(const std::vector<ProfilePoint>& profile, int sides, bool sm
   if (profile.front().radius_m > 0) add_ring(mesh, {0, profile.front().height_m}, profile.front(), sides, smooth);
   for (std::size_t i = 1; i < profile.size(); ++i) add_ring(mesh, profile[i - 1], profile[i], sides, smooth);
   if (profile.back().radius_m > 0) add_ring(mesh, profile.back(), {0, profile.back().height_m}, sides, smooth);
+  return mesh;
+}
+
+TriangleMesh turned_ring(const std::vector<ProfilePoint>& profile, int sides) {
+  TriangleMesh mesh;
+  for (std::size_t i = 0; i < profile.size(); ++i) add_ring(mesh, profile[i], profile[(i + 1) % profile.size()], sides, true);
   return mesh;
 }
 

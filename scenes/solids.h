@@ -19,6 +19,9 @@ struct ProfilePoint {
 /// profile stay sharp, the way around is smooth (or flat for few `sides`, when `smooth` is false).
 [[nodiscard]] TriangleMesh turned(const std::vector<ProfilePoint>& profile, int sides, bool smooth = true);
 
+/// A ring: a closed profile, counter-clockwise with the radius to the right and the height upwards, turned about the y axis.
+[[nodiscard]] TriangleMesh turned_ring(const std::vector<ProfilePoint>& profile, int sides);
+
 /// A plate between two flat outlines: `outline` (x, y), counter-clockwise and convex or star-shaped about its mean,
 /// extruded from z = low_m to z = high_m. Flat-shaded.
 [[nodiscard]] TriangleMesh extruded(const std::vector<Eigen::Vector2d>& outline, double low_m, double high_m);
