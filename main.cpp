@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "analysis/commands.h"
+#include "demo.h"
 #include "renderer/commands.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
       "seamline"};
   app.set_version_flag("--version", "seamline " + seamline::program_version());
   app.require_subcommand(1);
+  seamline::add_demo_command(app);
   seamline::add_renderer_commands(app);
   seamline::add_study_commands(app);
   seamline::add_analysis_commands(app);

@@ -1,5 +1,7 @@
 #include "stimuli/study_file_scene.h"
 
+#include <Eigen/Geometry>
+#include <cctype>
 #include <cmath>
 #include <set>
 

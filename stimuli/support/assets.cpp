@@ -33,6 +33,13 @@ std::string program_version() {
   return SEAMLINE_VERSION_TEXT;
 }
 
+fs::path builtin_study(const std::string& name) {
+  std::error_code error;
+  const fs::path beside =
+      fs::read_symlink("/proc/self/exe", error).parent_path() / "stimuli" / (name + ".toml");
+  return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / (name + ".toml");
+}
+
 fs::path resolve_asset(const std::string& name, const fs::path& study_file, const std::string& field) {
   if (name.starts_with(builtin_prefix)) {
     const std::string wanted = name.substr(builtin_prefix.size());

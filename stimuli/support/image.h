@@ -66,8 +66,8 @@ struct ByteImage {
 /// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically.
 void write_exr(const std::filesystem::path& path, const Image& image);
 
-/// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian: fonts-dejavu-core) nothing
-/// is drawn.
+/// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian:
+/// fonts-dejavu-core) nothing is drawn.
 void draw_text(ByteImage& image, int x, int y, const std::string& text, int height_px, std::uint8_t code);
 
 /// Writes an 8-bit PNG, atomically; the same picture always gives the same bytes.

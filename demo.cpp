@@ -1,0 +1,55 @@
+#include "demo.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+
+#include "analysis/analyze.h"
+#include "renderer/render_set.h"
+#include "stimuli/study_file.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/progress.h"
+#include "study/simulation.h"
+
+namespace seamline {
+namespace {
+
+constexpr int demo_observers = 20;
+
+/// Study file -> stimuli -> sessions -> log -> thresholds -> report.
+void run_demo(const std::filesystem::path& out) {
+  const auto start = std::chrono::steady_clock::now();
+  const StudyDefinition study = read_study(builtin_study("quick"));
+  fmt::print("1/3 stimuli: {} into {}\n", study.file.string(), (out / "set").string());
+  std::fflush(stdout);
+  render_set(study, {.set_folder = out / "set", .contact_sheet = true});
+
+  const std::filesystem::path log = out / "log.sqlite";
+  for (const char* suffix : {"", "-wal", "-shm"})
+    std::filesystem::remove(log.string() + suffix);  // simulated: made again
+  fmt::print("2/3 sessions: {} simulated observers into {}\n", demo_observers, log.string());
+  std::fflush(stdout);
+  run_simulated_study({.set_folder = out / "set", .log = log, .count = demo_observers});
+
+  fmt::print("3/3 analysis\n\n");
+  std::fflush(stdout);
+  const AnalysisSummary summary = analyze_log({.log = log, .report_folder = out / "report"});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{}\nThese answers are simulated: they show the chain, not people.\n", summary.table);
+  fmt::print("Done in {}. Open the report in a browser: {}\n", duration_text(seconds),
+             std::filesystem::absolute(summary.report_html).lexically_normal().string());
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app) {
+  auto out = std::make_shared<std::string>("out/demo");
+  CLI::App* demo =
+      app.add_subcommand("demo", "the whole chain, small: stimuli, simulated observers, thresholds, report");
+  demo->add_option("--out", *out, "folder of everything the demo makes")->capture_default_str();
+  demo->callback([out] { run_demo(*out); });
+}
+
+}  // namespace seamline

@@ -1,0 +1,63 @@
+#include "renderer/sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "renderer/light.h"
+
+namespace seamline {
+namespace {
+
+TEST(Sampler, SecondSobolDimensionIsTheSequencesOwn) {
+  for (std::uint32_t index = 0; index < 5000; ++index) {
+    std::uint32_t expected = 0;
+    std::uint32_t direction = 1U << 31;
+    for (std::uint32_t i = index; i != 0; i >>= 1, direction ^= direction >> 1)
+      if (i & 1U) expected ^= direction;
+    ASSERT_EQ(sobol_second_dimension(index), expected) << index;
+  }
+}
+
+TEST(Sampler, EveryDyadicCellOfAPowerOfTwoHoldsOnePoint) {
+  for (int dimension = 0; dimension < 5; ++dimension)
+    for (const auto& [columns, rows] :
+         {std::array{8, 8}, std::array{64, 1}, std::array{1, 64}, std::array{16, 4}}) {
+      std::set<int> cells;
+      for (int sample = 0; sample < 64; ++sample) {
+        const Eigen::Array2f p = Sampler(42, 3, 7, sample).point(dimension);
+        ASSERT_TRUE(p[0] >= 0 && p[0] < 1 && p[1] >= 0 && p[1] < 1);
+        cells.insert(static_cast<int>(p[0] * static_cast<float>(columns)) * rows +
+                     static_cast<int>(p[1] * static_cast<float>(rows)));
+      }
+      EXPECT_EQ(cells.size(), 64U);
+    }
+}
+
+TEST(Sampler, PixelsAndSeedsAreDecorrelated) {
+  double correlation = 0;
+  const int count = 20000;
+  for (int i = 0; i < count; ++i)
+    correlation += (Sampler(1, i, 0, 0).point(0)[0] - 0.5) * (Sampler(1, i + 1, 0, 0).point(0)[0] - 0.5) * 12;
+  EXPECT_LT(std::abs(correlation / count), 4 / std::sqrt(count));
+  EXPECT_NE(Sampler(1, 0, 0, 0).point(0)[0], Sampler(2, 0, 0, 0).point(0)[0]);
+}
+
+TEST(Sampler, CosineDirectionsAreUnitAndCosineWeighted) {
+  const Eigen::Vector3f normal = Eigen::Vector3f(0.3F, -0.8F, 0.2F).normalized();
+  double cosine = 0, square = 0;
+  const int count = 1 << 14;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3f d = cosine_direction(normal, Sampler(1, 0, 0, i).point(0));
+    ASSERT_NEAR(d.norm(), 1, 1e-5);
+    cosine += d.dot(normal);
+    square += d.dot(normal) * d.dot(normal);
+  }
+  EXPECT_NEAR(cosine / count, 2.0 / 3, 1e-3);
+  EXPECT_NEAR(square / count, 0.5, 1e-3);
+}
+
+}  // namespace
+}  // namespace seamline
