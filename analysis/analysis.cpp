@@ -106,13 +106,18 @@ PlantedValues planted_values(const ObserverDefinition& observer, const Noticeabi
 }
 
 std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<std::string>& notes) {
+  if (log.study_text.empty()) {
+    notes.emplace_back("The log keeps no study text, so planted values are not known.");
+    return std::nullopt;
+  }
+  const TemporaryFile file(log.study_text);
   try {
-    const TemporaryFile file(log.study_text);
     return read_study(file.path(), AssetCheck::not_needed);
   } catch (const InputError& error) {
-    notes.push_back(
-        std::string("The study's text in the log cannot be read, so planted values are not known: ") +
-        error.what());
+    std::string said = error.what();
+    if (const auto at = said.find(file.path().string()); at != std::string::npos)
+      said.replace(at, file.path().string().size(), "study text of the log");
+    notes.push_back("Planted values are not known, because the study cannot be read: " + said);
     return std::nullopt;
   }
 }

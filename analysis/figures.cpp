@@ -28,11 +28,6 @@ constexpr std::array<LineStyle, 7> styles = {{{"#0072B2", 7},
                                               {"#7F7F7F", 7}}};
 constexpr const char* ink = "#333334";  ///< axes and text; `inline_svg` replaces it by the page's text colour
 
-std::string style(std::size_t index, double point_size) {
-  const LineStyle& line = styles[index % styles.size()];
-  return fmt::format("lc rgb '{}' lw 2 pt {} ps {}", line.colour, line.point, point_size);
-}
-
 /// Widths seen in the data, rising.
 std::vector<int> all_widths(const NoticeabilityData& data) {
   std::vector<int> widths;
@@ -54,7 +49,7 @@ std::string axes(const Analysis& analysis) {
       "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
       "set xlabel \"depth map width W (px)\" textcolor rgb '{0}'\nset ylabel \"mean noticeability\" "
       "textcolor rgb '{0}'\n"
-      "set key textcolor rgb '{0}' Left reverse samplen 2\nset bars small\n",
+      "set key textcolor rgb '{0}' Left reverse samplen 2\n",
       ink, ticks, widths.front() / 1.25, widths.back() * 1.25);
 }
 
@@ -70,13 +65,15 @@ std::string data_block(const std::string& name, const std::vector<CellMean>& cel
 
 /// How far line `index` of `count` is moved, in octaves.
 double shift(std::size_t index, std::size_t count) {
-  return 0.09 * (static_cast<double>(index) - (static_cast<double>(count) - 1) / 2);
+  return 0.06 * (static_cast<double>(index) - (static_cast<double>(count) - 1) / 2);
 }
 
 std::string plot_line(const std::string& block, std::size_t index, const std::string& title) {
-  return fmt::format("${0} with lines {1} notitle, ${0} using 1:2:3 with yerrorbars {2} title \"{3}\"", block,
-                     fmt::format("lc rgb '{}' lw 2", styles[index % styles.size()].colour),
-                     style(index, 0.75), gnuplot_text(title));
+  const LineStyle& style = styles[index % styles.size()];
+  return fmt::format(
+      "${0} using 1:($2-$3):(0):(2*$3) with vectors nohead lc rgb '{1}' lw 1.5 notitle, \\\n"
+      "     ${0} using 1:2 with linespoints lc rgb '{1}' lw 2 pt {2} ps 0.75 title \"{3}\"",
+      block, style.colour, style.point, gnuplot_text(title));
 }
 
 std::string object_panel(const Analysis& analysis, Artifact artifact) {
@@ -109,16 +106,18 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
           "moved apart a little. After Fig. 6 of the paper. Data: " +
           source_text(analysis) + ".",
       .svg = folder / "fig6_objects.svg"};
+  // Margins in pixels, so that labels keep their room whatever the number of panels.
+  const double width_px = columns == 1 ? 640 : 1080, height_px = 30 + 400.0 * static_cast<double>(rows);
   std::string script =
       axes(analysis) +
       fmt::format(
-          "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' margins {},0.985,{},{} "
-          "spacing 0.08,{}\nset key top right font ',12'\n",
-          rows, columns, gnuplot_text(source_text(analysis)), ink, columns == 1 ? 0.08 : 0.055,
-          rows == 1 ? 0.16 : 0.075, rows == 1 ? 0.86 : 0.915, rows == 1 ? 0.1 : 0.14);
+          "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' "
+          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top right font ',12'\n",
+          rows, columns, gnuplot_text(source_text(analysis)), ink, 66 / width_px, 1 - 14 / width_px,
+          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px);
   for (const ArtifactScores& scores : analysis.data.artifacts)
     script += object_panel(analysis, scores.artifact);
-  draw_svg(figure.svg, columns == 1 ? 640 : 1080, static_cast<int>(rows) * 390, script + "unset multiplot\n");
+  draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n");
   return figure;
 }
 
@@ -173,6 +172,8 @@ std::string inline_svg(const Figure& figure) {
     replace_all(svg, fmt::format("href={}#", quote), fmt::format("href={}#{}-", quote, figure.name));
   }
   replace_all(svg, "url(#", "url(#" + figure.name + "-");
+  for (const char* plain : {"black", "white"})
+    replace_all(svg, fmt::format("color=\"{}\"", plain), "color=\"inherit\"");
   replace_all(svg, "rgb( 51,  51,  52)", "currentColor");
   replace_all(svg, "rgb(51,51,52)", "currentColor");
   replace_all(svg, ink, "currentColor");
