@@ -49,15 +49,9 @@ void delete_rows(SQLite::Database& database, const fs::path& log, const std::str
 }
 
 /// Writes every page anew and empties the write-ahead log, so that no deleted byte is left in either file.
-void erase_free_pages(SQLite::Database& database, const fs::path& log) {
+void erase_free_pages(SQLite::Database& database) {
   database.exec("VACUUM");
-  const bool busy = database.execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt() != 0;
-  if (busy)
-    throw input_error(
-        {.file = log.string(),
-         .wanted = "a log that no other program has open (the participant's rows are deleted, but their "
-                   "bytes remain; close the other program and run --forget for any code again)",
-         .found = "one that is in use"});
+  database.execAndGet("PRAGMA wal_checkpoint(TRUNCATE)");
 }
 
 }  // namespace
@@ -89,10 +83,10 @@ void exclude_participant(const fs::path& log, const std::string& code) {
 }
 
 void forget_participant(const fs::path& log, const std::string& code) {
-  SQLite::Database database = open_log_database(log, LogAccess::write);
+  SQLite::Database database = open_log_database(log, LogAccess::alone);
   with_log_errors(log, [&] {
     delete_rows(database, log, code);
-    erase_free_pages(database, log);
+    erase_free_pages(database);
   });
 }
 

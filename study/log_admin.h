@@ -14,9 +14,8 @@ namespace seamline {
 void exclude_participant(const std::filesystem::path& log, const std::string& code);
 
 /// Deletes every trace of a participant (rows, free pages, write-ahead log) and records that someone was
-/// deleted, not who. Throws InputError when the code is not in the log, or another program has the log open,
-/// since that program may still hold the participant's pages; nothing, or not everything, is erased then, and
-/// the sentence says which.
+/// deleted, not who. Throws InputError, and deletes nothing, when the code is not in the log or another
+/// program has the log open, since that program could bring pages of the participant back.
 void forget_participant(const std::filesystem::path& log, const std::string& code);
 
 }  // namespace seamline

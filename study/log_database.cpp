@@ -12,7 +12,7 @@ namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int patience_ms = 10000;
+constexpr int patience_ms = 5000;
 constexpr std::uintmax_t header_bytes = 100;  // of a SQLite database
 constexpr const char* a_log = "a Seamline log";
 
@@ -98,7 +98,10 @@ void create_tables(SQLite::Database& database, const fs::path& path) {
 }
 
 SQLite::Database open_for_writing(const fs::path& path, LogAccess access) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, patience_ms);
+  const int wait_ms =
+      access == LogAccess::alone ? patience_ms / 10 : patience_ms;  // a session will not end soon
+  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, wait_ms);
+  if (access == LogAccess::alone) database.exec("PRAGMA locking_mode = EXCLUSIVE");  // before the first read
   if (access == LogAccess::create && is_blank(database)) create_tables(database, path);
   check_format(database, path);
   database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA secure_delete = ON;");
@@ -170,12 +173,23 @@ bool is_trouble_outside(const SQLite::Exception& error) {
 }
 
 InputError log_error(const fs::path& path, const SQLite::Exception& error) {
-  if ((error.getErrorCode() & 0xff) == SQLITE_NOTADB)
-    return input_error({.file = path.string(), .wanted = a_log, .found = "a file that is not SQLite"});
-  return input_error(
-      {.file = path.string(),
-       .wanted = "an undamaged log on a disk that can be used (every answer stored before is kept)",
-       .found = error.what()});
+  const auto complaint = [&](const std::string& wanted, const std::string& found) {
+    return input_error({.file = path.string(), .wanted = wanted, .found = found});
+  };
+  switch (error.getErrorCode() & 0xff) {
+    case SQLITE_NOTADB:
+      return complaint(a_log, "a file that is not SQLite");
+    case SQLITE_PERM:
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+      return complaint("a log, in a folder, that can both be written to", error.what());
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return complaint("a log that no other program has in use", error.what());
+    default:
+      return complaint("an undamaged log on a disk with room (every answer stored before is kept)",
+                       error.what());
+  }
 }
 
 }  // namespace seamline

@@ -18,10 +18,11 @@ inline constexpr int log_schema_version = 1;
 enum class LogAccess {
   read,   ///< an existing log; also from a place that cannot be written to
   write,  ///< an existing log
+  alone,  ///< an existing log that no other program has open, nor can open meanwhile
   create  ///< an existing log, or a new one where there is no file or an empty one
 };
 
-/// Opens a log: WAL, synchronous=FULL, foreign keys and secure deletion on, ten seconds of patience with
+/// Opens a log: WAL, synchronous=FULL, foreign keys and secure deletion on, five seconds of patience with
 /// other writers. Throws InputError (missing, not SQLite, another program's, another schema version, no
 /// permission); a file that was begun here is removed again then.
 [[nodiscard]] SQLite::Database open_log_database(const std::filesystem::path& path, LogAccess access);

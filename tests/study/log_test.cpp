@@ -363,6 +363,14 @@ TEST_F(LogTest, ForgettingLeavesNoByteOfTheCode) {
   EXPECT_EQ(read_log(path).forgotten_participants, 1);
 }
 
+TEST_F(LogTest, NobodyIsForgottenWhileASessionRuns) {
+  LogWriter log(path, set);
+  OpenSession session = enter(log, {.code = "p1"}, 4);
+  EXPECT_THAT(complaint_of([&] { forget_participant(path, "p1"); }), HasSubstr("in use"));
+  log.append_answer(session, answer(4));
+  EXPECT_EQ(read_log(path).answers.size(), 5U);
+}
+
 TEST_F(LogTest, StatusSaysWhoHasDoneWhat) {
   {
     LogWriter log(path, set);

@@ -1,6 +1,9 @@
 #include "study/simulation.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -103,6 +106,46 @@ TEST_F(SimulationTest, AnotherKindOrSeedInTheSameLogIsRefused) {
   EXPECT_THROW(run_simulated_study(request("log", ObserverKind::guesser, 2)), InputError);
   EXPECT_THROW(run_simulated_study(request("log", ObserverKind::threshold, 2, 9)), InputError);
   EXPECT_EQ(lines_of(folder / "log"), before);
+}
+
+/// Starts the simulation in a process of its own.
+pid_t start(const SimulationRequest& request) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  try {
+    run_simulated_study(request);
+    ::_exit(0);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    ::_exit(1);
+  }
+}
+
+int status_of(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(SimulationTest, ThreeProgramsIntoOneLogMakeTheSameLogAsOne) {
+  run_simulated_study(request("one", ObserverKind::threshold, 60));
+  std::vector<pid_t> children;
+  for (int i = 0; i < 3; ++i) children.push_back(start(request("three", ObserverKind::threshold, 60)));
+  for (const pid_t child : children) EXPECT_EQ(status_of(child), 0);
+  EXPECT_EQ(lines_of(folder / "one"), lines_of(folder / "three"));
+}
+
+TEST_F(SimulationTest, AKilledSimulationIsCompletedByTheNextRun) {
+  run_simulated_study(request("whole", ObserverKind::threshold, 100));
+  Random random(8);
+  for (int kill = 0; kill < 6; ++kill) {
+    const pid_t child = start(request("killed", ObserverKind::threshold, 100));
+    ::usleep(static_cast<unsigned>(random.below(30000)));
+    ::kill(child, SIGKILL);
+    (void)status_of(child);
+  }
+  run_simulated_study(request("killed", ObserverKind::threshold, 100));
+  EXPECT_EQ(lines_of(folder / "whole"), lines_of(folder / "killed"));
 }
 
 TEST_F(SimulationTest, ABadSetBeginsNoLog) {
