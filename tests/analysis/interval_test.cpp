@@ -1,0 +1,134 @@
+#include "analysis/interval.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/thresholds.h"
+#include "threshold_people.h"
+
+namespace seamline {
+namespace {
+
+using testing::planted_thresholds;
+using testing::Population;
+using testing::simulate_scores;
+
+bool holds(const WidthInterval& interval, double log2_px) {
+  return interval.low_log2_px <= log2_px && log2_px <= interval.high_log2_px;
+}
+
+TEST(Interval, HoldsThePlantedValueIn88To100PercentOf50Seeds) {
+  const Population population;
+  for (Artifact artifact : paper_artifacts) {
+    const CurveThresholds planted = planted_thresholds(population, artifact);
+    int pt = 0, sn = 0, ip = 0;
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      const ArtifactThresholds found = estimate_thresholds(simulate_scores(population, artifact, 20, seed),
+                                                           {.replicates = 500, .seed = seed});
+      pt += holds(found.estimates.perceptual.ci95, *planted.perceptual.log2_px) ? 1 : 0;
+      sn += holds(found.estimates.slightly_noticeable.ci95, *planted.slightly_noticeable.log2_px) ? 1 : 0;
+      ip += holds(found.estimates.inflection.ci95, *planted.inflection.log2_px) ? 1 : 0;
+    }
+    EXPECT_GE(pt, 44) << word(artifact);
+    EXPECT_GE(sn, 44) << word(artifact);
+    EXPECT_GE(ip, 42) << word(artifact);
+  }
+}
+
+TEST(Interval, BiasWith2000ObserversIsUnderAFiftiethOfAnOctave) {
+  const Population population;
+  for (Artifact artifact : paper_artifacts) {
+    const CurveThresholds planted = planted_thresholds(population, artifact);
+    double pt = 0, sn = 0;
+    constexpr int studies = 20;
+    for (std::uint64_t seed = 1; seed <= studies; ++seed) {
+      const CurveThresholds found =
+          estimate_thresholds(simulate_scores(population, artifact, 2000, seed), {.replicates = 0}).estimates;
+      pt += *found.perceptual.log2_px - *planted.perceptual.log2_px;
+      sn += *found.slightly_noticeable.log2_px - *planted.slightly_noticeable.log2_px;
+    }
+    EXPECT_LT(std::abs(pt / studies), 0.02) << word(artifact);
+    EXPECT_LT(std::abs(sn / studies), 0.02) << word(artifact);
+  }
+}
+
+TEST(Interval, IsTheSameForAnyNumberOfThreads) {
+  const ArtifactScores scores = simulate_scores({}, Artifact::occlusion, 20, 3);
+  const auto with_threads = [&](int threads) {
+    return estimate_thresholds(scores, {.replicates = 777, .seed = 5, .threads = threads});
+  };
+  const ArtifactThresholds one = with_threads(1);
+  for (int threads : {2, 3, 8}) {
+    const ArtifactThresholds many = with_threads(threads);
+    EXPECT_EQ(one.estimates.inflection.ci95.low_log2_px, many.estimates.inflection.ci95.low_log2_px);
+    EXPECT_EQ(one.estimates.inflection.ci95.high_log2_px, many.estimates.inflection.ci95.high_log2_px);
+    EXPECT_EQ(one.perceptual_bootstrap.low_log2_px, many.perceptual_bootstrap.low_log2_px);
+    EXPECT_EQ(one.slightly_noticeable_bootstrap.high_log2_px,
+              many.slightly_noticeable_bootstrap.high_log2_px);
+  }
+}
+
+ArtifactScores everyone_says(const std::vector<double>& values, int people) {
+  ArtifactScores scores = simulate_scores({}, Artifact::receiver, people, 1);
+  for (std::size_t w = 0; w < values.size(); ++w) {
+    scores.noticeability.col(static_cast<Eigen::Index>(w)).setConstant(values[w]);
+    scores.cells[w].mean = values[w];
+  }
+  return scores;
+}
+
+TEST(Interval, PerfectObserversAreAboveEveryWidth) {
+  const ArtifactThresholds found =
+      estimate_thresholds(everyone_says({4, 4, 4, 4, 4, 4, 4}, 20), {.replicates = 200});
+  EXPECT_FALSE(found.estimates.perceptual.log2_px);
+  EXPECT_EQ(found.estimates.perceptual.reason, "above at every width");
+  EXPECT_EQ(found.estimates.perceptual.ci95.low_log2_px, above_every_width);
+  EXPECT_EQ(found.estimates.perceptual.ci95.high_log2_px, above_every_width);
+  EXPECT_FALSE(found.estimates.inflection.log2_px);
+}
+
+TEST(Interval, UnanimityGivesAPoint) {
+  const ArtifactThresholds found =
+      estimate_thresholds(everyone_says({4, 4, 3, 1, 0, 0, 0}, 20), {.replicates = 200});
+  EXPECT_DOUBLE_EQ(*found.estimates.slightly_noticeable.log2_px, 9);
+  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.low_log2_px, 9, 1e-9);
+  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.high_log2_px, 9, 1e-9);
+}
+
+TEST(Interval, OfOnePersonIsOpen) {
+  const ArtifactThresholds found =
+      estimate_thresholds(everyone_says({4, 4, 3, 1, 0, 0, 0}, 1), {.replicates = 200});
+  EXPECT_EQ(found.estimates.perceptual.ci95.low_log2_px, below_every_width);
+  EXPECT_EQ(found.estimates.perceptual.ci95.high_log2_px, above_every_width);
+}
+
+/// On one level the score interval is the t interval with the variance at that level's mean: two widths, both
+/// far from the level but for noise.
+TEST(VarianceFunction, IsLinearBetweenMeansAndConstantBeyond) {
+  MeanVector means;
+  means.mean = Eigen::Vector3d(3, 2, 0);
+  means.covariance = Eigen::Vector3d(0.1, 0.5, 0.3).asDiagonal();
+  const VarianceFunction variance(fit_non_increasing({means.mean.data(), 3}), means);
+  EXPECT_DOUBLE_EQ(variance.at(4), 0.1);
+  EXPECT_DOUBLE_EQ(variance.at(2.5), 0.3);
+  EXPECT_DOUBLE_EQ(variance.at(2), 0.5);
+  EXPECT_DOUBLE_EQ(variance.at(1), 0.4);
+  EXPECT_DOUBLE_EQ(variance.at(-1), 0.3);
+}
+
+TEST(Quantile, TakesInfiniteReplicatesAsTheyAre) {
+  std::vector<double> values = {1, above_every_width, 2, below_every_width, 3};
+  EXPECT_EQ(quantile(values, 0), below_every_width);
+  EXPECT_EQ(quantile(values, 0.5), 2);
+  EXPECT_EQ(quantile(values, 1), above_every_width);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.375), 1.5);
+}
+
+TEST(ExpandedLevels, AreHesterbergsAtTwenty) {
+  EXPECT_NEAR(expanded_levels(20).low, 0.0159, 5e-4);
+  EXPECT_NEAR(expanded_levels(1000000).low, 0.025, 1e-5);
+}
+
+}  // namespace
+}  // namespace seamline
