@@ -29,6 +29,7 @@ struct LogOptions {
 ObserverKind parse_observer(const std::string& text) {
   if (const std::optional<ObserverKind> kind = observer_kind_from_word(text)) return *kind;
   std::vector<std::string> known;
+  known.reserve(every_observer_kind.size());
   for (const ObserverKind kind : every_observer_kind) known.emplace_back(word(kind));
   const std::string nearest = nearest_word(text, known);
   throw input_error({.field = "--observer",

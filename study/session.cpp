@@ -63,8 +63,8 @@ Session begin_session(Procedure procedure, int break_every_trials) {
 
 Session next(Session session, const Event& event) {
   const Phase phase = session.phase;
-  const auto with = [&](Phase changed) {
-    session.phase = std::move(changed);
+  const auto with = [&](const Phase& changed) {
+    session.phase = changed;
     return std::move(session);
   };
   return std::visit(

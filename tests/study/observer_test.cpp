@@ -44,7 +44,7 @@ Mean mean_score(ObserverKind kind, const ObserverDefinition& definition, const S
 /// definition.
 double noticeability_by_simpson(const ObserverDefinition& definition, Artifact artifact, double width_px) {
   const double midpoint = definition.midpoint_width_px.at(artifact), sd = definition.people_sd_octaves;
-  constexpr int intervals = 400000;
+  constexpr int intervals = 100000;
   const double step = 18.0 / intervals;
   double sum = 0;
   for (int i = 0; i <= intervals; ++i) {
