@@ -61,11 +61,12 @@ Box box_of(const GridTriangle& t) {
 
 /// How far, in cells, the straight edges stray from the lines of the grid: to second order n^2 h / 8 (2 cot
 /// theta + 1/2) for n cells of h radians at theta from the pole.
-double straying_cells(const Box& box, int height) {
-  const double cell_rad = std::numbers::pi / height;
-  const double from_pole_rad = (std::min(box.top, height - 1 - box.bottom) + 0.5) * cell_rad;
+double straying_cells(const Box& box, const DenseSphere& sphere) {
+  const bool zenith_is_nearer = box.top < sphere.height - 1 - box.bottom;
+  const auto row = static_cast<std::size_t>(zenith_is_nearer ? box.top : box.bottom);
+  const double cot_from_pole = std::abs(sphere.sin_elevation[row]) / sphere.cos_elevation[row];
   const double n = std::max(box.bottom - box.top, box.right - box.left);
-  return n * n * cell_rad / 8 * (2 / std::tan(from_pole_rad) + 0.5);
+  return n * n * std::numbers::pi / sphere.height / 8 * (2 * cot_from_pole + 0.5);
 }
 
 /// Rows that the edges may rise above a row at `from_pole` rows (counted from the pole, at half integers)
@@ -181,7 +182,7 @@ TriangleBound::Spread TriangleBound::spread_under(const GridTriangle& t) const {
   if (!within(spread)) return spread;
 
   const Box box = box_of(t);
-  if (straying_cells(box, sphere_.height) < 0.5) {
+  if (straying_cells(box, sphere_) < 0.5) {
     for_each_row(t, [&](int row, int first, int last) {
       scan(plane, row, first, last, spread);
       return within(spread);

@@ -157,4 +157,18 @@ inline RayCheck check_rays(const DepthMesh& mesh, const DenseSphere& sphere) {
   return check;
 }
 
+/// Where a ray from the centre hits the mesh, by brute force in double precision; infinity when it does not.
+inline double hit_distance_m(const DepthMesh& mesh, const Eigen::Vector3d& direction) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices_m[t[0]].cast<double>(), b = mesh.vertices_m[t[1]].cast<double>(),
+                          c = mesh.vertices_m[t[2]].cast<double>();
+    if (b.cross(a).dot(direction) < 0 || c.cross(b).dot(direction) < 0 || a.cross(c).dot(direction) < 0)
+      continue;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    nearest_m = std::min(nearest_m, normal.dot(a) / normal.dot(direction));
+  }
+  return nearest_m;
+}
+
 }  // namespace seamline::test
