@@ -20,7 +20,7 @@ constexpr double thickness_m = 0.6;    ///< of the arcade wall
 constexpr int bays = 8;
 constexpr double first_x_m = -12.0;
 constexpr double arcade_z_m = -7.5;    ///< the plane of the columns' axes
-const Vector3d eye_m(2.4, 1.75, 1.4);
+const Vector3d eye_m(2.2, 1.75, 0.9);
 
 void add(SceneContents& court, const std::string& name, const TriangleMesh& mesh, const Vector3d& shift = Vector3d::Zero()) {
   court.parts.push_back({name, transformed(mesh, Eigen::Affine3d(Eigen::Translation3d(shift)))});
@@ -54,6 +54,42 @@ TriangleMesh make_arch(double springing_m, double top_m) {
     const Eigen::Vector2d b = on_arch(i + 1);
     slab({a, b, {b.x(), top_m}, {a.x(), top_m}});
   }
+  return mesh;
+}
+
+/// Mouldings on the arcade's face over one bay: a raised band along the arch, a keystone, and a roundel in the spandrel over the column.
+TriangleMesh make_ornament(double springing_m) {
+  constexpr int steps = 24;
+  const double radius = bay_m / 2 - 0.36;
+  const double face = thickness_m / 2;
+  TriangleMesh mesh;
+  const auto band = [&](double inner, double outer, double depth) {
+    for (int i = 0; i < steps; ++i) {
+      const auto at = [&](double r, int step) -> Eigen::Vector2d {
+        const double angle = pi * (1 - static_cast<double>(step) / steps);
+        return {bay_m / 2 + r * std::cos(angle), springing_m + r * std::sin(angle)};
+      };
+      append(mesh, extruded({at(inner, i), at(inner, i + 1), at(outer, i + 1), at(outer, i)}, face, face + depth));
+    }
+  };
+  band(radius, radius + 0.12, 0.06);
+  band(radius + 0.12, radius + 0.17, 0.10);
+  const double crown = springing_m + radius;
+  append(mesh, extruded({{bay_m / 2 - 0.09, crown - 0.06}, {bay_m / 2 + 0.09, crown - 0.06}, {bay_m / 2 + 0.15, crown + 0.3}, {bay_m / 2 - 0.15, crown + 0.3}}, face, face + 0.16));
+  TriangleMesh roundel = turned({{0.30, 0}, {0.30, 0.07}, {0.24, 0.07}, {0.22, 0.02}, {0.10, 0.05}, {0.04, 0.09}}, 32);
+  const Eigen::Affine3d upright(Eigen::Translation3d(0, crown - 0.12, face) * Eigen::AngleAxisd(pi / 2, Vector3d::UnitX()));
+  append(mesh, transformed(roundel, upright));
+  return mesh;
+}
+
+/// Along one bay of the aisle's wall: a flat pilaster and a blind panel.
+TriangleMesh make_wall_bay() {
+  TriangleMesh mesh = box({-0.25, 0, 0}, {0.25, storey_m - 0.2, 0.12});
+  append(mesh, box({-0.32, storey_m - 0.75, 0}, {0.32, storey_m - 0.55, 0.2}));
+  append(mesh, box({0.7, 1.2, 0}, {bay_m - 0.7, 1.3, 0.08}));
+  append(mesh, box({0.7, 3.0, 0}, {bay_m - 0.7, 3.1, 0.08}));
+  append(mesh, box({0.7, 1.3, 0}, {0.8, 3.0, 0.08}));
+  append(mesh, box({bay_m - 0.8, 1.3, 0}, {bay_m - 0.7, 3.0, 0.08}));
   return mesh;
 }
 
@@ -95,7 +131,7 @@ TriangleMesh make_plinths() {
 }
 
 void add_arcade(SceneContents& court) {
-  TriangleMesh columns, arches, upper, balustrade, screens;
+  TriangleMesh columns, arches, upper, balustrade, screens, ornament, panels;
   for (int i = 0; i <= bays; ++i) {
     const Vector3d axis(first_x_m + i * bay_m, 0, arcade_z_m);
     const Eigen::Affine3d there{Eigen::Translation3d(axis)};
@@ -106,6 +142,9 @@ void add_arcade(SceneContents& court) {
     if (i == bays) continue;
     append(arches, transformed(make_arch(spring_m, storey_m - 0.2), there));
     append(upper, transformed(make_arch(2.3, 3.8), above));
+    append(ornament, transformed(make_ornament(spring_m), there));
+    append(ornament, transformed(make_ornament(2.3), above));
+    append(panels, transformed(make_wall_bay(), Eigen::Affine3d(Eigen::Translation3d(axis.x(), 0, arcade_z_m - aisle_m))));
     append(balustrade, transformed(make_balustrade(), above));
   }
   add(court, "plinths", make_plinths());
@@ -113,6 +152,8 @@ void add_arcade(SceneContents& court) {
   add(court, "arches", arches);
   add(court, "gallery_arcade", upper);
   add(court, "balustrade", balustrade);
+  add(court, "mouldings", ornament);
+  add(court, "wall_panels", panels);
   add(court, "screens", screens);
 }
 
@@ -129,9 +170,16 @@ SceneContents make_atrium() {
   add(court, "wall_right", box({high_x, 0, wall_z}, {high_x + 0.2, 9, 5}));
   add(court, "wall_front", box({low_x, 0, 5}, {high_x, 9, 5.2}));
   add(court, "gallery_floor", box({low_x, storey_m - 0.2, wall_z}, {high_x, storey_m, arcade_z_m + 0.3}));
-  add(court, "cornice", box({low_x, storey_m - 0.12, arcade_z_m + 0.3}, {high_x, storey_m, arcade_z_m + 0.45}));
+  TriangleMesh cornice = box({low_x, storey_m - 0.22, arcade_z_m + 0.3}, {high_x, storey_m - 0.12, arcade_z_m + 0.42});
+  append(cornice, box({low_x, storey_m - 0.12, arcade_z_m + 0.3}, {high_x, storey_m, arcade_z_m + 0.52}));
+  append(cornice, box({low_x, storey_m + 3.7, arcade_z_m + 0.3}, {high_x, storey_m + 3.9, arcade_z_m + 0.6}));
+  for (int i = 0; i < bays * 10; ++i) {  // dentils
+    const double x = first_x_m + bay_m * (i + 0.25) / 10;
+    append(cornice, box({x, storey_m - 0.32, arcade_z_m + 0.3}, {x + 0.15, storey_m - 0.22, arcade_z_m + 0.4}));
+  }
+  add(court, "cornice", cornice);
   add_arcade(court);
-  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.2, 2.35, -7.5}, .vertical_fov_rad = 0.70};
+  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.15, 2.45, -7.5}, .vertical_fov_rad = 0.74};
   return court;
 }
 

@@ -85,7 +85,7 @@ SceneContents make_bedroom() {
   add_bed(room);
   add_furniture(room);
   room.camera = SceneCamera{.position_m = {0, 1.9, 0.1}, .look_at_m = {0, 0.85, -5}, .vertical_fov_rad = 0.64};
-  room.sun = SceneSun{.to_sun = Vector3d(-0.68, 0.345, 0.645).normalized(), .irradiance_w_m2 = 4.0};
+  room.sun = SceneSun{.to_sun = Vector3d(-0.68, 0.32, 0.645).normalized(), .irradiance_w_m2 = 4.0};
   return room;
 }
 

@@ -41,12 +41,32 @@ Box bounds_of(const std::vector<Knot>& curve) {
   return box;
 }
 
-Distance limb_distance(const std::vector<Knot>& curve) {
+/// Neighbouring cones and a ball around them, to pass over those that cannot be nearest.
+struct ConeGroup {
   std::vector<RoundCone> cones;
-  for (std::size_t i = 1; i < curve.size(); ++i) cones.push_back(round_cone(curve[i - 1], curve[i]));
-  return [cones](const Vector3d& point) {
+  Vector3d centre = Vector3d::Zero();
+  double radius = 0;
+};
+
+Distance limb_distance(const std::vector<Knot>& curve) {
+  constexpr std::size_t group_size = 6;
+  std::vector<ConeGroup> groups;
+  for (std::size_t first = 0; first + 1 < curve.size(); first += group_size) {
+    const std::size_t last = std::min(first + group_size, curve.size() - 1);
+    ConeGroup group;
+    for (std::size_t i = first; i < last; ++i) group.cones.push_back(round_cone(curve[i], curve[i + 1]));
+    group.centre = (curve[first].position_m + curve[last].position_m) / 2;
+    for (std::size_t i = first; i <= last; ++i)
+      group.radius = std::max(group.radius, (curve[i].position_m - group.centre).norm() + curve[i].radius_m);
+    groups.push_back(group);
+  }
+  return [groups](const Vector3d& point) {
     double nearest = std::numeric_limits<double>::max();
-    for (const RoundCone& cone : cones) nearest = std::min(nearest, distance_to(cone, point));
+    for (const ConeGroup& group : groups) {
+      const double reach = nearest + group.radius;
+      if (reach <= 0 || (point - group.centre).squaredNorm() >= reach * reach) continue;
+      for (const RoundCone& cone : group.cones) nearest = std::min(nearest, distance_to(cone, point));
+    }
     return nearest;
   };
 }

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <array>
+#include <numbers>
 
 #include "scenes/backgrounds.h"
 #include "scenes/solids.h"
@@ -8,11 +9,12 @@ namespace seamline {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
+using std::numbers::pi;
 
 constexpr double deck_height_m = 0.45;
 constexpr double eaves_m = 3.4;
-const Vector3d centre_m(-2.4, 0, -12.6);
-constexpr double yaw_rad = 0.09;       ///< its left comes a little nearer
+const Vector3d centre_m(-3.2, 0, -12.2);
+constexpr double yaw_rad = 0.065;      ///< its left comes a little nearer
 
 /// The pavilion's plan: a rectangle with cut corners, the eaves' overhang included.
 constexpr double half_width_m = 6.6;
@@ -103,13 +105,15 @@ TriangleMesh make_railing() {
 
 TriangleMesh make_roof() {
   TriangleMesh mesh;
-  add_lid(mesh, 0, eaves_m);
+  TriangleMesh soffit;
+  add_lid(soffit, 0, 0);
+  append(mesh, transformed(soffit, Eigen::Translation3d(0, eaves_m, 0) * Eigen::AngleAxisd(pi, Vector3d::UnitZ())));
   add_band(mesh, 0, eaves_m, 0, eaves_m + 0.14);
   add_band(mesh, 0, eaves_m + 0.14, 2.4, eaves_m + 1.5);
   add_band(mesh, 2.4, eaves_m + 1.5, 2.4, eaves_m + 1.9);
-  add_band(mesh, 2.2, eaves_m + 1.9, 3.2, eaves_m + 2.6);
+  add_band(mesh, 2.2, eaves_m + 1.9, 3.0, eaves_m + 2.6);
   add_lid(mesh, 2.2, eaves_m + 1.9);
-  add_lid(mesh, 3.2, eaves_m + 2.6);
+  add_lid(mesh, 3.0, eaves_m + 2.6);
   return mesh;
 }
 
@@ -126,7 +130,7 @@ SceneContents make_gazebo() {
   add_placed(garden, "railing", make_railing());
   add_placed(garden, "roof", make_roof());
   garden.camera = SceneCamera{.position_m = {0, 2.6, 2.0}, .look_at_m = {0, 1.1, -7}, .vertical_fov_rad = 0.53};
-  garden.sun = SceneSun{.to_sun = Vector3d(-0.55, 0.65, -0.45).normalized(), .irradiance_w_m2 = 4.0};
+  garden.sun = SceneSun{.to_sun = Vector3d(-0.66, 0.62, -0.36).normalized(), .irradiance_w_m2 = 4.0};
   return garden;
 }
 

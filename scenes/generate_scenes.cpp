@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "scenes/builtin.h"
+#include "scenes/lattice.h"
 #include "stimuli/support/atomic_file.h"
 
 int main(int argc, char** argv) {
@@ -15,13 +16,15 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[1];
     prepare_output_folder(folder);
-    const ModelOptions options{.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
     for (const std::string_view name : builtin_scene_names)
       write_scene_file(folder / (std::string(name) + ".glb"), builtin_scene(name));
-    for (const std::string_view name : builtin_object_names) {
-      const SceneContents object{.parts = {{std::string(name), builtin_object(name, options)}}, .camera = {}, .sun = {}};
-      write_scene_file(folder / (std::string(name) + ".glb"), object);
-    }
+    // One object a thread: decimation does not divide.
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    for_each_parallel(static_cast<int>(builtin_object_names.size()), threads, [&](int index) {
+      const std::string name(builtin_object_names[static_cast<std::size_t>(index)]);
+      const SceneContents object{.parts = {{name, builtin_object(name, {.threads = 1})}}, .camera = {}, .sun = {}};
+      write_scene_file(folder / (name + ".glb"), object);
+    });
   } catch (const std::exception& error) {
     std::cerr << "generate_scenes: " << error.what() << '\n';
     return 1;

@@ -151,11 +151,8 @@ void settle_all(TriangleMesh& mesh, const Sculpture& sculpture, const Polygonise
 
 TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& options) {
   TriangleMesh mesh = march_and_weld(sculpture, options);
+  if (options.triangles > 0 && mesh.triangles.size() > options.triangles) mesh = decimated(mesh, options.triangles);
   settle_all(mesh, sculpture, options);
-  if (options.triangles > 0 && mesh.triangles.size() > options.triangles) {
-    mesh = decimated(mesh, options.triangles);
-    settle_all(mesh, sculpture, options);
-  }
   return mesh;
 }
 

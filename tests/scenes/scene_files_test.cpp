@@ -1,0 +1,100 @@
+// What is written can be read back; what is shipped is what the study files count on.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "scenes/builtin.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace {
+
+std::filesystem::path output(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(SEAMLINE_TEST_OUTPUT) / "scenes";
+  std::filesystem::create_directories(folder);
+  return folder / name;
+}
+
+class Scenes : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(Scenes, RoundTrips) {
+  const SceneContents written = builtin_scene(GetParam());
+  const auto path = output(std::string(GetParam()) + ".glb");
+  write_scene_file(path, written);
+  const SceneContents read = read_scene_file(path);
+  ASSERT_EQ(read.parts.size(), written.parts.size());
+  for (std::size_t i = 0; i < read.parts.size(); ++i) {
+    const ScenePart& a = written.parts[i];
+    const ScenePart& b = read.parts[i];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+    ASSERT_EQ(a.mesh.positions_m.size(), b.mesh.positions_m.size());
+    for (std::size_t v = 0; v < a.mesh.positions_m.size(); ++v) {
+      ASSERT_LT((a.mesh.positions_m[v] - b.mesh.positions_m[v]).norm(), 1e-5);
+      ASSERT_LT((a.mesh.normals[v] - b.mesh.normals[v]).norm(), 1e-6);
+    }
+  }
+  ASSERT_TRUE(read.camera.has_value());
+  EXPECT_LT((read.camera->position_m - written.camera->position_m).norm(), 1e-12);
+  const auto sight = [](const SceneCamera& camera) { return (camera.look_at_m - camera.position_m).normalized(); };
+  EXPECT_LT((sight(*read.camera) - sight(*written.camera)).norm(), 1e-9);
+  EXPECT_DOUBLE_EQ(read.camera->vertical_fov_rad, written.camera->vertical_fov_rad);
+  ASSERT_EQ(read.sun.has_value(), written.sun.has_value());
+  if (read.sun) {
+    EXPECT_LT((read.sun->to_sun - written.sun->to_sun).norm(), 1e-9);
+    EXPECT_NEAR(read.sun->irradiance_w_m2, written.sun->irradiance_w_m2, 1e-9);
+  }
+}
+
+TEST_P(Scenes, NamesEachPartOnceAndHasSoundTriangles) {
+  std::set<std::string> names;
+  for (const ScenePart& part : builtin_scene(GetParam()).parts) {
+    EXPECT_TRUE(names.insert(part.name).second) << part.name;
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions_m;
+      const Eigen::Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]);
+      ASSERT_GT(normal.norm(), 1e-9) << part.name;
+      ASSERT_GT(normal.normalized().dot(part.mesh.normals[a]), 0.0) << part.name;
+    }
+  }
+}
+
+TEST_P(Scenes, HasASunUnlessItsLightIsAmbientOcclusion) {
+  const SceneContents scene = builtin_scene(GetParam());
+  EXPECT_EQ(scene.sun.has_value(), GetParam() != "atrium");
+  ASSERT_TRUE(scene.camera.has_value());
+  if (scene.sun) {
+    EXPECT_GT(scene.sun->to_sun.y(), 0.1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Scenes, testing::ValuesIn(builtin_scene_names),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST(SceneFiles, WritesTheSameBytesTwice) {
+  const SceneContents scene = builtin_scene("gazebo");
+  write_scene_file(output("first.glb"), scene);
+  write_scene_file(output("second.glb"), scene);
+  EXPECT_EQ(read_file(output("first.glb")), read_file(output("second.glb")));
+}
+
+TEST(SceneFiles, RefusesAPlaceThatCannotBeWrittenTo) {
+  EXPECT_THROW(write_scene_file("/proc/nowhere/bedroom.glb", builtin_scene("bedroom")), InputError);
+}
+
+/// The shipped objects, as the build wrote them, are as fine as the paper's comparison needs.
+TEST(ShippedObjects, HaveTwentyThousandTriangles) {
+  for (const std::string_view name : builtin_object_names) {
+    const auto path = resolve_asset("builtin:" + std::string(name), "any.toml", "scene.object.file");
+    const SceneContents object = read_scene_file(path);
+    ASSERT_EQ(object.parts.size(), 1U);
+    EXPECT_GE(object.parts[0].mesh.triangles.size(), 20000U) << name;
+    EXPECT_NEAR(bounds(object.parts[0].mesh).min().y(), 0.0, 1e-6) << name;
+  }
+}
+
+}  // namespace
+}  // namespace seamline
