@@ -1,60 +1,17 @@
 #include "study/log_database.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <sqlite3.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int patience_ms = 5000;
 constexpr std::uintmax_t header_bytes = 100;  // of a SQLite database
 constexpr const char* a_log = "a Seamline log";
 
 fs::path beside(const fs::path& path, const char* suffix) {
   return path.string() + suffix;
-}
-
-/// Makes an empty file where there is none, so that exactly one program knows that it began the log.
-bool begin_file(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0 && errno == EEXIST) return false;
-  if (descriptor < 0)
-    throw input_error({.file = path.string(),
-                       .wanted = "a place where a log can be written",
-                       .found = std::strerror(errno)});
-  ::close(descriptor);
-  return true;
-}
-
-void remove_log_files(const fs::path& path) {
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink(beside(path, suffix).c_str());
-}
-
-/// Never opens the file: closing it again would drop the locks of other connections of this process (POSIX).
-void check_is_file(const fs::path& path, LogAccess access) {
-  std::error_code error;
-  const auto complaint = [&](const std::string& found) {
-    return input_error({.file = path.string(), .wanted = a_log, .found = found});
-  };
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) throw complaint("no such file");
-  if (error) throw complaint(error.message());
-  if (!fs::is_regular_file(status)) throw complaint("something that is not a file");
-  const std::uintmax_t bytes = fs::file_size(path, error);
-  if (bytes == 0 && access != LogAccess::create) throw complaint("an empty file");
-  if (bytes > 0 && bytes < header_bytes)
-    throw complaint("a file that is not SQLite");  // SQLite overwrites one byte
-}
-
-bool is_blank(SQLite::Database& database) {
-  return database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0 &&
-         database.execAndGet("PRAGMA application_id").getInt() == 0;
 }
 
 /// Whether every table and index of the schema is there as it is written. Others beside them do no harm.
@@ -72,39 +29,11 @@ bool has_schema(SQLite::Database& database) {
   return true;
 }
 
-void check_format(SQLite::Database& database, const fs::path& path) {
-  if (database.execAndGet("PRAGMA application_id").getInt() != log_application_id)
-    throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
-  const int version = database.execAndGet("PRAGMA user_version").getInt();
-  if (version != log_schema_version)
-    throw input_error({.file = path.string(),
-                       .field = "user_version",
-                       .wanted = fmt::format("a log of schema version {}", log_schema_version),
-                       .found = fmt::format("version {}", version)});
-  if (!has_schema(database))
-    throw input_error({.file = path.string(),
-                       .wanted = fmt::format("the tables of schema version {}", log_schema_version),
-                       .found = "other tables"});
-}
-
-void create_tables(SQLite::Database& database, const fs::path& path) {
-  if (database.execAndGet("PRAGMA journal_mode = WAL").getString() != "wal")
-    throw input_error({.file = path.string(),
-                       .wanted = "a file system on which SQLite can keep a write-ahead log",
-                       .found = "one without shared memory"});
-  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-  if (is_blank(database)) database.exec(log_schema_sql());  // else another program was faster
-  transaction.commit();
-}
-
-SQLite::Database open_for_writing(const fs::path& path, LogAccess access) {
-  const int wait_ms =
-      access == LogAccess::alone ? patience_ms / 10 : patience_ms;  // a session will not end soon
+SQLite::Database open_for_writing(const fs::path& path, int wait_ms, bool alone) {
   SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, wait_ms);
-  if (access == LogAccess::alone) database.exec("PRAGMA locking_mode = EXCLUSIVE");  // before the first read
-  if (access == LogAccess::create && is_blank(database)) create_tables(database, path);
-  check_format(database, path);
-  database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA secure_delete = ON;");
+  if (alone) database.exec("PRAGMA locking_mode = EXCLUSIVE");  // before the first read
+  check_log_format(database, path);
+  make_durable(database);
   return database;
 }
 
@@ -123,9 +52,9 @@ std::string uri_of(const fs::path& path) {
 /// cannot change.
 SQLite::Database open_for_reading(const fs::path& path) {
   try {
-    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, patience_ms);
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, log_patience_ms);
     database.exec("PRAGMA query_only = ON");
-    check_format(database, path);
+    check_log_format(database, path);
     return database;
   } catch (const SQLite::Exception& error) {
     const int code = error.getErrorCode() & 0xff;
@@ -135,23 +64,64 @@ SQLite::Database open_for_reading(const fs::path& path) {
     if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || !nothing_pending) throw;
   }
   SQLite::Database database(uri_of(path) + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
-  check_format(database, path);
+  check_log_format(database, path);
   return database;
 }
 
 }  // namespace
 
+void check_is_file(const fs::path& path, EmptyFile empty) {
+  std::error_code error;
+  const auto complaint = [&](const std::string& found) {
+    return input_error({.file = path.string(), .wanted = a_log, .found = found});
+  };
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) throw complaint("no such file");
+  if (error) throw complaint(error.message());
+  if (!fs::is_regular_file(status)) throw complaint("something that is not a file");
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  if (bytes == 0 && empty == EmptyFile::refuse) throw complaint("an empty file");
+  if (bytes > 0 && bytes < header_bytes)
+    throw complaint("a file that is not SQLite");  // SQLite overwrites one byte
+}
+
+bool is_blank(SQLite::Database& database) {
+  return database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0 &&
+         database.execAndGet("PRAGMA application_id").getInt() == 0;
+}
+
+void check_log_format(SQLite::Database& database, const fs::path& path) {
+  if (database.execAndGet("PRAGMA application_id").getInt() != log_application_id)
+    throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (version != log_schema_version)
+    throw input_error({.file = path.string(),
+                       .field = "user_version",
+                       .wanted = fmt::format("a log of schema version {}", log_schema_version),
+                       .found = fmt::format("version {}", version)});
+  if (!has_schema(database))
+    throw input_error({.file = path.string(),
+                       .wanted = fmt::format("the tables of schema version {}", log_schema_version),
+                       .found = "other tables"});
+}
+
+void make_durable(SQLite::Database& database) {
+  database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA secure_delete = ON;");
+}
+
 SQLite::Database open_log_database(const fs::path& path, LogAccess access) {
-  const bool begun_here = access == LogAccess::create && begin_file(path);
-  try {
-    check_is_file(path, access);
-    return with_log_errors(path, [&] {
-      return access == LogAccess::read ? open_for_reading(path) : open_for_writing(path, access);
-    });
-  } catch (...) {
-    if (begun_here) remove_log_files(path);
-    throw;
-  }
+  check_is_file(path, EmptyFile::refuse);
+  return with_log_errors(path, [&] {
+    switch (access) {
+      case LogAccess::read:
+        return open_for_reading(path);
+      case LogAccess::write:
+        return open_for_writing(path, log_patience_ms, false);
+      case LogAccess::alone:
+        break;
+    }
+    return open_for_writing(path, log_patience_ms / 10, true);  // a session will not end soon
+  });
 }
 
 bool is_trouble_outside(const SQLite::Exception& error) {

@@ -3,6 +3,8 @@
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <utility>
 
 #include "stimuli/support/error.h"
@@ -15,17 +17,40 @@ namespace seamline {
 inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
 inline constexpr int log_schema_version = 1;
 
+/// How long to wait for other writers.
+inline constexpr int log_patience_ms = 5000;
+
 enum class LogAccess {
-  read,   ///< an existing log; also from a place that cannot be written to
-  write,  ///< an existing log
-  alone,  ///< an existing log that no other program has open, nor can open meanwhile
-  create  ///< an existing log, or a new one where there is no file or an empty one
+  read,  ///< also from a place that cannot be written to
+  write,
+  alone  ///< for writing, while no other program has the log open, nor can open it
 };
 
-/// Opens a log: WAL, synchronous=FULL, foreign keys and secure deletion on, five seconds of patience with
-/// other writers. Throws InputError (missing, not SQLite, another program's, another schema version, no
-/// permission); a file that was begun here is removed again then.
+/// Opens a log that exists, made durable. Throws InputError (missing, not SQLite, another program's, another
+/// schema version, no permission, in use).
 [[nodiscard]] SQLite::Database open_log_database(const std::filesystem::path& path, LogAccess access);
+
+/// The same, but where there is no file, or an empty one, a log is made: its tables and what `fill` enters
+/// are one transaction, so no other program ever sees a log that belongs to no set. When that fails no file
+/// is left.
+[[nodiscard]] SQLite::Database open_or_create_log_database(
+    const std::filesystem::path& path, const std::function<void(SQLite::Database&)>& fill);
+
+enum class EmptyFile { refuse, accept };
+
+/// Throws InputError unless the path is a file that can be a log by its kind and size. Never opens it:
+/// closing it again would drop the locks that other connections of this process have on it (POSIX).
+void check_is_file(const std::filesystem::path& path, EmptyFile empty);
+
+/// Nobody has written anything into the database yet.
+[[nodiscard]] bool is_blank(SQLite::Database& database);
+
+/// Throws InputError unless the database is a log of our schema version with all its tables.
+void check_log_format(SQLite::Database& database, const std::filesystem::path& path);
+
+/// synchronous=FULL, foreign keys and secure deletion on; all three belong to the connection, not to the
+/// file.
+void make_durable(SQLite::Database& database);
 
 /// The tables of schema version `log_schema_version`, as SQL.
 [[nodiscard]] std::string log_schema_sql();

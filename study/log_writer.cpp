@@ -48,20 +48,17 @@ void enter_study(SQLite::Database& database, const StudySet& set) {
   enter_stimuli(database, set.manifest.stimuli);
 }
 
-/// The study and set of the log are those at hand; a new log takes them over. Always writes, which is the
-/// write test.
+/// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
 void claim_log(SQLite::Database& database, const fs::path& path, const StudySet& set) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement row(database, "SELECT study_hash, set_hash FROM study");
-  if (row.executeStep()) {
-    check_same(path, "study_hash", row.getColumn(0).getString(), set.manifest.study_hash);
-    check_same(path, "set_hash", row.getColumn(1).getString(), set.set_hash);
-    SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");
-    run(moved, set.folder.string());
-  } else {
-    enter_study(database, set);
-  }
-  row.tryReset();
+  if (!row.executeStep())
+    throw input_error({.file = path.string(), .field = "study", .wanted = "a study", .found = "none"});
+  check_same(path, "study_hash", row.getColumn(0).getString(), set.manifest.study_hash);
+  check_same(path, "set_hash", row.getColumn(1).getString(), set.set_hash);
+  row.reset();
+  SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");
+  run(moved, set.folder.string());
   transaction.commit();
 }
 
@@ -178,17 +175,12 @@ void LogWriter::Tables::read_progress(OpenSession& session, const fs::path& path
 }
 
 LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)) {
-  std::error_code error;
-  const bool existed = fs::exists(path_, error);
-  try {
-    tables_ = std::make_unique<Tables>(open_log_database(path_, LogAccess::create));
-    with_log_errors(path_, [&] { claim_log(tables_->database, path_, set); });
-  } catch (...) {
-    tables_.reset();
-    if (!existed)
-      for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path_.string() + suffix, error);
-    throw;
-  }
+  const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
+  SQLite::Database database = open_or_create_log_database(path_, fill);
+  with_log_errors(path_, [&] {
+    claim_log(database, path_, set);
+    tables_ = std::make_unique<Tables>(std::move(database));
+  });
 }
 
 LogWriter::~LogWriter() = default;

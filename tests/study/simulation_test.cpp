@@ -135,6 +135,16 @@ TEST_F(SimulationTest, ThreeProgramsIntoOneLogMakeTheSameLogAsOne) {
   EXPECT_EQ(lines_of(folder / "one"), lines_of(folder / "three"));
 }
 
+TEST_F(SimulationTest, ProgramsThatBeginALogTogetherAllSucceed) {
+  for (int round = 0; round < 15; ++round) {
+    std::vector<pid_t> children;
+    const std::string log = "together" + std::to_string(round);
+    for (int i = 0; i < 4; ++i) children.push_back(start(request(log, ObserverKind::perfect, 1)));
+    for (const pid_t child : children) EXPECT_EQ(status_of(child), 0);
+    EXPECT_EQ(lines_of(folder / log).size(), 24U);
+  }
+}
+
 TEST_F(SimulationTest, AKilledSimulationIsCompletedByTheNextRun) {
   run_simulated_study(request("whole", ObserverKind::threshold, 100));
   Random random(8);
