@@ -1,0 +1,158 @@
+// Wrong input: exit status 1, one clear sentence naming file, field, what was wanted and what was found.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+using test::fresh_folder;
+using test::Outcome;
+using test::quick_study_with;
+using test::run_seamline;
+using test::write_text;
+using testing::HasSubstr;
+
+void expect_complaint(const Outcome& outcome, std::initializer_list<std::string> parts) {
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  for (const std::string& part : parts) EXPECT_THAT(outcome.output, HasSubstr(part));
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+}
+
+Outcome render_study(const std::filesystem::path& folder, const std::string& text) {
+  write_text(folder / "study.toml", text);
+  return run_seamline("render " + (folder / "study.toml").string() + " --out " + (folder / "set").string() +
+                      " --only '*-0064' --spp 1");
+}
+
+TEST(BadInput, MissingStudyFile) {
+  expect_complaint(run_seamline("render no/such.toml --dry-run"), {"no/such.toml", "readable file", "none"});
+}
+
+TEST(BadInput, StudyFileThatIsNotToml) {
+  const auto folder = fresh_folder("bad-toml");
+  expect_complaint(render_study(folder, "format = \"seamline"), {"study.toml", "line 1", "TOML"});
+}
+
+TEST(BadInput, MisspeltKeySuggestsTheRightOne) {
+  const auto folder = fresh_folder("bad-key");
+  expect_complaint(render_study(folder, quick_study_with({{"exposure_ev", "exposure_eV"}})),
+                   {"scene[0].exposure_eV", "did you mean \"exposure_ev\""});
+  expect_complaint(render_study(folder, quick_study_with({{"depth_width_px", "depth_width"}})),
+                   {"depth_width_px", "nothing"});
+}
+
+TEST(BadInput, WrongUnitOrImpossibleValue) {
+  const auto folder = fresh_folder("bad-value");
+  expect_complaint(render_study(folder, quick_study_with({{"albedo = 0.5", "albedo = \"50 %\""}})),
+                   {"scene[0].albedo", "from 0 to 1", "50 %"});
+  expect_complaint(render_study(folder, quick_study_with({{"albedo = 0.5", "albedo = 1.5"}})),
+                   {"scene[0].albedo", "1.5"});
+  expect_complaint(render_study(folder, quick_study_with({{"width_px = 480", "width_px = -480"}})),
+                   {"width_px", "px", "-480"});
+  expect_complaint(render_study(folder, quick_study_with({{"\"receiver\"", "\"reciever\""}})),
+                   {"artifacts", "receiver", "reciever"});
+}
+
+TEST(BadInput, UnknownBuiltinSuggestsTheRightOne) {
+  const auto folder = fresh_folder("bad-builtin");
+  expect_complaint(render_study(folder, quick_study_with({{"builtin:statue", "builtin:statu"}})),
+                   {"scene[0].object[0].file", "builtin:statue"});
+}
+
+TEST(BadInput, TruncatedGlb) {
+  const auto folder = fresh_folder("bad-glb");
+  ASSERT_EQ(run_seamline("capture builtin:bedroom --width 64 --out " + (folder / "d.exr").string()).status,
+            0);
+  ASSERT_EQ(run_seamline("mesh " + (folder / "d.exr").string() + " --out " + (folder / "whole.glb").string())
+                .status,
+            0);
+  const std::string whole = test::read_text(folder / "whole.glb");
+  write_text(folder / "cut.glb", whole.substr(0, whole.size() / 2));
+  expect_complaint(run_seamline("capture " + std::filesystem::absolute(folder / "cut.glb").string() +
+                                " --at 0 0 0 --width 64 --out " + (folder / "e.exr").string()),
+                   {"cut.glb", "whole glTF"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "e.exr"));
+}
+
+TEST(BadInput, GltfWithABadAccessor) {
+  const auto folder = fresh_folder("bad-accessor");
+  const std::string gltf =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)" +
+      std::string(48, 'A') +
+      R"("}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":COUNT}],)" +
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})";
+  const auto with = [&](const std::string& count) {
+    std::string text = gltf;
+    write_text(folder / "scene.gltf", text.replace(text.find("COUNT"), 5, count));
+    return run_seamline("capture " + std::filesystem::absolute(folder / "scene.gltf").string() +
+                        " --at 0 1 0 --width 64 --out " + (folder / "d.exr").string());
+  };
+  EXPECT_EQ(with("3").status, 0);
+  expect_complaint(with("4"),
+                   {"scene.gltf", "meshes[0].primitives[0].POSITION", "inside its buffer", "48 bytes of 36"});
+  expect_complaint(with("4000000000"), {"scene.gltf", "POSITION"});
+}
+
+TEST(BadInput, ObjectThatCoversNoPixel) {
+  const auto folder = fresh_folder("bad-object");
+  expect_complaint(
+      render_study(folder, quick_study_with({{"file = \"builtin:statue\"\n  position_m = [",
+                                              "file = \"builtin:statue\"\n  position_m = [500, 0, 0] #"}})),
+      {"object \"statue\"", "covers at least one pixel"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "set" / "manifest.json"));
+}
+
+TEST(BadInput, UnwritableOutput) {
+  const auto folder = fresh_folder("bad-output");
+  write_text(folder / "file", "");
+  expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " +
+                                (folder / "file" / "set").string()),
+                   {"file/set", "written to"});
+}
+
+TEST(BadInput, SetFromAnotherVersion) {
+  const auto folder = fresh_folder("bad-set");
+  std::filesystem::create_directories(folder / "set");
+  write_text(folder / "set" / "manifest.json", R"({"format": "seamline set", "version": 99})");
+  const std::string set = (folder / "set").string();
+  expect_complaint(run_seamline("verify " + set), {"manifest.json", "version 1", "99"});
+  expect_complaint(run_seamline("study " + set + " --log " + (folder / "log.sqlite").string() +
+                                " --observer perfect --count 1 --seed 1"),
+                   {"manifest.json", "99"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "log.sqlite"));
+  expect_complaint(run_seamline("verify " + folder.string()), {"manifest.json", "no such file"});
+}
+
+TEST(BadInput, LogThatIsNotSqlite) {
+  const auto folder = fresh_folder("bad-log");
+  write_text(folder / "log.sqlite", std::string(5000, 'x'));
+  expect_complaint(
+      run_seamline("analyze " + (folder / "log.sqlite").string() + " --out " + (folder / "report").string()),
+      {"log.sqlite", "log"});
+  expect_complaint(
+      run_seamline("analyze " + (folder / "none.sqlite").string() + " --out " + (folder / "report").string()),
+      {"none.sqlite"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "report"));
+}
+
+TEST(BadInput, DepthMapOfTheWrongShape) {
+  const auto folder = fresh_folder("bad-depth");
+  write_text(folder / "d.exr", "no picture");
+  expect_complaint(
+      run_seamline("mesh " + (folder / "d.exr").string() + " --out " + (folder / "m.glb").string()),
+      {"d.exr", "image"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "m.glb"));
+}
+
+TEST(BadInput, UnknownCommandsAndOptionsAreExitStatusOne) {
+  EXPECT_EQ(run_seamline("rendr").status, 1);
+  EXPECT_EQ(run_seamline("render --no-such-option").status, 1);
+  EXPECT_EQ(run_seamline("--help").status, 0);
+}
+
+}  // namespace
+}  // namespace seamline
