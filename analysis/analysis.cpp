@@ -51,6 +51,12 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   if (counts.used < 2)
     notes.emplace_back("With one participant there are no standard errors and no intervals.");
   for (const ArtifactScores& scores : analysis.data.artifacts)
+    if (scores.width_px.size() == 4)
+      notes.push_back(fmt::format(
+          "'{}' was tested at four widths only: the logistic has as many parameters, so its inflection "
+          "point rests on no spare data.",
+          word(scores.artifact)));
+  for (const ArtifactScores& scores : analysis.data.artifacts)
     if (!scores.left_out.empty())
       notes.push_back(
           fmt::format("{} of the participants used have no answer at one of the widths of '{}' and are left "

@@ -27,10 +27,11 @@ thead th { border-bottom: 2px solid var(--ink); vertical-align: bottom; }
 tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr.group { border-top: 1px solid var(--soft); }
 td.number, th.number { text-align: right; }
+td.number { white-space: normal; max-width: 11rem; }
 figure { margin: 1.2rem 0 2rem; }
 figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }
 figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }
-.samples { display: grid; gap: .5rem; grid-auto-flow: column; grid-auto-columns: minmax(110px, 1fr); overflow-x: auto; }
+.samples { display: grid; gap: .5rem; grid-auto-flow: column; grid-auto-columns: minmax(110px, 13rem); overflow-x: auto; }
 .samples div { font-size: .85rem; text-align: center; color: var(--soft); }
 .samples img { width: 100%; display: block; border-radius: 3px; }
 .sample-title { margin: 1.2rem 0 .4rem; font-weight: 600; }

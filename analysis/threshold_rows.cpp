@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -54,6 +55,24 @@ std::string edge_text(double log2_px, int smallest_px, int largest_px) {
   return fmt::format("{:.0f}", std::exp2(log2_px));
 }
 
+std::string width_text(const WidthEstimate& estimate) {
+  return estimate.log2_px ? fmt::format("{:.0f}", std::exp2(*estimate.log2_px)) : estimate.reason;
+}
+
+/// Lines of cells as text with columns as wide as their widest cell.
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}", line[i], widths[i] + 2);
+    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<ThresholdRow> threshold_rows(const Analysis& analysis) {
@@ -71,10 +90,10 @@ std::string artifact_title(Artifact artifact) {
   return title;
 }
 
-std::string size_text(const WidthEstimate& estimate) {
+std::string size_text(const WidthEstimate& estimate, const std::string& times) {
   if (!estimate.log2_px) return estimate.reason;
   const double width_px = std::exp2(*estimate.log2_px);
-  return fmt::format("{:.0f} × {:.0f}", width_px, width_px / 2);
+  return fmt::format("{:.0f} {} {:.0f}", width_px, times, width_px / 2);
 }
 
 std::string interval_text(const WidthInterval& interval, int smallest_px, int largest_px) {
@@ -89,25 +108,17 @@ std::optional<double> bound_px(double log2_px) {
 
 std::string table_text(const Analysis& analysis) {
   const bool simulated = !analysis.planted.empty();
-  const auto line = [&](const std::string& artifact, const std::string& quantity, const std::string& here,
-                        const std::string& interval, const std::string& paper, const std::string& planted) {
-    std::string text = fmt::format("{:<20}{:<4}{:<24}{:<26}{:<8}", artifact, quantity, here, interval, paper);
-    if (simulated) text += planted;
-    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-  };
-  std::string text = fmt::format("Depth map width x height in px, {}\n", source_text(analysis));
-  text += line("artifact", "", "here", "95 % interval (width)", "paper", "planted");
+  std::vector<std::vector<std::string>> lines = {{"artifact", "", "here", "95 % interval (W)", "paper (W)"}};
+  if (simulated) lines.front().emplace_back("planted (W)");
   for (const ThresholdRow& row : threshold_rows(analysis)) {
-    std::string here = size_text(row.here);
-    if (const auto cross = here.find(" × "); cross != std::string::npos) here.replace(cross, 4, " x ");
-    text += line(row.quantity == "PT" ? artifact_title(row.artifact) : "", row.quantity, here,
-                 interval_text(row.here.ci95, row.smallest_px, row.largest_px),
-                 row.paper_px ? std::to_string(*row.paper_px) : "-",
-                 !row.planted           ? ""
-                 : row.planted->log2_px ? fmt::format("{:.0f}", std::exp2(*row.planted->log2_px))
-                                        : row.planted->reason);
+    lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact) : "", row.quantity,
+                     size_text(row.here, "x"), interval_text(row.here.ci95, row.smallest_px, row.largest_px),
+                     row.paper_px ? std::to_string(*row.paper_px) : "-"});
+    if (simulated) lines.back().push_back(row.planted ? width_text(*row.planted) : "");
   }
-  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point. '-': the paper gives no value.\n";
+  std::string text =
+      fmt::format("Depth map width W x height in px; {}\n", source_text(analysis)) + aligned(lines);
+  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point. -: the paper gives no value.\n";
   if (simulated)
     text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";
   return text;

@@ -26,8 +26,9 @@ struct ThresholdRow {
 /// "Receiver (type 1)"; artifacts outside the paper have no type.
 [[nodiscard]] std::string artifact_title(Artifact artifact);
 
-/// "426 × 213" (width and height of the depth map), or the reason why there is none.
-[[nodiscard]] std::string size_text(const WidthEstimate& estimate);
+/// "426 × 213" (width and height of the depth map), or the reason why there is none. `times` is the sign
+/// between.
+[[nodiscard]] std::string size_text(const WidthEstimate& estimate, const std::string& times = "×");
 
 /// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested widths is
 /// said in words.
