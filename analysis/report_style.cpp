@@ -33,7 +33,7 @@ figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }
 figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }
 .samples { display: grid; gap: .5rem; grid-auto-flow: column; grid-auto-columns: minmax(110px, 13rem); overflow-x: auto; }
 .samples div { font-size: .85rem; text-align: center; color: var(--soft); }
-.samples img { width: 100%; display: block; border-radius: 3px; }
+.samples img { width: 100%; height: auto; display: block; border-radius: 3px; }
 .sample-title { margin: 1.2rem 0 .4rem; font-weight: 600; }
 a { color: var(--accent); }
 @media print { :root { --page: #fff; --ink: #000; --soft: #444; --line: #bbb; --card: #fff; --note: #fff; }

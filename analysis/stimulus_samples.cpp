@@ -12,7 +12,7 @@ namespace seamline {
 
 namespace {
 
-constexpr int smallest_crop_px = 200;
+constexpr double smallest_crop_share = 200.0 / 960;  ///< of the picture's width
 
 ByteImage cut(const ByteImage& image, const Rectangle& area) {
   ByteImage part{
@@ -88,7 +88,8 @@ Rectangle crop_around(const ByteImage& object_ids, int id) {
       bottom = std::max(bottom, y);
     }
   if (right < 0) return {.x = 0, .y = 0, .width_px = object_ids.width_px, .height_px = object_ids.height_px};
-  const int wanted = std::max(smallest_crop_px, 2 * std::max(right - left + 1, bottom - top + 1));
+  const int wanted = std::max(static_cast<int>(smallest_crop_share * object_ids.width_px),
+                              2 * std::max(right - left + 1, bottom - top + 1));
   const int side = std::min({wanted, object_ids.width_px, object_ids.height_px});
   return {.x = std::clamp((left + right + 1 - side) / 2, 0, object_ids.width_px - side),
           .y = std::clamp((top + bottom + 1 - side) / 2, 0, object_ids.height_px - side),

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "stimuli/support/error.h"
-#include "threshold_people.h"
+#include "tests/analysis/threshold_people.h"
 
 namespace seamline {
 namespace {

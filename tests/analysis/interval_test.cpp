@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/thresholds.h"
-#include "threshold_people.h"
+#include "tests/analysis/threshold_people.h"
 
 namespace seamline {
 namespace {
@@ -103,8 +103,6 @@ TEST(Interval, OfOnePersonIsOpen) {
   EXPECT_EQ(found.estimates.perceptual.ci95.high_log2_px, above_every_width);
 }
 
-/// On one level the score interval is the t interval with the variance at that level's mean: two widths, both
-/// far from the level but for noise.
 TEST(VarianceFunction, IsLinearBetweenMeansAndConstantBeyond) {
   MeanVector means;
   means.mean = Eigen::Vector3d(3, 2, 0);

@@ -12,7 +12,7 @@
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"
 #include "analysis/thresholds_json.h"
-#include "threshold_people.h"
+#include "tests/analysis/threshold_people.h"
 
 namespace seamline {
 namespace {
