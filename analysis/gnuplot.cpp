@@ -1,5 +1,6 @@
 #include "analysis/gnuplot.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -34,8 +35,8 @@ InputError no_gnuplot() {
 int run_gnuplot(const std::string& argument, const fs::path& messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  constexpr int write_flags = 01 | 0100 | 01000;  // O_WRONLY | O_CREAT | O_TRUNC
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), write_flags, 0644);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                   0644);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
   std::string program = "gnuplot", script = argument;
   std::array<char*, 3> arguments = {program.data(), script.data(), nullptr};

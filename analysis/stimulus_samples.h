@@ -35,8 +35,8 @@ struct Rectangle {
   int x = 0, y = 0, width_px = 0, height_px = 0;
 };
 
-/// The square around the pixels of `id` with half its size as margin on each side, at least 200 px, inside
-/// the picture; the whole picture when no pixel has that id.
+/// The square around the pixels of `id` with half its size as margin on each side, at least 5/24 of the
+/// width, inside the picture; the whole picture when no pixel has that id.
 [[nodiscard]] Rectangle crop_around(const ByteImage& object_ids, int id);
 
 }  // namespace seamline
