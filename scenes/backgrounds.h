@@ -1,5 +1,5 @@
 #pragma once
-#include "scenes/scene_file.h"
+#include "scenes/glb_file.h"
 
 namespace seamline {
 

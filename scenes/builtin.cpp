@@ -18,8 +18,10 @@ constexpr double sculpture_triangles = 60000;
 
 TriangleMesh cast_in_triangles(const Sculpture& sculpture, double cell_m, const ModelOptions& options) {
   const double coarseness = options.coarseness;
-  return stood_on_ground(polygonise(sculpture, {.cell_m = cell_m * coarseness, .threads = options.threads,
-                                                .triangles = static_cast<std::size_t>(sculpture_triangles / (coarseness * coarseness))}));
+  return stood_on_ground(polygonise(
+      sculpture, {.cell_m = cell_m * coarseness,
+                  .threads = options.threads,
+                  .triangles = static_cast<std::size_t>(sculpture_triangles / (coarseness * coarseness))}));
 }
 
 }  // namespace

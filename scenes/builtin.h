@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/scene_file.h"
+#include "scenes/glb_file.h"
 
 namespace seamline {
 
@@ -13,15 +13,16 @@ inline constexpr std::array<std::string_view, 6> builtin_object_names = {"statue
 
 /// How finely objects are made.
 struct ModelOptions {
-  double coarseness = 1.0;   ///< multiplies the polygoniser's cell; tests of laws may use coarser objects
-  int threads = 2;           ///< the result does not depend on it
+  double coarseness = 1.0;  ///< multiplies the polygoniser's cell; tests of laws may use coarser objects
+  int threads = 2;          ///< the result does not depend on it
 };
 
 /// A background. Metres, its camera at eye height looking roughly along -Z; bedroom and gazebo have a sun.
 [[nodiscard]] SceneContents builtin_scene(std::string_view name);
 
-/// An object, standing on y = 0 and centred on x = z = 0. Statue and creature face +Z; beast, lion and dragon are long in x with
-/// the head towards +X; the teapot's spout points to +X. Throws std::invalid_argument for any other name.
+/// An object, standing on y = 0 and centred on x = z = 0. Statue and creature face +Z; beast, lion and dragon
+/// are long in x with the head towards +X; the teapot's spout points to +X. Throws std::invalid_argument for
+/// any other name.
 [[nodiscard]] TriangleMesh builtin_object(std::string_view name, const ModelOptions& options = {});
 
 }  // namespace seamline

@@ -2,74 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace seamline {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
 using Vector3d = Eigen::Vector3d;
-
-/// A round cone's two balls and what its distance needs of them.
-struct RoundCone {
-  Vector3d from = Vector3d::Zero();
-  Vector3d along = Vector3d::Zero();
-  double radius = 0;
-  double radius_step = 0;
-  double inverse_length2 = 0;
-};
-
-RoundCone round_cone(const Knot& a, const Knot& b) {
-  const Vector3d along = b.position_m - a.position_m;
-  return {.from = a.position_m, .along = along, .radius = a.radius_m, .radius_step = b.radius_m - a.radius_m,
-          .inverse_length2 = 1.0 / std::max(along.squaredNorm(), 1e-12)};
-}
-
-/// Distance to the balls that interpolate the two ends at the foot of the perpendicular: exact for slender cones.
-double distance_to(const RoundCone& cone, const Vector3d& point) {
-  const Vector3d offset = point - cone.from;
-  const double t = std::clamp(offset.dot(cone.along) * cone.inverse_length2, 0.0, 1.0);
-  return (offset - t * cone.along).norm() - (cone.radius + t * cone.radius_step);
-}
-
-Box bounds_of(const std::vector<Knot>& curve) {
-  Box box;
-  for (const Knot& knot : curve) {
-    box.extend(knot.position_m + Vector3d::Constant(knot.radius_m));
-    box.extend(knot.position_m - Vector3d::Constant(knot.radius_m));
-  }
-  return box;
-}
-
-/// Neighbouring cones and a ball around them, to pass over those that cannot be nearest.
-struct ConeGroup {
-  std::vector<RoundCone> cones;
-  Vector3d centre = Vector3d::Zero();
-  double radius = 0;
-};
-
-Distance limb_distance(const std::vector<Knot>& curve) {
-  constexpr std::size_t group_size = 6;
-  std::vector<ConeGroup> groups;
-  for (std::size_t first = 0; first + 1 < curve.size(); first += group_size) {
-    const std::size_t last = std::min(first + group_size, curve.size() - 1);
-    ConeGroup group;
-    for (std::size_t i = first; i < last; ++i) group.cones.push_back(round_cone(curve[i], curve[i + 1]));
-    group.centre = (curve[first].position_m + curve[last].position_m) / 2;
-    for (std::size_t i = first; i <= last; ++i)
-      group.radius = std::max(group.radius, (curve[i].position_m - group.centre).norm() + curve[i].radius_m);
-    groups.push_back(group);
-  }
-  return [groups](const Vector3d& point) {
-    double nearest = std::numeric_limits<double>::max();
-    for (const ConeGroup& group : groups) {
-      const double reach = nearest + group.radius;
-      if (reach <= 0 || (point - group.centre).squaredNorm() >= reach * reach) continue;
-      for (const RoundCone& cone : group.cones) nearest = std::min(nearest, distance_to(cone, point));
-    }
-    return nearest;
-  };
-}
 
 /// The box of a box after a rotation about `centre`.
 Box turned_box(const Vector3d& centre, const Vector3d& half, const Eigen::Quaterniond& turn) {
@@ -79,63 +18,8 @@ Box turned_box(const Vector3d& centre, const Vector3d& half, const Eigen::Quater
 
 }  // namespace
 
-std::vector<Knot> smooth_curve(const std::vector<Knot>& knots, int steps) {
-  std::vector<Knot> curve;
-  const auto last = knots.size() - 1;
-  for (std::size_t i = 0; i < last; ++i) {
-    const Knot& b = knots[i];
-    const Knot& c = knots[i + 1];
-    const Knot& a = i > 0 ? knots[i - 1] : b;
-    const Knot& d = i + 2 <= last ? knots[i + 2] : c;
-    for (int step = 0; step < steps; ++step) {
-      const double t = static_cast<double>(step) / steps;
-      const auto blend = [t](const auto& p, const auto& q, const auto& r, const auto& s) {
-        return (q + 0.5 * t * ((r - p) + t * ((2 * p - 5 * q + 4 * r - s) + t * (3 * (q - r) + s - p)))).eval();
-      };
-      using Scalar = Eigen::Matrix<double, 1, 1>;
-      const double radius = blend(Scalar(a.radius_m), Scalar(b.radius_m), Scalar(c.radius_m), Scalar(d.radius_m))[0];
-      curve.push_back({blend(a.position_m, b.position_m, c.position_m, d.position_m), std::max(radius, 0.0)});
-    }
-  }
-  curve.push_back(knots.back());
-  return curve;
-}
-
-Stroke limb(const std::vector<Knot>& knots, double blend_m, int steps) {
-  const std::vector<Knot> curve = smooth_curve(knots, steps);
-  return {.distance = limb_distance(curve), .bounds = bounds_of(curve), .blend_m = blend_m};
-}
-
-Stroke ringed_limb(const std::vector<Knot>& knots, int rings, double depth_m, double blend_m) {
-  constexpr int steps_a_ring = 6;
-  const int spans = static_cast<int>(knots.size()) - 1;
-  std::vector<Knot> curve = smooth_curve(knots, std::max(2, rings * steps_a_ring / spans));
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double along = static_cast<double>(i) / static_cast<double>(curve.size() - 1) * rings;
-    const double phase = along - std::floor(along);
-    const double thin = curve[i].radius_m > 2 * depth_m ? 1.0 : curve[i].radius_m / (2 * depth_m);
-    curve[i].radius_m -= thin * depth_m * phase * phase;
-  }
-  return {.distance = limb_distance(curve), .bounds = bounds_of(curve), .blend_m = blend_m};
-}
-
-Stroke blade(const std::vector<Knot>& knots, const Vector3d& across, double flatness, double blend_m) {
-  const Vector3d normal = across.normalized();
-  const auto stretched = [normal, flatness](const Vector3d& p) -> Vector3d { return p + (flatness - 1) * normal.dot(p) * normal; };
-  std::vector<Knot> curve = smooth_curve(knots, 5);
-  const Box box = bounds_of(curve);
-  for (Knot& knot : curve) knot.position_m = stretched(knot.position_m);
-  const Distance round = limb_distance(curve);
-  // Divided by the stretch it never overestimates, so a joint stays within its width.
-  const auto distance = [round, stretched, flatness](const Vector3d& point) { return round(stretched(point)) / flatness; };
-  return {.distance = distance, .bounds = box, .blend_m = blend_m};
-}
-
-Stroke spike(const Vector3d& base_m, const Vector3d& tip_m, double radius_m, double blend_m) {
-  return limb({{base_m, radius_m}, {tip_m, 0.12 * radius_m}}, blend_m, 1);
-}
-
-Stroke lump(const Vector3d& centre_m, const Vector3d& half_axes_m, double blend_m, const Eigen::Quaterniond& turn) {
+Stroke lump(const Vector3d& centre_m, const Vector3d& half_axes_m, double blend_m,
+            const Eigen::Quaterniond& turn) {
   const Eigen::Matrix3d to_local = turn.toRotationMatrix().transpose();
   const Eigen::Array3d inverse = half_axes_m.array().inverse();
   const double smallest = half_axes_m.minCoeff();
@@ -161,7 +45,8 @@ Stroke drum(const Vector3d& base_m, double radius_m, double height_m, double edg
   return {.distance = distance, .bounds = Box(centre - half, centre + half), .blend_m = blend_m};
 }
 
-Stroke block(const Vector3d& centre_m, const Vector3d& half_size_m, double edge_m, double blend_m, const Eigen::Quaterniond& turn) {
+Stroke block(const Vector3d& centre_m, const Vector3d& half_size_m, double edge_m, double blend_m,
+             const Eigen::Quaterniond& turn) {
   const Eigen::Matrix3d to_local = turn.toRotationMatrix().transpose();
   const auto distance = [=](const Vector3d& point) {
     const Vector3d q = (to_local * (point - centre_m)).cwiseAbs() - half_size_m + Vector3d::Constant(edge_m);
@@ -170,7 +55,8 @@ Stroke block(const Vector3d& centre_m, const Vector3d& half_size_m, double edge_
   return {.distance = distance, .bounds = turned_box(centre_m, half_size_m, turn), .blend_m = blend_m};
 }
 
-Stroke skin(const Vector3d& a_m, const Vector3d& b_m, const Vector3d& c_m, double half_thickness_m, double blend_m) {
+Stroke skin(const Vector3d& a_m, const Vector3d& b_m, const Vector3d& c_m, double half_thickness_m,
+            double blend_m) {
   const Vector3d ab = b_m - a_m;
   const Vector3d bc = c_m - b_m;
   const Vector3d ca = a_m - c_m;
@@ -182,7 +68,8 @@ Stroke skin(const Vector3d& a_m, const Vector3d& b_m, const Vector3d& c_m, doubl
     const Vector3d pa = point - a_m;
     const Vector3d pb = point - b_m;
     const Vector3d pc = point - c_m;
-    const bool over = normal.dot(ab.cross(pa)) >= 0 && normal.dot(bc.cross(pb)) >= 0 && normal.dot(ca.cross(pc)) >= 0;
+    const bool over =
+        normal.dot(ab.cross(pa)) >= 0 && normal.dot(bc.cross(pb)) >= 0 && normal.dot(ca.cross(pc)) >= 0;
     if (over) return std::abs(normal.dot(pa)) - half_thickness_m;
     return std::sqrt(std::min({edge2(pa, ab), edge2(pb, bc), edge2(pc, ca)})) - half_thickness_m;
   };
@@ -205,7 +92,9 @@ Stroke mirrored(const Stroke& stroke, int axis) {
     return point;
   };
   Stroke image = stroke;
-  image.distance = [flip, original = stroke.distance](const Vector3d& point) { return original(flip(point)); };
+  image.distance = [flip, original = stroke.distance](const Vector3d& point) {
+    return original(flip(point));
+  };
   image.bounds = Box();
   image.bounds.extend(flip(stroke.bounds.min()));
   image.bounds.extend(flip(stroke.bounds.max()));
@@ -217,16 +106,13 @@ void add_pair(Sculpture& sculpture, const Stroke& stroke, int axis) {
   sculpture.strokes.push_back(mirrored(stroke, axis));
 }
 
-void add_crest(Sculpture& sculpture, const Crest& crest) {
-  const std::vector<Knot> foot = smooth_curve(crest.knots, 12);
-  std::vector<Knot> rises;
-  for (const Vector3d& rise : crest.rise_m) rises.push_back({rise, 0.0});
-  const std::vector<Knot> rise = smooth_curve(rises, 12);
-  for (int i = 0; i < crest.count; ++i) {
-    const auto at = static_cast<std::size_t>(i) * (foot.size() - 1) / static_cast<std::size_t>(std::max(crest.count - 1, 1));
-    const Knot& base = foot[at];
-    sculpture.strokes.push_back(spike(base.position_m, base.position_m + rise[at].position_m, base.radius_m, crest.blend_m));
-  }
+double scales(const Vector3d& point_m, double size_m, double depth_m) {
+  const double per_m = std::numbers::pi / size_m;
+  const Vector3d& p = point_m;
+  const double a = per_m * (p.y() + 0.35 * p.x() + 0.012 * std::sin(23 * p.z()));
+  const double b = per_m * (p.x() - 0.35 * p.y() + 0.55 * p.z() + 0.012 * std::sin(29 * p.y()));
+  const double gap = 1 - std::abs(std::sin(a) * std::sin(b));
+  return depth_m * gap * gap;
 }
 
 Eigen::Quaterniond upright_to(const Vector3d& direction) {

@@ -47,7 +47,7 @@ struct Shrinking {
   std::vector<std::vector<Index>> users;
   std::vector<Quadric> quadrics;
   std::vector<unsigned> stamps;
-  std::vector<bool> gone;                ///< one a triangle
+  std::vector<bool> gone;  ///< one a triangle
   std::priority_queue<Candidate, std::vector<Candidate>, Later> queue;
 };
 
@@ -75,11 +75,17 @@ void consider(Shrinking& s, Index a, Index b) {
   const Vector3d middle = (pa + pb) / 2;
   // The best place; directions in which the quadric is flat are left at the middle.
   const double soften = 1e-3 * sum.A.trace() + 1e-15;
-  const Vector3d place = middle - (sum.A + soften * Matrix3d::Identity()).inverse() * (sum.A * middle + sum.b);
+  const Vector3d place =
+      middle - (sum.A + soften * Matrix3d::Identity()).inverse() * (sum.A * middle + sum.b);
   const double length2 = (pa - pb).squaredNorm();
   if ((place - middle).squaredNorm() > length2) return;
   const double error = std::max(sum.at(place), 0.0) + 1e-4 * sum.A.trace() * length2;
-  s.queue.push({.error = error, .keep = a, .drop = b, .keep_stamp = s.stamps[a], .drop_stamp = s.stamps[b], .place = place});
+  s.queue.push({.error = error,
+                .keep = a,
+                .drop = b,
+                .keep_stamp = s.stamps[a],
+                .drop_stamp = s.stamps[b],
+                .place = place});
 }
 
 Shrinking prepare(const TriangleMesh& mesh) {
@@ -94,7 +100,8 @@ Shrinking prepare(const TriangleMesh& mesh) {
     const double twice_area = normal.norm();
     const Vector3d n = twice_area > 0 ? Vector3d(normal / twice_area) : Vector3d::Zero();
     const double offset = -n.dot(mesh.positions_m[mesh.triangles[i][0]]);
-    const Quadric plane{.A = twice_area * n * n.transpose(), .b = twice_area * offset * n, .c = twice_area * offset * offset};
+    const Quadric plane{
+        .A = twice_area * n * n.transpose(), .b = twice_area * offset * n, .c = twice_area * offset * offset};
     for (const Index corner : mesh.triangles[i]) {
       s.users[corner].push_back(i);
       s.quadrics[corner].add(plane);
@@ -106,7 +113,8 @@ Shrinking prepare(const TriangleMesh& mesh) {
   return s;
 }
 
-/// Whether moving `vertex` to `place` keeps its triangles, those that also use `other` left out, facing as they did.
+/// Whether moving `vertex` to `place` keeps its triangles, those that also use `other` left out, facing as
+/// they did.
 bool keeps_facing(const Shrinking& s, Index vertex, Index other, const Vector3d& place) {
   for (const Index user : s.users[vertex]) {
     const auto& t = s.mesh.triangles[user];
@@ -120,7 +128,8 @@ bool keeps_facing(const Shrinking& s, Index vertex, Index other, const Vector3d&
   return true;
 }
 
-/// The link condition: the ends share exactly the two vertices opposite the edge, else the surface would pinch.
+/// The link condition: the ends share exactly the two vertices opposite the edge, else the surface would
+/// pinch.
 bool stays_manifold(const Shrinking& s, const Candidate& c) {
   const std::vector<Index> a = neighbours(s, c.keep);
   const std::vector<Index> b = neighbours(s, c.drop);
@@ -161,7 +170,9 @@ TriangleMesh decimated(const TriangleMesh& mesh, std::size_t triangles) {
     const Candidate c = s.queue.top();
     s.queue.pop();
     if (s.stamps[c.keep] != c.keep_stamp || s.stamps[c.drop] != c.drop_stamp) continue;
-    if (!stays_manifold(s, c) || !keeps_facing(s, c.keep, c.drop, c.place) || !keeps_facing(s, c.drop, c.keep, c.place)) continue;
+    if (!stays_manifold(s, c) || !keeps_facing(s, c.keep, c.drop, c.place) ||
+        !keeps_facing(s, c.drop, c.keep, c.place))
+      continue;
     left -= collapse(s, c);
   }
   TriangleMesh kept{.positions_m = s.mesh.positions_m, .normals = s.mesh.normals, .triangles = {}};

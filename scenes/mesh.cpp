@@ -24,7 +24,8 @@ void append(TriangleMesh& whole, const TriangleMesh& part) {
   const auto offset = static_cast<std::uint32_t>(whole.positions_m.size());
   whole.positions_m.insert(whole.positions_m.end(), part.positions_m.begin(), part.positions_m.end());
   whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
-  for (const auto& [a, b, c] : part.triangles) whole.triangles.push_back({a + offset, b + offset, c + offset});
+  for (const auto& [a, b, c] : part.triangles)
+    whole.triangles.push_back({a + offset, b + offset, c + offset});
 }
 
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Affine3d& transform) {

@@ -10,8 +10,8 @@ namespace seamline {
 /// Triangles over shared vertices. Metres, +Y up; triangles are counter-clockwise seen from outside.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> positions_m;
-  std::vector<Eigen::Vector3d> normals;                    ///< unit length, one a vertex
-  std::vector<std::array<std::uint32_t, 3>> triangles;     ///< indices into the two arrays above
+  std::vector<Eigen::Vector3d> normals;                 ///< unit length, one a vertex
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into the two arrays above
 };
 
 /// Adds copies of `part`'s vertices and triangles to `whole`.

@@ -4,14 +4,16 @@
 
 namespace seamline {
 
-/// Newell's teapot, 1 m from handle to spout (along x), `steps` quads along each side of a patch. Its surface is open where Newell's is:
-/// between lid and rim and at the spout's mouth.
+/// Newell's teapot, 1 m from handle to spout (along x), `steps` quads along each side of a patch. Its surface
+/// is open where Newell's is: between lid and rim and at the spout's mouth.
 [[nodiscard]] TriangleMesh make_teapot(int steps);
 
-/// A robed, winged figure on a plinth that holds up a torch, 1.9 m tall, in the manner of the Stanford Lucy. Faces +Z.
+/// A robed, winged figure on a plinth that holds up a torch, 1.9 m tall, in the manner of the Stanford Lucy.
+/// Faces +Z.
 [[nodiscard]] Sculpture sculpt_statue();
 
-/// An upright armoured creature with raised arms, 1.7 m tall, in the manner of the Stanford armadillo. Faces +Z.
+/// An upright armoured creature with raised arms, 1.7 m tall, in the manner of the Stanford armadillo. Faces
+/// +Z.
 [[nodiscard]] Sculpture sculpt_creature();
 
 /// A long, low four-legged beast with spines and a long tail, in the manner of the killeroo. Head towards +X.

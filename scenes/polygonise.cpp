@@ -24,12 +24,12 @@ struct CrossingHash {
 };
 using CrossedTriangle = std::array<Crossing, 3>;
 
-Vector3d midpoint(const Lattice& lattice, const Crossing& c) {
+Vector3d midpoint(const FieldLattice& lattice, const Crossing& c) {
   return (lattice.position_m(c.inside) + lattice.position_m(c.outside)) / 2;
 }
 
 /// Turned so that the triangle faces from the inside points to the outside points of its tetrahedron.
-void emit(const Lattice& lattice, CrossedTriangle triangle, std::vector<CrossedTriangle>& out) {
+void emit(const FieldLattice& lattice, CrossedTriangle triangle, std::vector<CrossedTriangle>& out) {
   const Vector3d a = midpoint(lattice, triangle[0]);
   const Vector3d normal = (midpoint(lattice, triangle[1]) - a).cross(midpoint(lattice, triangle[2]) - a);
   Vector3d outwards = Vector3d::Zero();
@@ -38,14 +38,17 @@ void emit(const Lattice& lattice, CrossedTriangle triangle, std::vector<CrossedT
   out.push_back(triangle);
 }
 
-void march(const Lattice& lattice, const std::array<std::uint64_t, 4>& corners, std::vector<CrossedTriangle>& out) {
+void march(const FieldLattice& lattice, const std::array<std::uint64_t, 4>& corners,
+           std::vector<CrossedTriangle>& out) {
   std::array<std::uint64_t, 4> in{};
   std::array<std::uint64_t, 4> ex{};
   std::size_t ins = 0;
   std::size_t exs = 0;
   for (const std::uint64_t corner : corners) {
-    if (lattice.values[corner] < 0.0F) in[ins++] = corner;
-    else ex[exs++] = corner;
+    if (lattice.values[corner] < 0.0F)
+      in[ins++] = corner;
+    else
+      ex[exs++] = corner;
   }
   if (ins == 1) emit(lattice, {{{in[0], ex[0]}, {in[0], ex[1]}, {in[0], ex[2]}}}, out);
   if (ins == 3) emit(lattice, {{{in[0], ex[0]}, {in[1], ex[0]}, {in[2], ex[0]}}}, out);
@@ -55,8 +58,9 @@ void march(const Lattice& lattice, const std::array<std::uint64_t, 4>& corners, 
   }
 }
 
-/// The twelve tetrahedra between a cube's centre and those of its three next neighbours, through their shared faces' edges.
-void march_cube(const Lattice& lattice, const Array3i& cube, std::vector<CrossedTriangle>& out) {
+/// The twelve tetrahedra between a cube's centre and those of its three next neighbours, through their shared
+/// faces' edges.
+void march_cube(const FieldLattice& lattice, const Array3i& cube, std::vector<CrossedTriangle>& out) {
   const std::uint64_t centre = lattice.point(cube, true);
   for (int axis = 0; axis < 3; ++axis) {
     Array3i next = cube;
@@ -73,12 +77,13 @@ void march_cube(const Lattice& lattice, const Array3i& cube, std::vector<Crossed
   }
 }
 
-std::vector<CrossedTriangle> march_all(const Lattice& lattice, int threads) {
+std::vector<CrossedTriangle> march_all(const FieldLattice& lattice, int threads) {
   const int layers = lattice.cubes.z() - 2;
   std::vector<std::vector<CrossedTriangle>> by_layer(static_cast<std::size_t>(std::max(layers, 0)));
   for_each_parallel(layers, threads, [&](int z) {
     for (int y = 0; y + 2 < lattice.cubes.y(); ++y)
-      for (int x = 0; x + 2 < lattice.cubes.x(); ++x) march_cube(lattice, {x, y, z}, by_layer[static_cast<std::size_t>(z)]);
+      for (int x = 0; x + 2 < lattice.cubes.x(); ++x)
+        march_cube(lattice, {x, y, z}, by_layer[static_cast<std::size_t>(z)]);
   });
   std::vector<CrossedTriangle> all;
   for (const auto& layer : by_layer) all.insert(all.end(), layer.begin(), layer.end());
@@ -96,7 +101,8 @@ Vector3d gradient_at(const LocalField& field, const Vector3d& point, double step
 }
 
 /// Newton steps onto the surface, together no longer than a third of a cell, so that triangles do not fold.
-void settle(const Sculpture& sculpture, const PolygoniseOptions& options, Vector3d& position, Vector3d& normal) {
+void settle(const Sculpture& sculpture, const PolygoniseOptions& options, Vector3d& position,
+            Vector3d& normal) {
   const LocalField field = field_near(sculpture, position, options.cell_m);
   const double reach = options.cell_m / 3;
   const Vector3d start = position;
@@ -116,19 +122,21 @@ void settle(const Sculpture& sculpture, const PolygoniseOptions& options, Vector
 
 /// The crossed edges' points, one vertex each, at the linear estimate of the surface.
 TriangleMesh march_and_weld(const Sculpture& sculpture, const PolygoniseOptions& options) {
-  const Lattice lattice = sample_field(sculpture, options.cell_m, options.ground_m, options.threads);
+  const FieldLattice lattice = sample_field(sculpture, options.cell_m, options.ground_m, options.threads);
   TriangleMesh mesh;
   std::unordered_map<Crossing, std::uint32_t, CrossingHash> numbers;
   for (const CrossedTriangle& crossed : march_all(lattice, options.threads)) {
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [entry, is_new] = numbers.try_emplace(crossed[i], static_cast<std::uint32_t>(mesh.positions_m.size()));
+      const auto [entry, is_new] =
+          numbers.try_emplace(crossed[i], static_cast<std::uint32_t>(mesh.positions_m.size()));
       triangle[i] = entry->second;
       if (!is_new) continue;
       const double in = lattice.values[crossed[i].inside];
       const double ex = lattice.values[crossed[i].outside];
       const double t = std::clamp(in / (in - ex), 0.05, 0.95);
-      mesh.positions_m.push_back((1 - t) * lattice.position_m(crossed[i].inside) + t * lattice.position_m(crossed[i].outside));
+      mesh.positions_m.push_back((1 - t) * lattice.position_m(crossed[i].inside) +
+                                 t * lattice.position_m(crossed[i].outside));
     }
     mesh.triangles.push_back(triangle);
   }
@@ -151,7 +159,8 @@ void settle_all(TriangleMesh& mesh, const Sculpture& sculpture, const Polygonise
 
 TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& options) {
   TriangleMesh mesh = march_and_weld(sculpture, options);
-  if (options.triangles > 0 && mesh.triangles.size() > options.triangles) mesh = decimated(mesh, options.triangles);
+  if (options.triangles > 0 && mesh.triangles.size() > options.triangles)
+    mesh = decimated(mesh, options.triangles);
   settle_all(mesh, sculpture, options);
   return mesh;
 }

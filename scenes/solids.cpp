@@ -47,22 +47,25 @@ TriangleMesh polygon(const std::vector<Vector3d>& corners_m) {
 }
 
 TriangleMesh box(const Vector3d& low_m, const Vector3d& high_m) {
-  const std::vector<Vector2d> outline = {{low_m.x(), low_m.y()}, {high_m.x(), low_m.y()},
-                                         {high_m.x(), high_m.y()}, {low_m.x(), high_m.y()}};
+  const std::vector<Vector2d> outline = {
+      {low_m.x(), low_m.y()}, {high_m.x(), low_m.y()}, {high_m.x(), high_m.y()}, {low_m.x(), high_m.y()}};
   return extruded(outline, low_m.z(), high_m.z());
 }
 
 TriangleMesh turned(const std::vector<ProfilePoint>& profile, int sides, bool smooth) {
   TriangleMesh mesh;
-  if (profile.front().radius_m > 0) add_ring(mesh, {0, profile.front().height_m}, profile.front(), sides, smooth);
+  if (profile.front().radius_m > 0)
+    add_ring(mesh, {0, profile.front().height_m}, profile.front(), sides, smooth);
   for (std::size_t i = 1; i < profile.size(); ++i) add_ring(mesh, profile[i - 1], profile[i], sides, smooth);
-  if (profile.back().radius_m > 0) add_ring(mesh, profile.back(), {0, profile.back().height_m}, sides, smooth);
+  if (profile.back().radius_m > 0)
+    add_ring(mesh, profile.back(), {0, profile.back().height_m}, sides, smooth);
   return mesh;
 }
 
 TriangleMesh turned_ring(const std::vector<ProfilePoint>& profile, int sides) {
   TriangleMesh mesh;
-  for (std::size_t i = 0; i < profile.size(); ++i) add_ring(mesh, profile[i], profile[(i + 1) % profile.size()], sides, true);
+  for (std::size_t i = 0; i < profile.size(); ++i)
+    add_ring(mesh, profile[i], profile[(i + 1) % profile.size()], sides, true);
   return mesh;
 }
 
@@ -89,7 +92,8 @@ TriangleMesh beam(const Vector3d& from_m, const Vector3d& to_m, double width_m, 
   Eigen::Affine3d frame = Eigen::Affine3d::Identity();
   frame.linear() << x, z.cross(x), z;
   frame.translation() = from_m;
-  const TriangleMesh straight = box({-width_m / 2, -height_m / 2, 0}, {width_m / 2, height_m / 2, along.norm()});
+  const TriangleMesh straight =
+      box({-width_m / 2, -height_m / 2, 0}, {width_m / 2, height_m / 2, along.norm()});
   return transformed(straight, frame);
 }
 

@@ -46,8 +46,10 @@ class Weld {
  public:
   std::uint32_t vertex(TriangleMesh& mesh, const Vector3d& position, const Vector3d& normal) {
     std::array<long, 3> key{};
-    for (int axis = 0; axis < 3; ++axis) key[static_cast<std::size_t>(axis)] = std::lround(position[axis] * 1e5);
-    const auto [entry, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions_m.size()));
+    for (int axis = 0; axis < 3; ++axis)
+      key[static_cast<std::size_t>(axis)] = std::lround(position[axis] * 1e5);
+    const auto [entry, is_new] =
+        numbers_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions_m.size()));
     if (is_new) {
       mesh.positions_m.push_back(position);
       mesh.normals.push_back(Vector3d::Zero());
@@ -66,7 +68,8 @@ void add_patch(TriangleMesh& mesh, Weld& weld, const BezierPatch& patch, int ste
     for (int column = 0; column <= steps; ++column) {
       const double u = static_cast<double>(column) / steps;
       const double v = static_cast<double>(row) / steps;
-      grid.push_back(weld.vertex(mesh, combine(patch, bernstein(v), bernstein(u)), patch_normal(patch, u, v)));
+      grid.push_back(
+          weld.vertex(mesh, combine(patch, bernstein(v), bernstein(u)), patch_normal(patch, u, v)));
     }
   const auto stride = static_cast<std::size_t>(steps) + 1;
   const auto add = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -8,7 +8,8 @@
 namespace seamline {
 namespace {
 
-/// Coarser than what is shipped, so that the tests are quick; the laws do not depend on it. Each is made once.
+/// Coarser than what is shipped, so that the tests are quick; the laws do not depend on it. Each is made
+/// once.
 const TriangleMesh& coarse_object(std::string_view name) {
   static std::map<std::string_view, TriangleMesh> made;
   if (!made.contains(name)) made[name] = builtin_object(name, {.coarseness = 2.0, .threads = 2});
@@ -28,7 +29,8 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const Tria
 double share_facing_their_normals(const TriangleMesh& mesh) {
   double agree = 0, area = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d normal = (mesh.positions_m[b] - mesh.positions_m[a]).cross(mesh.positions_m[c] - mesh.positions_m[a]);
+    const Eigen::Vector3d normal =
+        (mesh.positions_m[b] - mesh.positions_m[a]).cross(mesh.positions_m[c] - mesh.positions_m[a]);
     area += normal.norm();
     if (normal.dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) > 0) agree += normal.norm();
   }
@@ -44,7 +46,8 @@ TEST_P(Objects, StandsOnTheGroundWithUnitNormalsFacingOut) {
   EXPECT_GT(enclosed_volume_m3(mesh), 0.01);
   ASSERT_EQ(mesh.normals.size(), mesh.positions_m.size());
   for (const Eigen::Vector3d& normal : mesh.normals) ASSERT_NEAR(normal.norm(), 1.0, 1e-9);
-  EXPECT_GT(share_facing_their_normals(mesh), 0.97) << "feathers and curls thinner than a cell face both ways";
+  EXPECT_GT(share_facing_their_normals(mesh), 0.97)
+      << "feathers and curls thinner than a cell face both ways";
 }
 
 TEST_P(Objects, IsAClosedManifold) {
@@ -70,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Every, Objects, testing::ValuesIn(builtin_object_names)
                          [](const auto& each) { return std::string(each.param); });
 
 TEST(Teapot, HasNewellsProportions) {
-  // Newell's teapot with Blinn's scaling: 6.5 long (the curves stay inside their control points), 3.15 tall, 4 across.
+  // Newell's teapot with Blinn's scaling: 6.5 long (the curves stay inside their control points), 3.15 tall,
+  // 4 across.
   const Eigen::Vector3d size = bounds(builtin_object("teapot")).sizes();
   EXPECT_NEAR(size.x(), 1.0, 1e-9);
   EXPECT_NEAR(size.y(), 3.15 / 6.43, 0.01);

@@ -23,8 +23,8 @@ class Scenes : public testing::TestWithParam<std::string_view> {};
 TEST_P(Scenes, RoundTrips) {
   const SceneContents written = builtin_scene(GetParam());
   const auto path = output(std::string(GetParam()) + ".glb");
-  write_scene_file(path, written);
-  const SceneContents read = read_scene_file(path);
+  write_glb(path, written);
+  const SceneContents read = read_glb(path);
   ASSERT_EQ(read.parts.size(), written.parts.size());
   for (std::size_t i = 0; i < read.parts.size(); ++i) {
     const ScenePart& a = written.parts[i];
@@ -39,7 +39,9 @@ TEST_P(Scenes, RoundTrips) {
   }
   ASSERT_TRUE(read.camera.has_value());
   EXPECT_LT((read.camera->position_m - written.camera->position_m).norm(), 1e-12);
-  const auto sight = [](const SceneCamera& camera) { return (camera.look_at_m - camera.position_m).normalized(); };
+  const auto sight = [](const SceneCamera& camera) {
+    return (camera.look_at_m - camera.position_m).normalized();
+  };
   EXPECT_LT((sight(*read.camera) - sight(*written.camera)).norm(), 1e-9);
   EXPECT_DOUBLE_EQ(read.camera->vertical_fov_rad, written.camera->vertical_fov_rad);
   ASSERT_EQ(read.sun.has_value(), written.sun.has_value());
@@ -76,20 +78,20 @@ INSTANTIATE_TEST_SUITE_P(Every, Scenes, testing::ValuesIn(builtin_scene_names),
 
 TEST(SceneFiles, WritesTheSameBytesTwice) {
   const SceneContents scene = builtin_scene("gazebo");
-  write_scene_file(output("first.glb"), scene);
-  write_scene_file(output("second.glb"), scene);
+  write_glb(output("first.glb"), scene);
+  write_glb(output("second.glb"), scene);
   EXPECT_EQ(read_file(output("first.glb")), read_file(output("second.glb")));
 }
 
 TEST(SceneFiles, RefusesAPlaceThatCannotBeWrittenTo) {
-  EXPECT_THROW(write_scene_file("/proc/nowhere/bedroom.glb", builtin_scene("bedroom")), InputError);
+  EXPECT_THROW(write_glb("/proc/nowhere/bedroom.glb", builtin_scene("bedroom")), InputError);
 }
 
 /// The shipped objects, as the build wrote them, are as fine as the paper's comparison needs.
 TEST(ShippedObjects, HaveTwentyThousandTriangles) {
   for (const std::string_view name : builtin_object_names) {
     const auto path = resolve_asset("builtin:" + std::string(name), "any.toml", "scene.object.file");
-    const SceneContents object = read_scene_file(path);
+    const SceneContents object = read_glb(path);
     ASSERT_EQ(object.parts.size(), 1U);
     EXPECT_GE(object.parts[0].mesh.triangles.size(), 20000U) << name;
     EXPECT_NEAR(bounds(object.parts[0].mesh).min().y(), 0.0, 1e-6) << name;

@@ -1,5 +1,5 @@
 // The only file of this folder that includes tinygltf.
-#include "scenes/scene_file.h"
+#include "scenes/glb_file.h"
 
 #include <tiny_gltf.h>
 
@@ -26,11 +26,14 @@ Eigen::Quaterniond looking_along(const Vector3d& direction) {
   return Eigen::Quaterniond(axes);
 }
 
-std::vector<double> xyzw(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+std::vector<double> xyzw(const Eigen::Quaterniond& q) {
+  return {q.x(), q.y(), q.z(), q.w()};
+}
 
 /// Appends `values` to the one buffer and describes them; returns the number of the new accessor.
 template <class T>
-int add_accessor(tinygltf::Model& model, const std::vector<T>& values, int target, int component_type, int type) {
+int add_accessor(tinygltf::Model& model, const std::vector<T>& values, int target, int component_type,
+                 int type) {
   std::vector<unsigned char>& bytes = model.buffers[0].data;
   tinygltf::BufferView view;
   view.buffer = 0;
@@ -44,7 +47,8 @@ int add_accessor(tinygltf::Model& model, const std::vector<T>& values, int targe
   accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
   accessor.componentType = component_type;
   accessor.type = type;
-  accessor.count = values.size() / static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+  accessor.count = values.size() / static_cast<std::size_t>(
+                                       tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
   model.accessors.push_back(accessor);
   return static_cast<int>(model.accessors.size()) - 1;
 }
@@ -60,7 +64,8 @@ int add_vectors(tinygltf::Model& model, const std::vector<Vector3d>& vectors, bo
       low[at] = std::min(low[at], static_cast<double>(values.back()));
       high[at] = std::max(high[at], static_cast<double>(values.back()));
     }
-  const int number = add_accessor(model, values, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  const int number = add_accessor(model, values, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                  TINYGLTF_TYPE_VEC3);
   if (with_range) {
     model.accessors.back().minValues = low;
     model.accessors.back().maxValues = high;
@@ -75,7 +80,8 @@ void add_node(tinygltf::Model& model, const tinygltf::Node& node) {
 
 void add_part(tinygltf::Model& model, const ScenePart& part) {
   std::vector<std::uint32_t> indices;
-  for (const auto& triangle : part.mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
+  for (const auto& triangle : part.mesh.triangles)
+    indices.insert(indices.end(), triangle.begin(), triangle.end());
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   primitive.material = 0;
@@ -152,24 +158,27 @@ std::vector<Vector3d> read_vectors(const tinygltf::Model& model, int number) {
   std::vector<float> values(3 * accessor.count);
   std::memcpy(values.data(), accessor_bytes(model, accessor), values.size() * sizeof(float));
   std::vector<Vector3d> vectors;
-  for (std::size_t i = 0; i < values.size(); i += 3) vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
   return vectors;
 }
 
 ScenePart read_part(const tinygltf::Model& model, const tinygltf::Node& node) {
-  const tinygltf::Primitive& primitive = model.meshes.at(static_cast<std::size_t>(node.mesh)).primitives.at(0);
+  const tinygltf::Primitive& primitive =
+      model.meshes.at(static_cast<std::size_t>(node.mesh)).primitives.at(0);
   ScenePart part{.name = node.name, .mesh = {}};
   part.mesh.positions_m = read_vectors(model, primitive.attributes.at("POSITION"));
   part.mesh.normals = read_vectors(model, primitive.attributes.at("NORMAL"));
   const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(primitive.indices));
   part.mesh.triangles.resize(accessor.count / 3);
-  std::memcpy(part.mesh.triangles.data(), accessor_bytes(model, accessor), accessor.count * sizeof(std::uint32_t));
+  std::memcpy(part.mesh.triangles.data(), accessor_bytes(model, accessor),
+              accessor.count * sizeof(std::uint32_t));
   return part;
 }
 
 }  // namespace
 
-void write_scene_file(const fs::path& path, const SceneContents& contents) {
+void write_glb(const fs::path& path, const SceneContents& contents) {
   tinygltf::Model model = empty_model();
   for (const ScenePart& part : contents.parts) add_part(model, part);
   if (contents.camera) add_camera(model, *contents.camera);
@@ -177,11 +186,13 @@ void write_scene_file(const fs::path& path, const SceneContents& contents) {
   write_file_atomically(path, [&](const fs::path& temporary) {
     tinygltf::TinyGLTF writer;
     if (!writer.WriteGltfSceneToFile(&model, temporary.string(), false, true, false, true))
-      throw input_error({.file = path.string(), .wanted = "a place that can be written to", .found = "a write that failed"});
+      throw input_error({.file = path.string(),
+                         .wanted = "a place that can be written to",
+                         .found = "a write that failed"});
   });
 }
 
-SceneContents read_scene_file(const fs::path& path) {
+SceneContents read_glb(const fs::path& path) {
   tinygltf::Model model;
   tinygltf::TinyGLTF reader;
   std::string error;

@@ -41,12 +41,13 @@ inline constexpr double lux_per_w_m2 = 683.0;
 /// The aspect of every camera: stimuli are 960 x 540.
 inline constexpr double camera_aspect = 960.0 / 540.0;
 
-/// Writes glTF 2.0 binary: a node for each part, POSITION and NORMAL, 32-bit indices, one shared two-sided diffuse
-/// material of albedo 0.5; a camera node "camera"; a node "sun" with a directional KHR_lights_punctual light, which
-/// shines along the node's -Z. Throws InputError when the path cannot be written.
-void write_scene_file(const std::filesystem::path& path, const SceneContents& contents);
+/// Writes glTF 2.0 binary: a node for each part, POSITION and NORMAL, 32-bit indices, one shared two-sided
+/// diffuse material of albedo 0.5; a camera node "camera"; a node "sun" with a directional
+/// KHR_lights_punctual light, which shines along the node's -Z. Throws InputError when the path cannot be
+/// written.
+void write_glb(const std::filesystem::path& path, const SceneContents& contents);
 
-/// Reads back what `write_scene_file` wrote: nodes with meshes by name, first camera, first sun. For tests.
-[[nodiscard]] SceneContents read_scene_file(const std::filesystem::path& path);
+/// Reads back what `write_glb` wrote: nodes with meshes by name, first camera, first sun. For tests.
+[[nodiscard]] SceneContents read_glb(const std::filesystem::path& path);
 
 }  // namespace seamline
