@@ -24,7 +24,8 @@ bool covers(const Sample& sample, const std::optional<SurfacePoint>& real) {
 
 class PixelRenderer {
  public:
-  PixelRenderer(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth, const Recipe& recipe)
+  PixelRenderer(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+                const Recipe& recipe)
       : scene_(scene), geometry_(geometry), depth_(depth), recipe_(recipe), answers_(recipe.answers) {}
 
   /// Adds a pixel to its two sums. `truth` are the same pixel's sums in the truth.
@@ -61,13 +62,19 @@ class PixelRenderer {
   Sample::Shows shown(const Sample& sample) const {
     using Shows = Sample::Shows;
     const bool covered = covers(sample, answers_.occlusion == Who::depth ? sample.depth : sample.real);
-    const Shows rest = !sample.real || (depth_ != nullptr && !sample.depth) ? Shows::sky : Shows::rest;
-    // Layers are exchanged sample by sample, so that together they always make one whole picture: a sample whose coverage
-    // truth and depth mesh disagree about would show an occlusion artifact, and comes from the reference.
+    // Where the truth shows sky, or the depth mesh does and has to answer for the rest, nothing is
+    // multiplied.
+    const Shows rest = !sample.real || (rest_asks_depth() && !sample.depth) ? Shows::sky : Shows::rest;
+    // Layers are exchanged sample by sample, so that together they always make one whole picture: a sample
+    // whose coverage truth and depth mesh disagree about would show an occlusion artifact, and comes from the
+    // reference.
     switch (recipe_.keep) {
-      case Keep::everything: return covered ? Shows::object : rest;
-      case Keep::object_layer: return covered && sample.covered_in_truth ? Shows::object : Shows::from_reference;
-      case Keep::rest_layer: return covered || sample.covered_in_truth ? Shows::from_reference : rest;
+      case Keep::everything:
+        return covered ? Shows::object : rest;
+      case Keep::object_layer:
+        return covered && sample.covered_in_truth ? Shows::object : Shows::from_reference;
+      case Keep::rest_layer:
+        return covered || sample.covered_in_truth ? Shows::from_reference : rest;
     }
     return rest;
   }
@@ -76,24 +83,29 @@ class PixelRenderer {
   bool as_in_truth(const Sample& sample) const {
     using Shows = Sample::Shows;
     switch (sample.shows) {
-      case Shows::object: return sample.covered_in_truth;
-      case Shows::rest: return !sample.covered_in_truth;
-      case Shows::sky: return !sample.covered_in_truth && !sample.real;
-      case Shows::from_reference: return sample.covered_in_truth == (recipe_.keep == Keep::rest_layer);
+      case Shows::object:
+        return sample.covered_in_truth;
+      case Shows::rest:
+        return !sample.covered_in_truth;
+      case Shows::sky:
+        return !sample.covered_in_truth && !sample.real;
+      case Shows::from_reference:
+        return sample.covered_in_truth == (recipe_.keep == Keep::rest_layer);
     }
     return false;
   }
 
   RealQuestion ask(Who who, const Sample& sample, const SurfacePoint& point) const {
     if (who == Who::truth) return {&geometry_.truth, &point};
-    // Behind the depth mesh on its view ray: asked from the mesh's own surface there, or it would be sealed in.
+    // Behind the depth mesh on its view ray: asked from the mesh's own surface there, or it would be sealed
+    // in.
     const bool behind = sample.depth && sample.depth->distance_m < point.distance_m;
     return {depth_, behind ? &*sample.depth : &point};
   }
 
   Split object_light(const Sample& sample, Who lit, Who bounce) const {
-    return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object), geometry_.object,
-                          *sample.object, scene_.light, sample.sampler);
+    return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object),
+                          geometry_.object, *sample.object, scene_.light, sample.sampler);
   }
 
   RadiancePair rest_in_truth(const Sample& sample) const {
@@ -101,9 +113,16 @@ class PixelRenderer {
   }
 
   bool all_rest_from_depth() const {
-    return answers_.receiver == Who::depth && answers_.real_lit == Who::depth && answers_.bounce == Who::depth;
+    return answers_.receiver == Who::depth && answers_.real_lit == Who::depth &&
+           answers_.bounce == Who::depth;
   }
-  bool direct_from_truth() const { return answers_.receiver == Who::truth && answers_.real_lit == Who::truth; }
+  bool rest_asks_depth() const {
+    return answers_.receiver == Who::depth || answers_.real_lit == Who::depth ||
+           answers_.bounce == Who::depth;
+  }
+  bool direct_from_truth() const {
+    return answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
+  }
 
   /// Everything that some geometry other than the truth alone has to answer; traced for every stimulus.
   void add_depth_part(const Sample& sample, StimulusSums& out) const {
@@ -118,18 +137,22 @@ class PixelRenderer {
     if (sample.shows != Sample::Shows::rest) return;
     ++out.rest;
     if (all_rest_from_depth()) {
-      add(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), true, true, out);
+      add(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), true, true,
+          out);
       return;
     }
     if (!direct_from_truth()) {
       const SurfacePoint& receiver = answers_.receiver == Who::depth ? *sample.depth : *sample.real;
-      const RealQuestion lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
-                                                               : RealQuestion{&geometry_.truth, &*sample.real};
+      const RealQuestion lit = answers_.real_lit == Who::depth
+                                   ? RealQuestion{depth_, &*sample.depth}
+                                   : RealQuestion{&geometry_.truth, &*sample.real};
       const Rgb& albedo = answers_.bounce == Who::depth ? sample.depth->albedo : sample.real->albedo;
-      add(direct_pair(receiver, lit, geometry_.object, albedo, scene_.light, sample.sampler), true, false, out);
+      add(direct_pair(receiver, lit, geometry_.object, albedo, scene_.light, sample.sampler), true, false,
+          out);
     }
     if (answers_.bounce == Who::depth)
-      add(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), false, true, out);
+      add(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), false, true,
+          out);
   }
 
   static void add(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out) {
@@ -151,8 +174,12 @@ class PixelRenderer {
         out.from_reference += rest;
         add_object(truth.object, out);
         return;
-      case Keep::rest_layer: out.from_reference += truth.object.total(); break;
-      case Keep::everything: add_object(truth.object, out); break;
+      case Keep::rest_layer:
+        out.from_reference += truth.object.total();
+        break;
+      case Keep::everything:
+        add_object(truth.object, out);
+        break;
     }
     out.sky += truth.sky;
     out.background += truth.no.total();
@@ -184,7 +211,8 @@ class PixelRenderer {
         if (sample.covered_in_truth)
           out.from_reference += object_light(sample, Who::truth, Who::truth).total();
         else
-          out.from_reference += sample.real ? rest_in_truth(sample).with.total() : scene_.light.environment_radiance;
+          out.from_reference +=
+              sample.real ? rest_in_truth(sample).with.total() : scene_.light.environment_radiance;
         return;
     }
   }
@@ -211,8 +239,8 @@ StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& ge
     PixelRenderer pixel(scene, geometry, recipe.answers.needs_depth() ? depth : nullptr, recipe);
     for (int x = 0; x < truth.width_px; ++x) {
       const std::size_t i = truth.index(x, y);
-      pixel.render(options, x, y, {&truth.halves[0][i], &truth.halves[1][i]}, {&layers.halves[0][i], &layers.halves[1][i]},
-                   layers.guides[i]);
+      pixel.render(options, x, y, {&truth.halves[0][i], &truth.halves[1][i]},
+                   {&layers.halves[0][i], &layers.halves[1][i]}, layers.guides[i]);
     }
     rays += rays_traced_by_this_thread() - before;
   };

@@ -149,7 +149,7 @@ TEST_P(BuiltinScene, DifferenceFallsFrom64To512To4096) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinScene, testing::ValuesIn(scene_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& scene) { return scene.param; });
 
 }  // namespace
 }  // namespace seamline
