@@ -7,13 +7,20 @@ constexpr Answers everything_from_depth{Who::depth, Who::depth, Who::depth, Who:
 
 Answers table(Artifact artifact) {
   switch (artifact) {
-    case Artifact::receiver: return {.receiver = Who::depth};
-    case Artifact::shadow: return {.object_lit = Who::depth};
-    case Artifact::occlusion: return {.occlusion = Who::depth};
-    case Artifact::overlap: return {.real_lit = Who::depth};
-    case Artifact::bounce: return {.bounce = Who::depth};
-    case Artifact::all: return everything_from_depth;
-    case Artifact::none: return {};
+    case Artifact::receiver:
+      return {.receiver = Who::depth};
+    case Artifact::shadow:
+      return {.object_lit = Who::depth};
+    case Artifact::occlusion:
+      return {.occlusion = Who::depth};
+    case Artifact::overlap:
+      return {.real_lit = Who::depth};
+    case Artifact::bounce:
+      return {.bounce = Who::depth};
+    case Artifact::all:
+      return everything_from_depth;
+    case Artifact::none:
+      return {};
   }
   return {};
 }
@@ -22,11 +29,15 @@ Recipe mask_recipe(Artifact artifact) {
   switch (artifact) {
     case Artifact::receiver:
     case Artifact::occlusion:
-    case Artifact::all: return {everything_from_depth, Keep::everything};
-    case Artifact::shadow: return {everything_from_depth, Keep::object_layer};
-    case Artifact::overlap: return {everything_from_depth, Keep::rest_layer};
+    case Artifact::all:
+      return {everything_from_depth, Keep::everything};
+    case Artifact::shadow:
+      return {everything_from_depth, Keep::object_layer};
+    case Artifact::overlap:
+      return {everything_from_depth, Keep::rest_layer};
     case Artifact::bounce:
-    case Artifact::none: return {table(artifact), Keep::everything};
+    case Artifact::none:
+      return {table(artifact), Keep::everything};
   }
   return {};
 }
@@ -35,8 +46,10 @@ Recipe mask_recipe(Artifact artifact) {
 
 Recipe recipe(Artifact artifact, Isolation isolation) {
   switch (isolation) {
-    case Isolation::query: return {table(artifact), Keep::everything};
-    case Isolation::mask: return mask_recipe(artifact);
+    case Isolation::query:
+      return {table(artifact), Keep::everything};
+    case Isolation::mask:
+      return mask_recipe(artifact);
   }
   return {};
 }

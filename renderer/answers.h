@@ -15,10 +15,15 @@ struct Answers {
   Who bounce = Who::truth;      ///< 5: bounce light
 
   [[nodiscard]] bool needs_depth() const {
-    return receiver == Who::depth || real_lit == Who::depth || object_lit == Who::depth || occlusion == Who::depth ||
-           bounce == Who::depth;
+    return receiver == Who::depth || real_lit == Who::depth || object_lit == Who::depth ||
+           occlusion == Who::depth || bounce == Who::depth;
   }
 };
+
+/// Whether the depth mesh answers anything about light on the real surfaces that the object does not cover.
+[[nodiscard]] inline bool asks_depth_for_rest(const Answers& answers) {
+  return answers.receiver == Who::depth || answers.real_lit == Who::depth || answers.bounce == Who::depth;
+}
 
 /// Which layer of a composite is kept; the other comes from the reference.
 enum class Keep { everything, object_layer, rest_layer };
@@ -28,8 +33,9 @@ struct Recipe {
   Keep keep = Keep::everything;
 };
 
-/// `query`: the table. `mask`: everything from the depth mesh, then for `shadow` only the object's layer is kept and for
-/// `overlap` only the rest (the paper's section 4.1.1); the reserved artifacts are as in `query`.
+/// `query`: the table. `mask`: everything from the depth mesh, then for `shadow` only the object's layer is
+/// kept and for `overlap` only the rest (the paper's section 4.1.1); the reserved artifacts are as in
+/// `query`.
 [[nodiscard]] Recipe recipe(Artifact artifact, Isolation isolation);
 
 }  // namespace seamline

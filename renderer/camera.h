@@ -10,7 +10,8 @@ struct Camera {
   int width_px = 960;
   int height_px = 540;
 
-  /// Unit direction through image position (x, y) in pixels, (0, 0) being the upper left corner of the picture.
+  /// Unit direction through image position (x, y) in pixels, (0, 0) being the upper left corner of the
+  /// picture.
   [[nodiscard]] Eigen::Vector3f direction(float x, float y) const {
     const float scale = 2.0F * tan_half_horizontal / static_cast<float>(width_px);
     const Eigen::Vector3f local((x - 0.5F * static_cast<float>(width_px)) * scale,

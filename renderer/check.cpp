@@ -25,17 +25,23 @@ class SceneChecker {
     const bool receiver = has(Artifact::receiver);
     const bool shadow = has(Artifact::shadow) || has(Artifact::overlap);
     if (receiver || shadow) {
-      equal("distances equal within 5 %", "m", 1.05, false, [](const ObjectMeasures& m) { return m.distance_m; });
-      equal("object areas within a factor of 2", "px", 2.0, true, [](const ObjectMeasures& m) { return m.visible_px; });
-      equal("shadow areas within a factor of 2", "px", 2.0, true, [](const ObjectMeasures& m) { return m.shadow_px; });
+      equal("distances equal within 5 %", "m", 1.05, false,
+            [](const ObjectMeasures& m) { return m.distance_m; });
+      equal("object areas within a factor of 2", "px", 2.0, true,
+            [](const ObjectMeasures& m) { return m.visible_px; });
+      equal("shadow areas within a factor of 2", "px", 2.0, true,
+            [](const ObjectMeasures& m) { return m.shadow_px; });
     }
     if (receiver) shadows_on_surfaces();
     if (shadow) bodies_in_shadow();
     if (has(Artifact::occlusion)) {
-      equal("unoccluded areas equal within 5 %", "px", 1.05, false, [](const ObjectMeasures& m) { return m.unoccluded_px; });
-      each("hidden share 20 to 80 %", false, 0.2, 0.8, [](const ObjectMeasures& m) { return 1 - m.visible_px / m.unoccluded_px; });
+      equal("unoccluded areas equal within 5 %", "px", 1.05, false,
+            [](const ObjectMeasures& m) { return m.unoccluded_px; });
+      each("hidden share 20 to 80 %", false, 0.2, 0.8,
+           [](const ObjectMeasures& m) { return 1 - m.visible_px / m.unoccluded_px; });
     }
-    each("silhouette perimeter^2 / (4 pi area) at least 4", true, 4.0, 1e9, [](const ObjectMeasures& m) { return m.silhouette_complexity; });
+    each("silhouette perimeter^2 / (4 pi area) at least 4", true, 4.0, 1e9,
+         [](const ObjectMeasures& m) { return m.silhouette_complexity; });
     return std::move(results_);
   }
 
@@ -46,9 +52,12 @@ class SceneChecker {
     return shape_rule && scene_.definition.objects[object].exempt_from_shape_rules;
   }
 
-  void add(const std::string& rule, const std::string& found, bool met) { results_.push_back({scene_.definition.name, rule, found, met}); }
+  void add(const std::string& rule, const std::string& found, bool met) {
+    results_.push_back({scene_.definition.name, rule, found, met});
+  }
 
-  void equal(const std::string& rule, const char* unit, double largest_ratio, bool shape_rule, const Measure& measure) {
+  void equal(const std::string& rule, const char* unit, double largest_ratio, bool shape_rule,
+             const Measure& measure) {
     double least = 1e300, most = 0;
     std::string found;
     for (std::size_t i = 0; i < measures_.size(); ++i) {
@@ -87,8 +96,10 @@ class SceneChecker {
   void bodies_in_shadow() {
     each("sunward body 30 to 70 % in the real shadow", false, 0.3, 0.7,
          [](const ObjectMeasures& m) { return m.in_real_shadow_px / std::max(m.sun_facing_px, 1.0); });
-    each("object's shadow crosses the real shadow's edge (10 to 90 % on shadow)", false, least_crossing_share, 1 - least_crossing_share,
-         [](const ObjectMeasures& m) { return m.shadow_on_shadow_px / std::max(m.shadow_px + m.shadow_on_shadow_px, 1.0); });
+    each("object's shadow crosses the real shadow's edge (10 to 90 % on shadow)", false, least_crossing_share,
+         1 - least_crossing_share, [](const ObjectMeasures& m) {
+           return m.shadow_on_shadow_px / std::max(m.shadow_px + m.shadow_on_shadow_px, 1.0);
+         });
   }
 
   const TruthScene& scene_;
@@ -98,6 +109,8 @@ class SceneChecker {
 
 }  // namespace
 
-std::vector<RuleResult> check_scene(const TruthScene& scene) { return SceneChecker(scene).check(); }
+std::vector<RuleResult> check_scene(const TruthScene& scene) {
+  return SceneChecker(scene).check();
+}
 
 }  // namespace seamline

@@ -16,10 +16,14 @@ void run_check(const std::string& path) {
   int broken = 0;
   for (const SceneDefinition& scene : study.scenes)
     for (const RuleResult& result : check_scene(load_truth_scene(scene, study.width_px, study.height_px))) {
-      fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule, result.found);
+      fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule,
+                 result.found);
       broken += result.met ? 0 : 1;
     }
-  if (broken > 0) throw input_error({.file = path, .wanted = "scenes that keep the study's rules", .found = fmt::format("{} broken (above)", broken)});
+  if (broken > 0)
+    throw input_error({.file = path,
+                       .wanted = "scenes that keep the study's rules",
+                       .found = fmt::format("{} broken (above)", broken)});
 }
 
 }  // namespace

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "renderer/bounce_filter.h"
+#include "renderer/pocket_filter.h"
 #include "stimuli/difference.h"
 
 namespace seamline {
 namespace {
 
-constexpr float floor_share = 1e-6F;        // of the frame's median: below it the ratio is 1
-constexpr float poorly_lit_share = 0.02F;   // of the frame's median: below it the bounce term is filtered
+constexpr float floor_share = 1e-6F;  // of the frame's median: below it the ratio is 1
 constexpr float largest_ratio = 4.0F;
 
 std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
@@ -35,21 +34,27 @@ struct RatioOutcome {
   bool clamped = false;
 };
 
-RatioOutcome ratio_of(const StimulusSums& pixel, const Rgb& filtered_mean, float median) {
+/// Pixels whose S_no rests on too few paths for a ratio of their own.
+std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float median, int samples) {
+  const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
+  std::vector<bool> pockets(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    pockets[i] = sums[i].rest > 0 &&
+                 sums[i].no.total().mean() < poorly_lit_share * median * static_cast<float>(sums[i].rest);
+  return pockets;
+}
+
+/// The ratio of light a sample with and without the object.
+RatioOutcome ratio_of(const FilteredLight& light, float median) {
   RatioOutcome outcome;
-  const Rgb no = pixel.no.total();
-  const Rgb change = pixel.with.total() - no;
-  const float samples = static_cast<float>(pixel.rest);
-  const bool poorly_lit = no.mean() < poorly_lit_share * median * samples;
-  const Rgb denominator = poorly_lit ? Rgb(pixel.no.direct + filtered_mean * samples) : no;
-  const float least = floor_share * median * samples;
+  const Rgb change = light.with - light.no;
   for (int c = 0; c < 3; ++c) {
     if (change[c] == 0.0F) continue;  // exactly 1: nothing changed
-    if (!(denominator[c] > least)) {
+    if (!(light.no[c] > floor_share * median)) {
       outcome.floored = true;
       continue;
     }
-    const float ratio = 1.0F + change[c] / denominator[c];
+    const float ratio = 1.0F + change[c] / light.no[c];
     outcome.ratio[c] = std::clamp(ratio, 0.0F, largest_ratio);
     // A fully blocked light ends a rounding error below 0: that is no clamped pixel.
     outcome.clamped = outcome.clamped || ratio < -1e-4F || ratio > largest_ratio;
@@ -57,18 +62,26 @@ RatioOutcome ratio_of(const StimulusSums& pixel, const Rgb& filtered_mean, float
   return outcome;
 }
 
-Composite compose_sums(const std::vector<StimulusSums>& sums, const std::vector<Guide>& guides, int width_px, int height_px,
-                       int samples, Compositing compositing) {
+Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples,
+                       Compositing compositing) {
+  const int width_px = layers.width_px, height_px = layers.height_px;
   Composite out{Image(width_px, height_px, 3), Image(width_px, height_px, 3, 1.0F), {}};
   const float median = median_denominator(sums);
-  const std::vector<Rgb> bounce = filtered_bounce(sums, guides, width_px, height_px);
+  const std::vector<bool> pockets =
+      layers.rest_asks_depth ? find_pockets(sums, median, samples) : std::vector<bool>(sums.size(), false);
+  const std::vector<FilteredLight> filtered =
+      filter_pockets(sums, pockets, layers.guides, width_px, height_px);
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
       const std::size_t i = out.picture.index(x, y) / 3;
       const StimulusSums& pixel = sums[i];
       Rgb rest = pixel.background;
       if (pixel.rest > 0) {
-        const RatioOutcome outcome = ratio_of(pixel, bounce[i], median);
+        const float per_sample = 1.0F / static_cast<float>(pixel.rest);
+        const RatioOutcome outcome = ratio_of(
+            pockets[i] ? filtered[i]
+                       : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample},
+            median);
         out.ratio.set_rgb(x, y, outcome.ratio);
         if (compositing == Compositing::ratio) {
           rest *= outcome.ratio;
@@ -78,7 +91,8 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const std::vector<
           rest += pixel.with.total() - pixel.no.total();
         }
       }
-      out.picture.set_rgb(x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
+      out.picture.set_rgb(
+          x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
     }
   return out;
 }
@@ -86,14 +100,14 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const std::vector<
 }  // namespace
 
 Composite compose(const StimulusLayers& layers, Compositing compositing) {
-  return compose_sums(sum_halves(layers), layers.guides, layers.width_px, layers.height_px, layers.spp, compositing);
+  return compose_sums(sum_halves(layers), layers, layers.spp, compositing);
 }
 
 std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev) {
   if (layers.spp < 2) return std::nullopt;
   const auto half = [&](std::size_t i) {
     const int samples = (layers.spp + 1 - static_cast<int>(i)) / 2;
-    return compose_sums(layers.halves[i], layers.guides, layers.width_px, layers.height_px, samples, Compositing::ratio).picture;
+    return compose_sums(layers.halves[i], layers, samples, Compositing::ratio).picture;
   };
   return 0.5 * display_rmse(half(0), half(1), exposure_ev);
 }

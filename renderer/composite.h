@@ -15,20 +15,21 @@ enum class Compositing {
 /// A finished stimulus, in linear radiance.
 struct Composite {
   Image picture;
-  Image ratio;                      ///< the factor on the background, 1 where nothing is multiplied
+  Image ratio;  ///< the factor on the background, 1 where nothing is multiplied
   TinyDenominators tiny_denominators;
 };
 
 /// The pixel formula of DESIGN section 3:
 ///   I = (1/N) [ sum_unc B_s * (sum_unc L_with / sum_unc L_no) + sum_cov L_obj ]
-/// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under 1e-6 of the
-/// frame's median. Where S_no is poorly lit (under 2 % of the median: pockets that depth sheets seal, which only a few
-/// paths find) its bounce term is taken from a filter along depth and normals. Elsewhere it is not filtered: background
-/// and S_no share their noise there, the division cancels it, and a filtered denominator would put it back.
+/// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under
+/// 1e-6 of the frame's median. Where the depth mesh answers and S_no is poorly lit (under 4 / N of the
+/// median, at least 2 % and at most 25 %: pockets that depth sheets seal, which only a few paths find) both
+/// sums are taken from a filter along depth and normals. Elsewhere nothing is filtered: with and without
+/// share their noise there, and the division cancels it.
 [[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio);
 
-/// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root mean square
-/// in display units (0 to 1). None when there is only one sample a pixel.
+/// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root
+/// mean square in display units (0 to 1). None when there is only one sample a pixel.
 [[nodiscard]] std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev);
 
 /// The pictures that `--layers` writes for looking into a composite (paper Fig. 2).

@@ -15,16 +15,21 @@ thread_local std::int64_t rays_traced = 0;
 
 constexpr float relative_offset = 1e-5F;
 
-RTCDevice device() { return static_cast<RTCDevice>(RayDevice::instance().handle()); }
-RTCScene as_scene(void* scene) { return static_cast<RTCScene>(scene); }
+RTCDevice device() {
+  return static_cast<RTCDevice>(RayDevice::instance().handle());
+}
+RTCScene as_scene(void* scene) {
+  return static_cast<RTCScene>(scene);
+}
 
-void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions, const std::vector<Triangle>& triangles) {
+void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
+            const std::vector<Triangle>& triangles) {
   RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Eigen::Vector3f),
-                                           positions.size());
-  void* indices =
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size());
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Eigen::Vector3f), positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          sizeof(Triangle), triangles.size());
   if (!positions.empty()) std::memcpy(vertices, positions.data(), positions.size() * sizeof(Eigen::Vector3f));
   if (!triangles.empty()) std::memcpy(indices, triangles.data(), triangles.size() * sizeof(Triangle));
   rtcCommitGeometry(geometry);
@@ -63,14 +68,18 @@ RayDevice::RayDevice() : device_(rtcNewDevice(("isa=" + instruction_set()).c_str
   if (device_ == nullptr) throw std::runtime_error("Embree could not be started");
 }
 
-RayDevice::~RayDevice() { rtcReleaseDevice(static_cast<RTCDevice>(device_)); }
+RayDevice::~RayDevice() {
+  rtcReleaseDevice(static_cast<RTCDevice>(device_));
+}
 
 RayDevice& RayDevice::instance() {
   static RayDevice device;
   return device;
 }
 
-std::string RayDevice::instruction_set() { return __builtin_cpu_supports("avx2") ? "avx2" : "sse2"; }
+std::string RayDevice::instruction_set() {
+  return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
+}
 
 Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction) {
   const float scale = std::max(point.position_m.cwiseAbs().maxCoeff(), point.distance_m);
@@ -103,7 +112,10 @@ Geometry::~Geometry() {
   if (scene_ != nullptr) rtcReleaseScene(as_scene(scene_));
 }
 
-Geometry::Geometry(Geometry&& other) noexcept : scene_(other.scene_), parts_(std::move(other.parts_)), emits_(other.emits_) { other.scene_ = nullptr; }
+Geometry::Geometry(Geometry&& other) noexcept
+    : scene_(other.scene_), parts_(std::move(other.parts_)), emits_(other.emits_) {
+  other.scene_ = nullptr;
+}
 
 std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
   ++rays_traced;
@@ -138,7 +150,9 @@ bool Geometry::occluded(const Ray& ray) const {
   return query.tfar < 0.0F;
 }
 
-std::int64_t rays_traced_by_this_thread() { return rays_traced; }
+std::int64_t rays_traced_by_this_thread() {
+  return rays_traced;
+}
 
 void flush_denormals_to_zero() {
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);

@@ -16,20 +16,21 @@ namespace seamline {
 /// A triangle mesh with one diffuse material, in the renderer's frame (metres, centred on the camera).
 struct Part {
   std::string name;
-  int object_index = 0;                    ///< 0 background, 1 left, 2 middle, 3 right
+  int object_index = 0;  ///< 0 background, 1 left, 2 middle, 3 right
   std::vector<Eigen::Vector3f> positions_m;
-  std::vector<Eigen::Vector3f> normals;    ///< unit shading normals, or empty: geometric ones are used
+  std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty: geometric ones are used
   std::vector<Triangle> triangles;
   Rgb albedo = Rgb::Constant(0.5F);
-  Rgb emission = Rgb::Zero();              ///< radiance, both sides
+  Rgb emission = Rgb::Zero();  ///< radiance, both sides
 };
 
-/// A point on a surface as light sees it. Both normals are on the side the ray came from: surfaces are two-sided.
+/// A point on a surface as light sees it. Both normals are on the side the ray came from: surfaces are
+/// two-sided.
 struct SurfacePoint {
   Eigen::Vector3f position_m;
-  Eigen::Vector3f normal;                  ///< unit, for shading
-  Eigen::Vector3f geometric_normal;        ///< unit, of the triangle
-  float distance_m = 0;                    ///< along the ray
+  Eigen::Vector3f normal;            ///< unit, for shading
+  Eigen::Vector3f geometric_normal;  ///< unit, of the triangle
+  float distance_m = 0;              ///< along the ray
   Rgb albedo = Rgb::Zero();
   Rgb emission = Rgb::Zero();
   int object_index = 0;
@@ -38,12 +39,12 @@ struct SurfacePoint {
 
 struct Ray {
   Eigen::Vector3f origin_m;
-  Eigen::Vector3f direction;               ///< unit
+  Eigen::Vector3f direction;  ///< unit
   float far_m = std::numeric_limits<float>::infinity();
 };
 
-/// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera (DESIGN section 4),
-/// on the side that `direction` goes to.
+/// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera (DESIGN
+/// section 4), on the side that `direction` goes to.
 [[nodiscard]] Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction);
 
 /// Whether a direction leaves the surface on the side it is seen from.
@@ -58,7 +59,8 @@ class RayDevice {
   ~RayDevice();
   RayDevice(const RayDevice&) = delete;
   RayDevice& operator=(const RayDevice&) = delete;
-  /// The instruction set that Embree was told to use, e.g. "avx2"; recorded in manifests, because it changes last bits.
+  /// The instruction set that Embree was told to use, e.g. "avx2"; recorded in manifests, because it changes
+  /// last bits.
   [[nodiscard]] static std::string instruction_set();
   [[nodiscard]] static RayDevice& instance();
   [[nodiscard]] void* handle() const { return device_; }
@@ -67,7 +69,8 @@ class RayDevice {
   void* device_;
 };
 
-/// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from many threads.
+/// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from
+/// many threads.
 class Geometry {
  public:
   /// Meshes of scene files. Robust intersection: no ray slips between two triangles that share an edge.
@@ -95,7 +98,8 @@ class Geometry {
 /// Rays traced by the calling thread since it started; read before and after a piece of work.
 [[nodiscard]] std::int64_t rays_traced_by_this_thread();
 
-/// Denormal numbers become zero on the calling thread (SSE flush-to-zero and denormals-are-zero); every worker calls it.
+/// Denormal numbers become zero on the calling thread (SSE flush-to-zero and denormals-are-zero); every
+/// worker calls it.
 void flush_denormals_to_zero();
 
 }  // namespace seamline

@@ -29,12 +29,18 @@ double component(const unsigned char* bytes, int type, bool normalised) {
     return normalised ? std::max(number / largest, -1.0) : number;
   };
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return read(std::int8_t{}, 127);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return read(std::uint8_t{}, 255);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return read(std::int16_t{}, 32767);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return read(std::uint16_t{}, 65535);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return read(std::uint32_t{}, 4294967295.0);
-    default: break;
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return read(std::int8_t{}, 127);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return read(std::uint8_t{}, 255);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return read(std::int16_t{}, 32767);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return read(std::uint16_t{}, 65535);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return read(std::uint32_t{}, 4294967295.0);
+    default:
+      break;
   }
   float value = 0;
   std::memcpy(&value, bytes, sizeof value);
@@ -54,10 +60,10 @@ Run checked_run(const tinygltf::Model& model, int view_index, std::size_t offset
   const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
   const std::size_t stride = stride_or_zero != 0 ? stride_or_zero : element_bytes;
   const std::size_t needed = count == 0 ? offset : offset + stride * (count - 1) + element_bytes;
-  if (count > largest_count || view.byteLength > bytes.size() || view.byteOffset > bytes.size() - view.byteLength ||
-      needed > view.byteLength)
-    throw bad("an accessor inside its buffer",
-              fmt::format("{} elements that need {} bytes of {}", count, needed, std::min(view.byteLength, bytes.size())));
+  if (count > largest_count || view.byteLength > bytes.size() ||
+      view.byteOffset > bytes.size() - view.byteLength || needed > view.byteLength)
+    throw bad("an accessor inside its buffer", fmt::format("{} elements that need {} bytes of {}", count,
+                                                           needed, std::min(view.byteLength, bytes.size())));
   return {bytes.data() + view.byteOffset + offset, stride, count, component_type, false};
 }
 
@@ -66,22 +72,32 @@ Run checked_run(const tinygltf::Model& model, int view_index, std::size_t offset
 std::vector<double> GltfReader::components(int index, int wanted_components, const std::string& field) const {
   const Complaint where{.file = file_, .field = field};
   if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
-    throw input_error({.file = file_, .field = field, .wanted = "an accessor that exists", .found = std::to_string(index)});
+    throw input_error(
+        {.file = file_, .field = field, .wanted = "an accessor that exists", .found = std::to_string(index)});
   const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
-  const int component_bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+  const int component_bytes =
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
   const int component_count = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
-  if (component_bytes <= 0 || component_count != wanted_components || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
-    throw input_error({.file = file_, .field = field, .wanted = fmt::format("an accessor of {} components", wanted_components),
+  if (component_bytes <= 0 || component_count != wanted_components ||
+      accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+    throw input_error({.file = file_,
+                       .field = field,
+                       .wanted = fmt::format("an accessor of {} components", wanted_components),
                        .found = fmt::format("{} of type {}", component_count, accessor.componentType)});
   if (accessor.count > largest_count)
-    throw input_error({.file = file_, .field = field, .wanted = "a sensible count", .found = std::to_string(accessor.count)});
+    throw input_error({.file = file_,
+                       .field = field,
+                       .wanted = "a sensible count",
+                       .found = std::to_string(accessor.count)});
   std::vector<double> values(accessor.count * static_cast<std::size_t>(component_count), 0.0);
   if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {
     const std::size_t element_bytes = static_cast<std::size_t>(component_bytes * component_count);
-    const bool view_exists = accessor.bufferView >= 0 && static_cast<std::size_t>(accessor.bufferView) < model_.bufferViews.size();
-    const std::size_t stride = view_exists ? model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride : 0;
-    const Run run = checked_run(model_, accessor.bufferView, accessor.byteOffset, stride, element_bytes, accessor.count,
-                                accessor.componentType, where);
+    const bool view_exists =
+        accessor.bufferView >= 0 && static_cast<std::size_t>(accessor.bufferView) < model_.bufferViews.size();
+    const std::size_t stride =
+        view_exists ? model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride : 0;
+    const Run run = checked_run(model_, accessor.bufferView, accessor.byteOffset, stride, element_bytes,
+                                accessor.count, accessor.componentType, where);
     std::size_t next = 0;
     for (std::size_t i = 0; i < run.count; ++i)
       for (int c = 0; c < component_count; ++c)
@@ -92,27 +108,35 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
   return values;
 }
 
-void GltfReader::overwrite_sparse(int index, int component_count, std::vector<double>& values, const std::string& field) const {
+void GltfReader::overwrite_sparse(int index, int component_count, std::vector<double>& values,
+                                  const std::string& field) const {
   const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
   const Complaint where{.file = file_, .field = field + " (sparse)"};
   const int index_type = accessor.sparse.indices.componentType;
   const int index_bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(index_type));
-  const std::size_t component_bytes =
-      static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
+  const std::size_t component_bytes = static_cast<std::size_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
   if (accessor.sparse.count < 0 || index_bytes <= 0 || index_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
-    throw input_error({.file = where.file, .field = where.field, .wanted = "a count and whole-number indices", .found = "others"});
+    throw input_error({.file = where.file,
+                       .field = where.field,
+                       .wanted = "a count and whole-number indices",
+                       .found = "others"});
   const std::size_t count = static_cast<std::size_t>(accessor.sparse.count);
   const Run where_run = checked_run(model_, accessor.sparse.indices.bufferView,
                                     static_cast<std::size_t>(accessor.sparse.indices.byteOffset), 0,
                                     static_cast<std::size_t>(index_bytes), count, index_type, where);
   const std::size_t element_bytes = component_bytes * static_cast<std::size_t>(component_count);
   const Run value_run = checked_run(model_, accessor.sparse.values.bufferView,
-                                    static_cast<std::size_t>(accessor.sparse.values.byteOffset), 0, element_bytes, count,
-                                    accessor.componentType, where);
+                                    static_cast<std::size_t>(accessor.sparse.values.byteOffset), 0,
+                                    element_bytes, count, accessor.componentType, where);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto target = static_cast<std::size_t>(component(where_run.data + i * where_run.stride, index_type, false));
+    const auto target =
+        static_cast<std::size_t>(component(where_run.data + i * where_run.stride, index_type, false));
     if (target >= accessor.count)
-      throw input_error({.file = where.file, .field = where.field, .wanted = "indices inside the accessor", .found = std::to_string(target)});
+      throw input_error({.file = where.file,
+                         .field = where.field,
+                         .wanted = "indices inside the accessor",
+                         .found = std::to_string(target)});
     for (int c = 0; c < component_count; ++c)
       values[target * static_cast<std::size_t>(component_count) + static_cast<std::size_t>(c)] =
           component(value_run.data + i * value_run.stride + static_cast<std::size_t>(c) * component_bytes,
@@ -126,7 +150,10 @@ std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& f
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
     if (!result[i].allFinite())
-      throw input_error({.file = file_, .field = field, .wanted = "finite numbers", .found = fmt::format("none at element {}", i)});
+      throw input_error({.file = file_,
+                         .field = field,
+                         .wanted = "finite numbers",
+                         .found = fmt::format("none at element {}", i)});
   }
   return result;
 }
@@ -137,7 +164,8 @@ std::vector<std::uint32_t> GltfReader::indices(int index, const std::string& fie
   result.reserve(values.size());
   for (const double value : values) {
     if (!(value >= 0 && value <= 4294967295.0 && value == std::floor(value)))
-      throw input_error({.file = file_, .field = field, .wanted = "whole numbers", .found = std::to_string(value)});
+      throw input_error(
+          {.file = file_, .field = field, .wanted = "whole numbers", .found = std::to_string(value)});
     result.push_back(static_cast<std::uint32_t>(value));
   }
   return result;

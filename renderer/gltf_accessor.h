@@ -21,8 +21,10 @@ class GltfReader {
   [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
 
  private:
-  [[nodiscard]] std::vector<double> components(int index, int wanted_components, const std::string& field) const;
-  void overwrite_sparse(int index, int component_count, std::vector<double>& values, const std::string& field) const;
+  [[nodiscard]] std::vector<double> components(int index, int wanted_components,
+                                               const std::string& field) const;
+  void overwrite_sparse(int index, int component_count, std::vector<double>& values,
+                        const std::string& field) const;
 
   const tinygltf::Model& model_;
   std::string file_;

@@ -10,7 +10,8 @@
 namespace seamline {
 namespace {
 
-int add_accessor(tinygltf::Model& model, const void* data, std::size_t bytes, std::size_t count, int component_type, int type, int target) {
+int add_accessor(tinygltf::Model& model, const void* data, std::size_t bytes, std::size_t count,
+                 int component_type, int type, int target) {
   std::vector<unsigned char>& buffer = model.buffers[0].data;
   tinygltf::BufferView view;
   view.buffer = 0;
@@ -36,8 +37,9 @@ tinygltf::Model model_of(const DepthMesh& mesh) {
   model.buffers.emplace_back();
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  const int positions = add_accessor(model, mesh.vertices_m.data(), mesh.vertices_m.size() * sizeof(Eigen::Vector3f),
-                                     mesh.vertices_m.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+  const int positions = add_accessor(
+      model, mesh.vertices_m.data(), mesh.vertices_m.size() * sizeof(Eigen::Vector3f), mesh.vertices_m.size(),
+      TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
   Eigen::Vector3f least = mesh.vertices_m.front(), most = mesh.vertices_m.front();
   for (const Eigen::Vector3f& vertex : mesh.vertices_m) {
     least = least.cwiseMin(vertex);
@@ -46,9 +48,10 @@ tinygltf::Model model_of(const DepthMesh& mesh) {
   model.accessors.back().minValues = {least.x(), least.y(), least.z()};
   model.accessors.back().maxValues = {most.x(), most.y(), most.z()};
   primitive.attributes["POSITION"] = positions;
-  primitive.indices = add_accessor(model, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]),
-                                   mesh.triangles.size() * 3, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                                   TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  primitive.indices =
+      add_accessor(model, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]),
+                   mesh.triangles.size() * 3, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                   TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   tinygltf::Mesh part;
   part.name = "local scene";
   part.primitives.push_back(primitive);

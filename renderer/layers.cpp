@@ -19,15 +19,19 @@ Image image_of(const TruthLayers& truth, int channels, const Radiance& radiance)
 }  // namespace
 
 Image background_image(const TruthLayers& truth) {
-  return image_of(truth, 3, [](const TruthSums& sums) -> Rgb { return sums.sky + sums.no.total() + sums.behind; });
+  return image_of(truth, 3,
+                  [](const TruthSums& sums) -> Rgb { return sums.sky + sums.no.total() + sums.behind; });
 }
 
 Image reference_image(const TruthLayers& truth) {
-  return image_of(truth, 3, [](const TruthSums& sums) -> Rgb { return sums.sky + sums.with.total() + sums.object.total(); });
+  return image_of(truth, 3, [](const TruthSums& sums) -> Rgb {
+    return sums.sky + sums.with.total() + sums.object.total();
+  });
 }
 
 Image matte_image(const TruthLayers& truth) {
-  return image_of(truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(static_cast<float>(sums.covered)); });
+  return image_of(
+      truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(static_cast<float>(sums.covered)); });
 }
 
 StimulusSums& StimulusSums::operator+=(const StimulusSums& other) {

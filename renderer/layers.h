@@ -8,15 +8,16 @@
 
 namespace seamline {
 
-/// Sums over the sub-pixel samples of one pixel, of radiance in the truth scene, sorted by what the sample shows:
-/// uncovered samples (the object does not cover them) with a surface, uncovered samples with sky, covered samples.
+/// Sums over the sub-pixel samples of one pixel, of radiance in the truth scene, sorted by what the sample
+/// shows: uncovered samples (the object does not cover them) with a surface, uncovered samples with sky,
+/// covered samples.
 struct TruthSums {
-  Rgb sky = Rgb::Zero();            ///< uncovered, sky
-  Split no;                         ///< uncovered, without the object: the background
-  Split with;                       ///< uncovered, with the object: the reference's rest
-  Split object;                     ///< covered: the object's own light in the reference
-  Rgb behind = Rgb::Zero();         ///< covered: the background behind the object
-  std::int32_t covered = 0;         ///< number of covered samples
+  Rgb sky = Rgb::Zero();     ///< uncovered, sky
+  Split no;                  ///< uncovered, without the object: the background
+  Split with;                ///< uncovered, with the object: the reference's rest
+  Split object;              ///< covered: the object's own light in the reference
+  Rgb behind = Rgb::Zero();  ///< covered: the background behind the object
+  std::int32_t covered = 0;  ///< number of covered samples
 };
 
 /// What filters are guided by: the surface that the first sample of a pixel saw.
@@ -32,9 +33,10 @@ using Halves = std::array<std::vector<Sums>, 2>;
 /// The truth scene of one virtual object, rendered once and used by every stimulus with it.
 struct TruthLayers {
   int width_px = 0, height_px = 0, spp = 0;
-  Halves<TruthSums> halves = {};         ///< row by row
+  Halves<TruthSums> halves = {};  ///< row by row
   std::vector<Guide> guides = {};
-  std::vector<std::uint8_t> object_ids = {};  ///< of the pixel centre in the truth with the object: the click map
+  std::vector<std::uint8_t> object_ids =
+      {};  ///< of the pixel centre in the truth with the object: the click map
   std::int64_t rays = 0;
 
   [[nodiscard]] std::size_t index(int x, int y) const {
@@ -47,15 +49,16 @@ struct TruthLayers {
 [[nodiscard]] Image reference_image(const TruthLayers& truth);
 [[nodiscard]] Image matte_image(const TruthLayers& truth);
 
-/// Sums of one pixel of a stimulus: DESIGN section 3's pixel formula, with what `mask` takes from the reference.
+/// Sums of one pixel of a stimulus: DESIGN section 3's pixel formula, with what `mask` takes from the
+/// reference.
 struct StimulusSums {
-  Rgb sky = Rgb::Zero();            ///< background where truth or depth mesh shows sky: its ratio is 1
-  Rgb background = Rgb::Zero();     ///< sum_unc B_s elsewhere
-  Split no;                         ///< sum_unc L_no
-  Split with;                       ///< sum_unc L_with
-  Rgb object = Rgb::Zero();         ///< sum_cov L_obj
-  Rgb from_reference = Rgb::Zero(); ///< samples that `mask` takes from the reference
-  std::int32_t rest = 0;            ///< number of samples in `background`, `no` and `with`
+  Rgb sky = Rgb::Zero();             ///< background where truth or depth mesh shows sky: its ratio is 1
+  Rgb background = Rgb::Zero();      ///< sum_unc B_s elsewhere
+  Split no;                          ///< sum_unc L_no
+  Split with;                        ///< sum_unc L_with
+  Rgb object = Rgb::Zero();          ///< sum_cov L_obj
+  Rgb from_reference = Rgb::Zero();  ///< samples that `mask` takes from the reference
+  std::int32_t rest = 0;             ///< number of samples in `background`, `no` and `with`
 
   StimulusSums& operator+=(const StimulusSums& other);
 };
@@ -63,7 +66,8 @@ struct StimulusSums {
 struct StimulusLayers {
   int width_px = 0, height_px = 0, spp = 0;
   Halves<StimulusSums> halves = {};
-  std::vector<Guide> guides = {};   ///< of the surface whose bounce light is in `no`
+  std::vector<Guide> guides = {};  ///< of the surface whose bounce light is in `no`
+  bool rest_asks_depth = false;    ///< whether the depth mesh answers for `no` and `with`
   std::int64_t rays = 0;
 };
 

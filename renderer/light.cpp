@@ -6,7 +6,8 @@
 namespace seamline {
 namespace {
 
-/// An orthonormal frame about a unit vector (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).
+/// An orthonormal frame about a unit vector (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT
+/// 6(1), 2017).
 Eigen::Matrix3f frame_about(const Eigen::Vector3f& n) {
   const float sign = std::copysign(1.0F, n.z());
   const float a = -1.0F / (sign + n.z());
@@ -27,13 +28,15 @@ Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point) {
   const float one_minus_cos = point[0] * 2.0F * std::pow(std::sin(0.5F * sun.angular_radius_rad), 2.0F);
   const float sine = std::sqrt(one_minus_cos * (2.0F - one_minus_cos));
   const float angle = two_pi * point[1];
-  return frame_about(sun.to_sun) * Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), 1.0F - one_minus_cos);
+  return frame_about(sun.to_sun) *
+         Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), 1.0F - one_minus_cos);
 }
 
 Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point) {
   const float sine = std::sqrt(point[0]);
   const float angle = two_pi * point[1];
-  return frame_about(normal) * Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), std::sqrt(1.0F - point[0]));
+  return frame_about(normal) *
+         Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), std::sqrt(1.0F - point[0]));
 }
 
 }  // namespace seamline

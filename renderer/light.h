@@ -20,8 +20,8 @@ struct Light {
   Rgb environment_radiance = Rgb::Zero();  ///< constant, from every direction
   /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.
   float sky_distance_m = std::numeric_limits<float>::infinity();
-  int bounces = 4;                         ///< further diffuse scatterings after the first
-  bool ambient_occlusion = false;          ///< no sun, no bounce
+  int bounces = 4;                 ///< further diffuse scatterings after the first
+  bool ambient_occlusion = false;  ///< no sun, no bounce
 };
 
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.

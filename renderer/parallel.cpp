@@ -14,7 +14,8 @@
 
 namespace seamline {
 
-void parallel_for(int count, int threads, const std::function<void(int)>& work, const std::function<void(int)>& tick) {
+void parallel_for(int count, int threads, const std::function<void(int)>& work,
+                  const std::function<void(int)>& tick) {
   std::atomic<int> next = 0, finished = 0;
   std::atomic<bool> stop = false;
   std::exception_ptr failure;
@@ -51,6 +52,8 @@ void parallel_for(int count, int threads, const std::function<void(int)>& work, 
   if (tick) tick(count);
 }
 
-int default_thread_count() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int default_thread_count() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace seamline

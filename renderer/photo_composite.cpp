@@ -5,8 +5,8 @@
 namespace seamline {
 namespace {
 
-void add_sample(const Geometry& depth, const Geometry& object, const Light& light, const Ray& ray, const Sampler& sampler,
-                const Rgb& photograph, StimulusSums& out) {
+void add_sample(const Geometry& depth, const Geometry& object, const Light& light, const Ray& ray,
+                const Sampler& sampler, const Rgb& photograph, StimulusSums& out) {
   const std::optional<SurfacePoint> real = depth.nearest(ray);
   if (const auto hit = object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m})) {
     const RealQuestion question{&depth, &*hit};
@@ -24,26 +24,33 @@ void add_sample(const Geometry& depth, const Geometry& object, const Light& ligh
 
 }  // namespace
 
-StimulusLayers render_onto_photograph(const Image& photograph, const Geometry& depth, const Geometry& object, const Camera& camera,
-                                      const Light& light, const PassOptions& options) {
+StimulusLayers render_onto_photograph(const Image& photograph, const Geometry& depth, const Geometry& object,
+                                      const Camera& camera, const Light& light, const PassOptions& options) {
   StimulusLayers layers{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
-  const std::size_t pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : layers.halves) half.resize(pixels);
   layers.guides.resize(pixels);
-  parallel_for(camera.height_px, options.threads, [&](int y) {
-    for (int x = 0; x < camera.width_px; ++x) {
-      const std::size_t pixel = photograph.index(x, y) / static_cast<std::size_t>(photograph.channels);
-      for (int i = 0; i < options.spp; ++i) {
-        const Sampler sampler(options.seed, x, y, i);
-        add_sample(depth, object, light, camera_ray(camera, x, y, sampler), sampler, photograph.rgb(x, y),
-                   layers.halves[static_cast<std::size_t>(i % 2)][pixel]);
-      }
-      const auto seen = depth.nearest({Eigen::Vector3f::Zero(), camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)});
-      if (seen) layers.guides[pixel] = {seen->geometric_normal, seen->distance_m};
-    }
-  }, [&](int rows) {
-    if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
-  });
+  layers.rest_asks_depth = true;
+  parallel_for(
+      camera.height_px, options.threads,
+      [&](int y) {
+        for (int x = 0; x < camera.width_px; ++x) {
+          const std::size_t pixel = photograph.index(x, y) / static_cast<std::size_t>(photograph.channels);
+          for (int i = 0; i < options.spp; ++i) {
+            const Sampler sampler(options.seed, x, y, i);
+            add_sample(depth, object, light, camera_ray(camera, x, y, sampler), sampler, photograph.rgb(x, y),
+                       layers.halves[static_cast<std::size_t>(i % 2)][pixel]);
+          }
+          const auto seen =
+              depth.nearest({Eigen::Vector3f::Zero(),
+                             camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)});
+          if (seen) layers.guides[pixel] = {seen->geometric_normal, seen->distance_m};
+        }
+      },
+      [&](int rows) {
+        if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
+      });
   return layers;
 }
 

@@ -22,7 +22,8 @@ struct RenderOptions {
 void parse_shard(const std::string& text, RenderRequest& request) {
   if (text.empty()) return;
   const std::size_t slash = text.find('/');
-  const bool digits = slash != std::string::npos && text.find_first_not_of("0123456789/") == std::string::npos && slash > 0 &&
+  const bool digits = slash != std::string::npos &&
+                      text.find_first_not_of("0123456789/") == std::string::npos && slash > 0 &&
                       slash + 1 < text.size() && text.size() < 12;
   if (digits) {
     request.shard = std::stoi(text.substr(0, slash));
@@ -36,18 +37,25 @@ void run_render(const RenderOptions& options) {
   const StudyDefinition study = read_study(options.study);
   if (options.dry_run) {
     for (const Stimulus& stimulus : list_stimuli(study))
-      if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only)) fmt::print("{}\n", id);
+      if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only))
+        fmt::print("{}\n", id);
     return;
   }
-  if (options.set.empty()) throw input_error({.field = "--out", .wanted = "a folder for the set (or --dry-run)", .found = "nothing"});
-  RenderRequest request{.set_folder = options.set, .only = options.only, .threads = options.threads,
-                        .layers = options.layers, .contact_sheet = options.contact_sheet};
+  if (options.set.empty())
+    throw input_error(
+        {.field = "--out", .wanted = "a folder for the set (or --dry-run)", .found = "nothing"});
+  RenderRequest request{.set_folder = options.set,
+                        .only = options.only,
+                        .threads = options.threads,
+                        .layers = options.layers,
+                        .contact_sheet = options.contact_sheet};
   if (options.spp > 0) request.spp = options.spp;
-  if (!options.mesh.empty()) request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
+  if (!options.mesh.empty())
+    request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
   parse_shard(options.shard, request);
   const RenderSummary summary = render_set(study, request);
-  fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered, summary.already_finished,
-             duration_text(summary.seconds));
+  fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered,
+             summary.already_finished, duration_text(summary.seconds));
 }
 
 void run_verify(const std::string& set) {
@@ -55,7 +63,8 @@ void run_verify(const std::string& set) {
   const auto check = [&](const std::string& file, const std::string& expected) {
     const std::filesystem::path path = std::filesystem::path(set) / file;
     if (const std::string found = sha256_of_file(path); found != expected)
-      throw input_error({.file = path.string(), .wanted = "the bytes with hash " + expected.substr(0, 16) + "...",
+      throw input_error({.file = path.string(),
+                         .wanted = "the bytes with hash " + expected.substr(0, 16) + "...",
                          .found = found.substr(0, 16) + "..."});
   };
   for (const ManifestReference& reference : manifest.references) {
@@ -63,7 +72,8 @@ void run_verify(const std::string& set) {
     check(reference.object_ids, reference.object_ids_sha256);
   }
   for (const ManifestStimulus& stimulus : manifest.stimuli) check(stimulus.image, stimulus.sha256);
-  fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(), manifest.references.size());
+  fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
+             manifest.references.size());
 }
 
 }  // namespace
@@ -74,12 +84,16 @@ void add_render_command(CLI::App& app) {
   render->add_option("study", options->study, "study file (.toml)")->required();
   render->add_option("--out", options->set, "folder of the set; an interrupted job continues there");
   render->add_option("--only", options->only, "only stimuli whose id matches; * stands for any text");
-  render->add_option("--threads", options->threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
-  render->add_option("--spp", options->spp, "samples per pixel, instead of the study's")->check(CLI::Range(1, 65536));
-  render->add_option("--mesh", options->mesh, "depth mesh, instead of the study's")->check(CLI::IsMember({"adaptive", "full"}));
+  render->add_option("--threads", options->threads, "worker threads (default: all cores)")
+      ->check(CLI::Range(1, 4096));
+  render->add_option("--spp", options->spp, "samples per pixel, instead of the study's")
+      ->check(CLI::Range(1, 65536));
+  render->add_option("--mesh", options->mesh, "depth mesh, instead of the study's")
+      ->check(CLI::IsMember({"adaptive", "full"}));
   render->add_option("--shard", options->shard, "I/N: this process renders part I of N (by object)");
   render->add_flag("--layers", options->layers, "also write float EXR layers");
-  render->add_flag("--contact-sheet", options->contact_sheet, "also write one contact sheet for each artifact");
+  render->add_flag("--contact-sheet", options->contact_sheet,
+                   "also write one contact sheet for each artifact");
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 

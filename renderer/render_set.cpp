@@ -26,20 +26,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 struct Pending {
   Stimulus stimulus;
   std::string inputs;
 };
 
-/// One render job: what is asked, what is finished, and the order of work that shares the most: scene, object, width.
+/// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
+/// object, width.
 class SetRenderer {
  public:
   SetRenderer(const StudyDefinition& study, const RenderRequest& request)
       : study_(study),
         request_(request),
-        settings_{request.spp.value_or(study.samples_per_pixel), study.seed, request.mesh.value_or(study.mesh)},
+        settings_{request.spp.value_or(study.samples_per_pixel), study.seed,
+                  request.mesh.value_or(study.mesh)},
         hashes_(study, settings_),
         records_(request.set_folder),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
@@ -62,29 +66,33 @@ class SetRenderer {
  private:
   void prepare_folder() const {
     prepare_output_folder(request_.set_folder);
-    for (const char* part : {"stimuli", "references", "records"}) prepare_output_folder(request_.set_folder / part);
+    for (const char* part : {"stimuli", "references", "records"})
+      prepare_output_folder(request_.set_folder / part);
     if (fs::exists(request_.set_folder / "manifest.json")) {
       const Manifest existing = read_manifest(request_.set_folder);
       if (existing.study_name != study_.name)
-        throw input_error({.file = request_.set_folder.string(), .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
+        throw input_error({.file = request_.set_folder.string(),
+                           .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
                            .found = "a set of study \"" + existing.study_name + "\""});
     }
     write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
   }
 
   void find_pending() {
-    bool any = false;
     for (const Stimulus& stimulus : list_stimuli(study_)) {
       if (!matches_pattern(stimulus_id(stimulus), request_.only)) continue;
-      any = true;
+      selected_scenes_.insert(stimulus.scene);
       const std::string inputs = hashes_.of_stimulus(stimulus);
-      if (records_.finished(stimulus_id(stimulus), inputs) && !(request_.layers && !has_layers(request_.set_folder, stimulus)))
+      if (records_.finished(stimulus_id(stimulus), inputs) &&
+          !(request_.layers && !has_layers(request_.set_folder, stimulus)))
         ++summary_.already_finished;
       else
         pending_.push_back({stimulus, inputs});
     }
-    if (!any)
-      throw input_error({.file = study_.file.string(), .field = "--only", .wanted = "a pattern that matches a stimulus id",
+    if (selected_scenes_.empty())
+      throw input_error({.file = study_.file.string(),
+                         .field = "--only",
+                         .wanted = "a pattern that matches a stimulus id",
                          .found = "\"" + request_.only + "\""});
   }
 
@@ -96,10 +104,12 @@ class SetRenderer {
     for (const Pending& work : pending_) {
       scenes.insert(work.stimulus.scene);
       objects.insert(work.stimulus.scene + work.stimulus.object);
-      widths.insert(fmt::format("{}{}{}", work.stimulus.scene, work.stimulus.object, work.stimulus.condition.depth_width_px));
+      widths.insert(fmt::format("{}{}{}", work.stimulus.scene, work.stimulus.object,
+                                work.stimulus.condition.depth_width_px));
     }
-    return static_cast<double>(scenes.size()) * reference_work + static_cast<double>(objects.size()) * truth_work +
-           static_cast<double>(widths.size()) * mesh_work + static_cast<double>(pending_.size()) * stimulus_work;
+    return static_cast<double>(scenes.size()) * reference_work +
+           static_cast<double>(objects.size()) * truth_work + static_cast<double>(widths.size()) * mesh_work +
+           static_cast<double>(pending_.size()) * stimulus_work;
   }
 
   PassOptions pass(double work, const std::string& what) {
@@ -119,15 +129,20 @@ class SetRenderer {
 
   /// Every wrong input is found before the first long computation.
   void load_and_check(const SceneDefinition& definition) {
-    if (!is_pending(definition.name) && records_.finished_reference(definition.name, hashes_.of_reference(definition.name))) return;
+    if (!selected_scenes_.contains(definition.name)) return;
+    if (!is_pending(definition.name) &&
+        records_.finished_reference(definition.name, hashes_.of_reference(definition.name)))
+      return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
     const Geometry everything = scene.geometry(true, {1, 2, 3});
     const std::array<std::int64_t, 4> seen = visible_pixels(scene.camera, everything);
     for (std::size_t i = 1; i < seen.size(); ++i)
       if (seen[i] == 0)
         throw input_error({.file = study_.file.string(),
-                           .field = fmt::format("scene \"{}\", object \"{}\"", definition.name, definition.objects[i - 1].name),
-                           .wanted = "an object that covers at least one pixel of the picture", .found = "none"});
+                           .field = fmt::format("scene \"{}\", object \"{}\"", definition.name,
+                                                definition.objects[i - 1].name),
+                           .wanted = "an object that covers at least one pixel of the picture",
+                           .found = "none"});
     scenes_.emplace(definition.name, std::move(scene));
   }
 
@@ -149,9 +164,13 @@ class SetRenderer {
     if (records_.finished_reference(name, inputs)) return;
     const Clock::time_point start = Clock::now();
     const SceneReference reference = render_reference(scene, pass(reference_work, name + " reference"));
-    ManifestReference record{.scene = name, .image = "references/" + name + ".png", .object_ids = "references/" + name + "-ids.png",
-                             .image_sha256 = {}, .object_ids_sha256 = {}};
-    write_png(request_.set_folder / record.image, display_image(reference.radiance, scene.definition.exposure_ev));
+    ManifestReference record{.scene = name,
+                             .image = "references/" + name + ".png",
+                             .object_ids = "references/" + name + "-ids.png",
+                             .image_sha256 = {},
+                             .object_ids_sha256 = {}};
+    write_png(request_.set_folder / record.image,
+              display_image(reference.radiance, scene.definition.exposure_ev));
     write_png(request_.set_folder / record.object_ids, reference.object_ids);
     record.image_sha256 = sha256_of_file(request_.set_folder / record.image);
     record.object_ids_sha256 = sha256_of_file(request_.set_folder / record.object_ids);
@@ -165,11 +184,13 @@ class SetRenderer {
       if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
         by_width[work.stimulus.condition.depth_width_px].push_back(work);
     if (by_width.empty()) return;
-    const std::string what = scene.definition.name + " " + scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    const std::string what = scene.definition.name + " " +
+                             scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     const Clock::time_point start = Clock::now();
     const ObjectGeometry geometry = object_geometry(scene, object_index);
     const TruthLayers truth = render_truth(scene, geometry, pass(truth_work, what));
-    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start), truth.rays);
+    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start),
+                 truth.rays);
     for (const auto& [width_px, works] : by_width) render_width(scene, geometry, truth, works);
   }
 
@@ -181,26 +202,33 @@ class SetRenderer {
     MeshRecord mesh_record;
     std::optional<Geometry> depth;
     bool needed = request_.layers;
-    for (const Pending& work : works) needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+    for (const Pending& work : works)
+      needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
     if (needed) {
       const DepthMesh mesh = build_depth_mesh(
           capture_depth(geometry.truth, condition.depth_width_px, condition.yaw_texels, threads_),
-          {.density = settings_.mesh, .tolerance = study_.mesh_tolerance, .yaw_texels = condition.yaw_texels, .threads = threads_});
+          {.density = settings_.mesh,
+           .tolerance = study_.mesh_tolerance,
+           .yaw_texels = condition.yaw_texels,
+           .threads = threads_});
       mesh_record = {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error};
       depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
     }
     progress_->advance(mesh_work, "depth mesh");
-    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object, condition.depth_width_px),
+    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
+                             condition.depth_width_px),
                  seconds_since(start), 0);
-    for (const Pending& work : works) render_one(scene, geometry, depth ? &*depth : nullptr, truth, mesh_record, work);
+    for (const Pending& work : works)
+      render_one(scene, geometry, depth ? &*depth : nullptr, truth, mesh_record, work);
   }
 
-  void render_one(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth, const TruthLayers& truth,
-                  const MeshRecord& mesh, const Pending& work) {
+  void render_one(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+                  const TruthLayers& truth, const MeshRecord& mesh, const Pending& work) {
     const Clock::time_point start = Clock::now();
     const std::string id = stimulus_id(work.stimulus);
-    const StimulusLayers layers = render_stimulus(scene, geometry, depth, truth, recipe(work.stimulus.artifact, study_.isolation),
-                                                  pass(stimulus_work, id));
+    const StimulusLayers layers =
+        render_stimulus(scene, geometry, depth, truth, recipe(work.stimulus.artifact, study_.isolation),
+                        pass(stimulus_work, id));
     const Composite composite = compose(layers);
     const double exposure_ev = scene.definition.exposure_ev;
     ManifestStimulus record{.id = id,
@@ -218,7 +246,8 @@ class SetRenderer {
                             .sha256 = {}};
     write_png(request_.set_folder / record.image, display_image(composite.picture, exposure_ev));
     record.sha256 = sha256_of_file(request_.set_folder / record.image);
-    if (request_.layers) write_layers(request_.set_folder, scene, depth, truth, layers, composite, work.stimulus);
+    if (request_.layers)
+      write_layers(request_.set_folder, scene, depth, truth, layers, composite, work.stimulus);
     records_.finish(record, work.inputs);
     timings_.add(id, seconds_since(start), layers.rays);
     ++summary_.rendered;
@@ -254,6 +283,7 @@ class SetRenderer {
   int threads_;
   Timings timings_;
   std::vector<Pending> pending_;
+  std::set<std::string> selected_scenes_;
   std::map<std::string, TruthScene> scenes_;
   std::optional<Progress> progress_;
   RenderSummary summary_;

@@ -10,13 +10,13 @@ namespace seamline {
 /// What `seamline render` was asked for.
 struct RenderRequest {
   std::filesystem::path set_folder;
-  std::string only = {};               ///< pattern of stimulus ids, `*` stands for any text; empty: all
-  int threads = 0;                     ///< 0: one for each core
-  std::optional<int> spp = {};         ///< overrides the study's samples_per_pixel
+  std::string only = {};                 ///< pattern of stimulus ids, `*` stands for any text; empty: all
+  int threads = 0;                       ///< 0: one for each core
+  std::optional<int> spp = {};           ///< overrides the study's samples_per_pixel
   std::optional<MeshDensity> mesh = {};  ///< overrides the study's mesh
-  int shard = 1, shard_count = 1;      ///< this process renders every shard_count-th object of a scene
-  bool layers = false;                 ///< also write the float EXR layers of every stimulus
-  bool contact_sheet = false;          ///< also write one contact sheet for each artifact
+  int shard = 1, shard_count = 1;        ///< this process renders every shard_count-th object of a scene
+  bool layers = false;                   ///< also write the float EXR layers of every stimulus
+  bool contact_sheet = false;            ///< also write one contact sheet for each artifact
 };
 
 struct RenderSummary {
@@ -25,8 +25,9 @@ struct RenderSummary {
   double seconds = 0;
 };
 
-/// Renders a study into a set: references, stimuli, manifest. Stimuli that are finished already are kept. Throws InputError
-/// for wrong input and Interrupted when the person stopped it; what was finished stays and a rerun continues.
+/// Renders a study into a set: references, stimuli, manifest. Stimuli that are finished already are kept.
+/// Throws InputError for wrong input and Interrupted when the person stopped it; what was finished stays and
+/// a rerun continues.
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request);
 
 }  // namespace seamline

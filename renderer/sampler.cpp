@@ -12,7 +12,8 @@ std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
 }
 
-/// Laine-Karras permutation with Burley's improved constants: each bit is flipped depending on lower bits only.
+/// Laine-Karras permutation with Burley's improved constants: each bit is flipped depending on lower bits
+/// only.
 std::uint32_t permute(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
@@ -22,13 +23,17 @@ std::uint32_t permute(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-std::uint32_t owen_scramble_reversed(std::uint32_t reversed, std::uint32_t seed) { return reverse_bits(permute(reversed, seed)); }
+std::uint32_t owen_scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
+  return reverse_bits(permute(reversed, seed));
+}
 
 std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>(mix_bits((std::uint64_t{a} << 32) | b) >> 32);
 }
 
-float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1.0p-24F; }
+float unit_float(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * 0x1.0p-24F;
+}
 
 /// Sobol' dimension 2, bits reversed: the Pascal triangle modulo 2 as a superset sum over bit positions.
 std::uint32_t second_dimension_reversed(std::uint32_t x) {
@@ -41,11 +46,15 @@ std::uint32_t second_dimension_reversed(std::uint32_t x) {
 
 }  // namespace
 
-std::uint32_t sobol_second_dimension(std::uint32_t index) { return reverse_bits(second_dimension_reversed(index)); }
+std::uint32_t sobol_second_dimension(std::uint32_t index) {
+  return reverse_bits(second_dimension_reversed(index));
+}
 
 Sampler::Sampler(std::uint64_t seed, int x, int y, int sample)
-    : pixel_hash_(static_cast<std::uint32_t>(
-          mix_bits(mix_bits(seed) ^ ((static_cast<std::uint64_t>(y) << 32) | static_cast<std::uint32_t>(x))) >> 32)),
+    : pixel_hash_(
+          static_cast<std::uint32_t>(mix_bits(mix_bits(seed) ^ ((static_cast<std::uint64_t>(y) << 32) |
+                                                                static_cast<std::uint32_t>(x))) >>
+                                     32)),
       sample_(static_cast<std::uint32_t>(sample)) {}
 
 Eigen::Array2f Sampler::point(int dimension) const {

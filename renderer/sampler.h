@@ -4,10 +4,11 @@
 
 namespace seamline {
 
-/// Points of one sample of one pixel: Owen-scrambled Sobol' (the first two dimensions, padded: every use of a `dimension`
-/// is its own scrambled and shuffled set), decorrelated between pixels by hashing. The same pixel, sample, dimension and
-/// seed always give the same point, which is how background, reference and composite share their sample points.
-/// Construction: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+/// Points of one sample of one pixel: Owen-scrambled Sobol' (the first two dimensions, padded: every use of a
+/// `dimension` is its own scrambled and shuffled set), decorrelated between pixels by hashing. The same
+/// pixel, sample, dimension and seed always give the same point, which is how background, reference and
+/// composite share their sample points. Construction: Burley, "Practical Hash-based Owen Scrambling", JCGT
+/// 9(4), 2020.
 class Sampler {
  public:
   Sampler(std::uint64_t seed, int x, int y, int sample);
@@ -23,11 +24,16 @@ class Sampler {
 /// Which dimension serves what, so that paths that share a vertex share its numbers.
 namespace dimension {
 inline constexpr int pixel = 0;
-[[nodiscard]] inline constexpr int direction(int vertex) { return 1 + 2 * vertex; }
-[[nodiscard]] inline constexpr int sun(int vertex) { return 2 + 2 * vertex; }
+[[nodiscard]] inline constexpr int direction(int vertex) {
+  return 1 + 2 * vertex;
+}
+[[nodiscard]] inline constexpr int sun(int vertex) {
+  return 2 + 2 * vertex;
+}
 }  // namespace dimension
 
-/// The second dimension of the Sobol' sequence before scrambling (the first is the reversed index); for tests.
+/// The second dimension of the Sobol' sequence before scrambling (the first is the reversed index); for
+/// tests.
 [[nodiscard]] std::uint32_t sobol_second_dimension(std::uint32_t index);
 
 }  // namespace seamline

@@ -18,7 +18,8 @@ constexpr int deepest_node_tree = 256;
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
  public:
-  NodeWalker(const tinygltf::Model& model, const std::string& file) : model_(model), file_(file), reader_(model, file) {}
+  NodeWalker(const tinygltf::Model& model, const std::string& file)
+      : model_(model), file_(file), reader_(model, file) {}
 
   SceneFile walk() {
     if (model_.scenes.empty()) {
@@ -33,7 +34,8 @@ class NodeWalker {
   }
 
  private:
-  [[nodiscard]] InputError bad(const std::string& field, const std::string& wanted, const std::string& found) const {
+  [[nodiscard]] InputError bad(const std::string& field, const std::string& wanted,
+                               const std::string& found) const {
     return input_error({.file = file_, .field = field, .wanted = wanted, .found = found});
   }
 
@@ -52,14 +54,17 @@ class NodeWalker {
     }
     if (node.translation.size() == 3) transform.translate(Eigen::Vector3d(node.translation.data()));
     if (node.rotation.size() == 4)
-      transform.rotate(Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]).normalized());
+      transform.rotate(
+          Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])
+              .normalized());
     if (node.scale.size() == 3) transform.scale(Eigen::Vector3d(node.scale.data()));
     return transform;
   }
 
   void visit(int index, const Eigen::Affine3d& parent, int depth) {
     const std::string field = fmt::format("nodes[{}]", index);
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) throw bad(field, "a node that exists", "none");
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
+      throw bad(field, "a node that exists", "none");
     if (depth > deepest_node_tree || !on_path_.insert(index).second)
       throw bad(field, "a tree of nodes", depth > deepest_node_tree ? "one too deep" : "a cycle");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
@@ -73,7 +78,8 @@ class NodeWalker {
   }
 
   void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
-    if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) throw bad(field, "a mesh that exists", std::to_string(node.mesh));
+    if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
+      throw bad(field, "a mesh that exists", std::to_string(node.mesh));
     const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = fmt::format("meshes[{}].primitives[{}]", node.mesh, p);
@@ -83,10 +89,13 @@ class NodeWalker {
     }
   }
 
-  FileMesh read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world, const std::string& where) {
+  FileMesh read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
+                          const std::string& where) {
     FileMesh part;
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) return part;
+    if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+        mode != TINYGLTF_MODE_TRIANGLE_FAN)
+      return part;
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) throw bad(where, "an attribute POSITION", "none");
     part.positions_m = reader_.vectors(position->second, where + ".POSITION");
@@ -97,11 +106,13 @@ class NodeWalker {
     if (primitive.indices >= 0) {
       indices = reader_.indices(primitive.indices, where + ".indices");
     } else {
-      for (std::size_t i = 0; i < part.positions_m.size(); ++i) indices.push_back(static_cast<std::uint32_t>(i));
+      for (std::size_t i = 0; i < part.positions_m.size(); ++i)
+        indices.push_back(static_cast<std::uint32_t>(i));
     }
     for (const std::uint32_t index : indices)
       if (index >= part.positions_m.size())
-        throw bad(where + ".indices", fmt::format("indices under {}", part.positions_m.size()), std::to_string(index));
+        throw bad(where + ".indices", fmt::format("indices under {}", part.positions_m.size()),
+                  std::to_string(index));
     part.triangles = triangles_of(indices, mode);
     if (primitive.material >= 0) read_material(primitive.material, where, part);
     return part;
@@ -112,30 +123,34 @@ class NodeWalker {
     if (normals.size() != part.positions_m.size())
       throw bad(where + ".NORMAL", "as many normals as positions", std::to_string(normals.size()));
     const Eigen::Matrix3d linear = world.linear();
-    const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
-                                      linear.col(0).cross(linear.col(1)))
+    const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
+                                      linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
                                          .finished();
     part.normals.reserve(normals.size());
-    for (const Eigen::Vector3d& normal : normals) part.normals.push_back((cofactor * normal).normalized().cast<float>());
+    for (const Eigen::Vector3d& normal : normals)
+      part.normals.push_back((cofactor * normal).normalized().cast<float>());
   }
 
   static std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& indices, int mode) {
     std::vector<Triangle> triangles;
     if (mode == TINYGLTF_MODE_TRIANGLES) {
-      for (std::size_t i = 0; i + 2 < indices.size(); i += 3) triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+      for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
       return triangles;
     }
     for (std::size_t i = 2; i < indices.size(); ++i) {
       const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
       const std::uint32_t first = strip ? indices[i - 2] : indices[0];
       const bool flipped = strip && i % 2 == 1;
-      triangles.push_back(flipped ? Triangle{indices[i - 1], first, indices[i]} : Triangle{first, indices[i - 1], indices[i]});
+      triangles.push_back(flipped ? Triangle{indices[i - 1], first, indices[i]}
+                                  : Triangle{first, indices[i - 1], indices[i]});
     }
     return triangles;
   }
 
   void read_material(int index, const std::string& where, FileMesh& part) {
-    if (static_cast<std::size_t>(index) >= model_.materials.size()) throw bad(where, "a material that exists", std::to_string(index));
+    if (static_cast<std::size_t>(index) >= model_.materials.size())
+      throw bad(where, "a material that exists", std::to_string(index));
     const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(index)];
     const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
     if (base.size() >= 3) part.albedo = Rgb(base[0], base[1], base[2]).max(0.0F).min(1.0F);
@@ -148,7 +163,8 @@ class NodeWalker {
 
   void add_camera(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
     if (out_.camera) return;
-    if (static_cast<std::size_t>(node.camera) >= model_.cameras.size()) throw bad(field, "a camera that exists", std::to_string(node.camera));
+    if (static_cast<std::size_t>(node.camera) >= model_.cameras.size())
+      throw bad(field, "a camera that exists", std::to_string(node.camera));
     const tinygltf::Camera& camera = model_.cameras[static_cast<std::size_t>(node.camera)];
     if (camera.type != "perspective" || !(camera.perspective.yfov > 0 && camera.perspective.yfov < 3.14))
       throw bad(field + ".camera", "a perspective camera with yfov between 0 and pi", camera.type);
@@ -165,7 +181,8 @@ class NodeWalker {
     const auto extension = node.extensions.find("KHR_lights_punctual");
     if (extension == node.extensions.end() || !extension->second.Has("light")) return;
     const int index = extension->second.Get("light").GetNumberAsInt();
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.lights.size()) throw bad(field, "a light that exists", std::to_string(index));
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.lights.size())
+      throw bad(field, "a light that exists", std::to_string(index));
     const tinygltf::Light& light = model_.lights[static_cast<std::size_t>(index)];
     if (light.type != "directional") {
       out_.other_lights.push_back(light.type + " light \"" + light.name + "\"");
@@ -173,7 +190,8 @@ class NodeWalker {
     }
     Rgb colour = Rgb::Ones();
     if (light.color.size() == 3) colour = Rgb(light.color[0], light.color[1], light.color[2]);
-    out_.suns.push_back({world.linear().col(2).normalized(), colour * static_cast<float>(light.intensity / lux_per_w_m2)});
+    out_.suns.push_back(
+        {world.linear().col(2).normalized(), colour * static_cast<float>(light.intensity / lux_per_w_m2)});
   }
 
   const tinygltf::Model& model_;
@@ -184,10 +202,14 @@ class NodeWalker {
 };
 
 /// Textures are never looked at: decoding them would cost time and memory for nothing.
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; }
+bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                void*) {
+  return true;
+}
 
 tinygltf::Model load_model(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw input_error({.file = path.string(), .wanted = "a .gltf or .glb file", .found = "no such file"});
+  if (!std::filesystem::is_regular_file(path))
+    throw input_error({.file = path.string(), .wanted = "a .gltf or .glb file", .found = "no such file"});
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
   tinygltf::Model model;
@@ -196,12 +218,19 @@ tinygltf::Model load_model(const std::filesystem::path& path) {
   const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path.string())
                              : loader.LoadASCIIFromFile(&model, &error, &warning, path.string());
   while (!error.empty() && error.back() == '\n') error.pop_back();
-  if (!loaded) throw input_error({.file = path.string(), .wanted = "a whole glTF 2.0 file", .found = error.empty() ? "something else" : error});
-  static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization",
-                                              "KHR_materials_unlit", "KHR_texture_transform"};
+  if (!loaded)
+    throw input_error({.file = path.string(),
+                       .wanted = "a whole glTF 2.0 file",
+                       .found = error.empty() ? "something else" : error});
+  static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                              "KHR_mesh_quantization", "KHR_materials_unlit",
+                                              "KHR_texture_transform"};
   for (const std::string& extension : model.extensionsRequired)
     if (!known.contains(extension))
-      throw input_error({.file = path.string(), .field = "extensionsRequired", .wanted = "extensions that Seamline knows", .found = "\"" + extension + "\""});
+      throw input_error({.file = path.string(),
+                         .field = "extensionsRequired",
+                         .wanted = "extensions that Seamline knows",
+                         .found = "\"" + extension + "\""});
   return model;
 }
 

@@ -15,12 +15,12 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// One mesh primitive of a scene file in world space.
 struct FileMesh {
-  std::string name;                           ///< of the node that places it
+  std::string name;  ///< of the node that places it
   std::vector<Eigen::Vector3d> positions_m;
-  std::vector<Eigen::Vector3f> normals;       ///< unit shading normals, or empty
+  std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty
   std::vector<Triangle> triangles;
-  std::optional<Rgb> albedo;                  ///< base colour factor; none when the mesh has no material
-  Rgb emission = Rgb::Zero();                 ///< radiance
+  std::optional<Rgb> albedo;   ///< base colour factor; none when the mesh has no material
+  Rgb emission = Rgb::Zero();  ///< radiance
 };
 
 /// A perspective camera: axes are columns right, up, back in world space.
@@ -39,13 +39,14 @@ struct FileSun {
 /// What a glTF 2.0 file holds, as far as a diffuse scene needs it. Textures are left out.
 struct SceneFile {
   std::vector<FileMesh> meshes;
-  std::optional<FileCamera> camera;           ///< the first in node order
+  std::optional<FileCamera> camera;  ///< the first in node order
   std::vector<FileSun> suns;
-  std::vector<std::string> other_lights;      ///< names of point and spot lights, which Seamline does not render
+  std::vector<std::string> other_lights;  ///< names of point and spot lights, which Seamline does not render
 };
 
-/// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an accessor that
-/// points outside its buffer, an index past the vertices, a required extension that is not known, a cycle of nodes.
+/// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an
+/// accessor that points outside its buffer, an index past the vertices, a required extension that is not
+/// known, a cycle of nodes.
 [[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path);
 
 }  // namespace seamline

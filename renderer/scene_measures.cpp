@@ -22,16 +22,20 @@ class ObjectMeter {
         object_(scene.geometry(false, {object_index})),
         background_(scene.geometry(true, {})) {
     measures_.name = scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
-    measures_.distance_m = double{bounds(scene.objects[static_cast<std::size_t>(object_index - 1)]).center().norm()};
+    measures_.distance_m =
+        double{bounds(scene.objects[static_cast<std::size_t>(object_index - 1)]).center().norm()};
   }
 
   ObjectMeasures measure() {
     const Camera& camera = scene_.camera;
-    std::vector<bool> silhouette(static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px));
+    std::vector<bool> silhouette(static_cast<std::size_t>(camera.width_px) *
+                                 static_cast<std::size_t>(camera.height_px));
     for (int y = 0; y < camera.height_px; ++y)
       for (int x = 0; x < camera.width_px; ++x) {
-        const Ray ray{Eigen::Vector3f::Zero(), camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
-        silhouette[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) + static_cast<std::size_t>(x)] = look(ray);
+        const Ray ray{Eigen::Vector3f::Zero(),
+                      camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
+        silhouette[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) +
+                   static_cast<std::size_t>(x)] = look(ray);
       }
     measures_.silhouette_complexity = silhouette_complexity(silhouette, camera.width_px, camera.height_px);
     return measures_;
@@ -87,7 +91,8 @@ double silhouette_complexity(const std::vector<bool>& mask, int width_px, int he
   double area = 0, edges = 0;
   const auto inside = [&](int x, int y) {
     return x >= 0 && y >= 0 && x < width_px && y < height_px &&
-           mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)];
+           mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
+                static_cast<std::size_t>(x)];
   };
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {

@@ -6,10 +6,13 @@ namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path layer_folder(const fs::path& set_folder, const Stimulus& stimulus) { return set_folder / "layers" / stimulus_id(stimulus); }
+fs::path layer_folder(const fs::path& set_folder, const Stimulus& stimulus) {
+  return set_folder / "layers" / stimulus_id(stimulus);
+}
 
 Ray centre_ray(const Camera& camera, int x, int y) {
-  return {Eigen::Vector3f::Zero(), camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
+  return {Eigen::Vector3f::Zero(),
+          camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
 }
 
 Image difference(const Image& a, const Image& b) {
@@ -26,7 +29,8 @@ Image shaded_picture(const Camera& camera, const Geometry& geometry) {
     for (int x = 0; x < camera.width_px; ++x) {
       const Ray ray = centre_ray(camera, x, y);
       if (const auto hit = geometry.nearest(ray))
-        picture.set_rgb(x, y, Rgb::Constant(0.05F + 0.75F * std::abs(hit->geometric_normal.dot(ray.direction))));
+        picture.set_rgb(x, y,
+                        Rgb::Constant(0.05F + 0.75F * std::abs(hit->geometric_normal.dot(ray.direction))));
     }
   return picture;
 }
@@ -35,7 +39,8 @@ std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry&
   std::array<std::int64_t, 4> count{};
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x)
-      if (const auto hit = everything.nearest(centre_ray(camera, x, y))) ++count[static_cast<std::size_t>(hit->object_index)];
+      if (const auto hit = everything.nearest(centre_ray(camera, x, y)))
+        ++count[static_cast<std::size_t>(hit->object_index)];
   return count;
 }
 
@@ -43,8 +48,9 @@ bool has_layers(const fs::path& set_folder, const Stimulus& stimulus) {
   return fs::exists(layer_folder(set_folder, stimulus) / "composite.exr");
 }
 
-void write_layers(const fs::path& set_folder, const TruthScene& scene, const Geometry* depth, const TruthLayers& truth,
-                  const StimulusLayers& layers, const Composite& composite, const Stimulus& stimulus) {
+void write_layers(const fs::path& set_folder, const TruthScene& scene, const Geometry* depth,
+                  const TruthLayers& truth, const StimulusLayers& layers, const Composite& composite,
+                  const Stimulus& stimulus) {
   const fs::path folder = layer_folder(set_folder, stimulus);
   prepare_output_folder(folder);
   const LayerImages parts = layer_images(layers);
@@ -57,7 +63,8 @@ void write_layers(const fs::path& set_folder, const TruthScene& scene, const Geo
   write_exr(folder / "matte.exr", matte_image(truth));
   write_exr(folder / "difference.exr", difference(composite.picture, reference));
   write_exr(folder / "additive.exr", compose(layers, Compositing::additive).picture);
-  if (depth != nullptr) write_png(folder / "local_scene.png", display_image(shaded_picture(scene.camera, *depth)));
+  if (depth != nullptr)
+    write_png(folder / "local_scene.png", display_image(shaded_picture(scene.camera, *depth)));
   write_exr(folder / "composite.exr", composite.picture);
 }
 

@@ -7,10 +7,12 @@
 
 namespace seamline {
 
-/// Writes `SET/layers/ID/*.exr`: background, reference, with, without, ratio, matte, composite, difference (composite minus
-/// reference), additive (Debevec's form), and `local_scene.png`, a shaded picture of the depth mesh (paper Fig. 2).
+/// Writes `SET/layers/ID/*.exr`: background, reference, with, without, ratio, matte, composite, difference
+/// (composite minus reference), additive (Debevec's form), and `local_scene.png`, a shaded picture of the
+/// depth mesh (paper Fig. 2).
 void write_layers(const std::filesystem::path& set_folder, const TruthScene& scene, const Geometry* depth,
-                  const TruthLayers& truth, const StimulusLayers& layers, const Composite& composite, const Stimulus& stimulus);
+                  const TruthLayers& truth, const StimulusLayers& layers, const Composite& composite,
+                  const Stimulus& stimulus);
 
 [[nodiscard]] bool has_layers(const std::filesystem::path& set_folder, const Stimulus& stimulus);
 

@@ -32,7 +32,8 @@ std::optional<Json> read_record(const fs::path& path, const std::string& inputs)
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;
   const Json json = Json::parse(read_file(path), nullptr, false);
-  if (!json.is_object() || json.value("inputs", "") != inputs || !json.contains("record")) return std::nullopt;
+  if (!json.is_object() || json.value("inputs", "") != inputs || !json.contains("record"))
+    return std::nullopt;
   return json["record"];
 }
 
@@ -44,14 +45,17 @@ void write_record(const fs::path& path, const std::string& inputs, const Json& r
 }  // namespace
 
 InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& settings)
-    : common_(fmt::format("seamline {} {} image {} {} spp {} seed {}", program_version(), RayDevice::instruction_set(),
-                          study.width_px, study.height_px, settings.spp, settings.seed)),
-      isolation_and_mesh_(fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
+    : common_(fmt::format("seamline {} {} image {} {} spp {} seed {}", program_version(),
+                          RayDevice::instruction_set(), study.width_px, study.height_px, settings.spp,
+                          settings.seed)),
+      isolation_and_mesh_(
+          fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
   for (const SceneDefinition& scene : study.scenes) scenes_[scene.name] = scene_inputs(scene);
 }
 
 std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {
-  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh_, stimulus_id(stimulus), scenes_.at(stimulus.scene)));
+  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh_, stimulus_id(stimulus),
+                            scenes_.at(stimulus.scene)));
 }
 
 std::string InputHashes::of_reference(const std::string& scene) const {
@@ -74,11 +78,14 @@ std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, cons
 }
 
 void SetRecords::finish(const ManifestStimulus& record, const std::string& inputs) const {
-  write_record(set_folder_ / "records" / (record.id + ".json"), inputs, Json::parse(stimulus_record_text(record)));
+  write_record(set_folder_ / "records" / (record.id + ".json"), inputs,
+               Json::parse(stimulus_record_text(record)));
 }
 
-std::optional<ManifestReference> SetRecords::finished_reference(const std::string& scene, const std::string& inputs) const {
-  const std::optional<Json> json = read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
+std::optional<ManifestReference> SetRecords::finished_reference(const std::string& scene,
+                                                                const std::string& inputs) const {
+  const std::optional<Json> json =
+      read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
   if (!json) return std::nullopt;
   const ManifestReference reference{scene, json->value("image", ""), json->value("object_ids", ""),
                                     json->value("image_sha256", ""), json->value("object_ids_sha256", "")};
@@ -89,8 +96,10 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
 
 void SetRecords::finish_reference(const ManifestReference& reference, const std::string& inputs) const {
   write_record(set_folder_ / "records" / ("reference-" + reference.scene + ".json"), inputs,
-               {{"image", reference.image}, {"object_ids", reference.object_ids},
-                {"image_sha256", reference.image_sha256}, {"object_ids_sha256", reference.object_ids_sha256}});
+               {{"image", reference.image},
+                {"object_ids", reference.object_ids},
+                {"image_sha256", reference.image_sha256},
+                {"object_ids_sha256", reference.object_ids_sha256}});
 }
 
 }  // namespace seamline

@@ -15,8 +15,8 @@ struct RenderSettings {
   MeshDensity mesh = MeshDensity::adaptive;
 };
 
-/// A hash over everything a picture depends on: program, instruction set, scene, the bytes of its files, settings. A finished
-/// picture whose inputs hash the same is not rendered again.
+/// A hash over everything a picture depends on: program, instruction set, scene, the bytes of its files,
+/// settings. A finished picture whose inputs hash the same is not rendered again.
 class InputHashes {
  public:
   InputHashes(const StudyDefinition& study, const RenderSettings& settings);
@@ -34,11 +34,14 @@ class SetRecords {
  public:
   explicit SetRecords(std::filesystem::path set_folder);
 
-  /// The record of a finished stimulus whose inputs hash to `inputs` and whose picture still has its recorded hash.
-  [[nodiscard]] std::optional<ManifestStimulus> finished(const std::string& id, const std::string& inputs) const;
+  /// The record of a finished stimulus whose inputs hash to `inputs` and whose picture still has its recorded
+  /// hash.
+  [[nodiscard]] std::optional<ManifestStimulus> finished(const std::string& id,
+                                                         const std::string& inputs) const;
   void finish(const ManifestStimulus& record, const std::string& inputs) const;
 
-  [[nodiscard]] std::optional<ManifestReference> finished_reference(const std::string& scene, const std::string& inputs) const;
+  [[nodiscard]] std::optional<ManifestReference> finished_reference(const std::string& scene,
+                                                                    const std::string& inputs) const;
   void finish_reference(const ManifestReference& reference, const std::string& inputs) const;
 
  private:

@@ -64,7 +64,8 @@ class PixelRenderer {
     const bool covered = covers(sample, answers_.occlusion == Who::depth ? sample.depth : sample.real);
     // Where the truth shows sky, or the depth mesh does and has to answer for the rest, nothing is
     // multiplied.
-    const Shows rest = !sample.real || (rest_asks_depth() && !sample.depth) ? Shows::sky : Shows::rest;
+    const Shows rest =
+        !sample.real || (asks_depth_for_rest(answers_) && !sample.depth) ? Shows::sky : Shows::rest;
     // Layers are exchanged sample by sample, so that together they always make one whole picture: a sample
     // whose coverage truth and depth mesh disagree about would show an occlusion artifact, and comes from the
     // reference.
@@ -114,10 +115,6 @@ class PixelRenderer {
 
   bool all_rest_from_depth() const {
     return answers_.receiver == Who::depth && answers_.real_lit == Who::depth &&
-           answers_.bounce == Who::depth;
-  }
-  bool rest_asks_depth() const {
-    return answers_.receiver == Who::depth || answers_.real_lit == Who::depth ||
            answers_.bounce == Who::depth;
   }
   bool direct_from_truth() const {
@@ -233,6 +230,7 @@ StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& ge
   StimulusLayers layers{.width_px = truth.width_px, .height_px = truth.height_px, .spp = options.spp};
   for (auto& half : layers.halves) half.resize(truth.guides.size());
   layers.guides.resize(truth.guides.size());
+  layers.rest_asks_depth = asks_depth_for_rest(recipe.answers);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     const std::int64_t before = rays_traced_by_this_thread();

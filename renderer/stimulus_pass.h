@@ -4,11 +4,12 @@
 
 namespace seamline {
 
-/// Renders what one stimulus needs besides its truth: for each question the answering geometry is asked at its own point.
-/// `depth` may be null when the recipe asks nothing of the depth mesh. `truth` must have been rendered with the same
-/// samples per pixel and seed; where the depth mesh does not change which samples the object covers, its sums are used
-/// instead of tracing again.
-[[nodiscard]] StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
-                                             const TruthLayers& truth, const Recipe& recipe, const PassOptions& options);
+/// Renders what one stimulus needs besides its truth: for each question the answering geometry is asked at
+/// its own point. `depth` may be null when the recipe asks nothing of the depth mesh. `truth` must have been
+/// rendered with the same samples per pixel and seed; where the depth mesh does not change which samples the
+/// object covers, its sums are used instead of tracing again.
+[[nodiscard]] StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry,
+                                             const Geometry* depth, const TruthLayers& truth,
+                                             const Recipe& recipe, const PassOptions& options);
 
 }  // namespace seamline

@@ -25,7 +25,8 @@ void Timings::write(double total_seconds) const {
   json["threads"] = threads_;
   json["machine"] = processor_name();
   if (!pieces_.empty()) json["seconds"] = total_seconds;
-  for (const Piece& piece : pieces_) json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
+  for (const Piece& piece : pieces_)
+    json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
   write_file_atomically(path_, json.dump(1) + "\n");
 }
 

@@ -6,12 +6,15 @@
 
 namespace seamline {
 
-/// `SET/timings.json`: how long each piece of a set took, on which machine. Not part of the manifest, because it differs from
-/// run to run.
+/// `SET/timings.json`: how long each piece of a set took, on which machine. Not part of the manifest, because
+/// it differs from run to run.
 class Timings {
  public:
-  Timings(const std::filesystem::path& set_folder, int threads) : path_(set_folder / "timings.json"), threads_(threads) {}
-  void add(const std::string& piece, double seconds, std::int64_t rays) { pieces_.push_back({piece, seconds, rays}); }
+  Timings(const std::filesystem::path& set_folder, int threads)
+      : path_(set_folder / "timings.json"), threads_(threads) {}
+  void add(const std::string& piece, double seconds, std::int64_t rays) {
+    pieces_.push_back({piece, seconds, rays});
+  }
   /// Adds this run's pieces to those of earlier runs, newer ones replacing older.
   void write(double total_seconds) const;
 

@@ -12,7 +12,9 @@ struct World {
   const Geometry& real;
   const Geometry* object;
 
-  [[nodiscard]] bool occluded(const Ray& ray) const { return real.occluded(ray) || (object != nullptr && object->occluded(ray)); }
+  [[nodiscard]] bool occluded(const Ray& ray) const {
+    return real.occluded(ray) || (object != nullptr && object->occluded(ray));
+  }
   [[nodiscard]] bool emits() const { return real.emits() || (object != nullptr && object->emits()); }
   [[nodiscard]] std::optional<SurfacePoint> nearest(Ray ray) const {
     std::optional<SurfacePoint> hit = real.nearest(ray);
@@ -35,7 +37,8 @@ Ray leaving_ray(const SurfacePoint& point, const Eigen::Vector3f& direction, flo
 constexpr float endless = std::numeric_limits<float>::infinity();
 
 /// Radiance scattered by `point`, the path's vertex number `vertex`, and by all later ones.
-Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler, int vertex) {
+Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler,
+              int vertex) {
   Rgb sum = Rgb::Zero();
   Rgb throughput = Rgb::Ones();
   for (;; ++vertex) {
@@ -46,7 +49,8 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
       if (cosine > 0.0F && !world.occluded(leaving_ray(point, to_sun, endless)))
         sum += throughput * sun.irradiance_w_m2 * (inverse_pi * cosine);
     }
-    const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
+    const Eigen::Vector3f direction =
+        cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return sum;
     const Ray ray = leaving_ray(point, direction, light.sky_distance_m);
     if (vertex >= light.bounces && !world.emits())
@@ -60,15 +64,16 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
 }
 
 /// Light arriving from a surface that a path hit at the end of vertex `vertex`.
-Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, const Sampler& sampler, int vertex) {
+Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, const Sampler& sampler,
+             int vertex) {
   if (vertex >= light.bounces) return hit.emission;
   return hit.emission + scattered(world, hit, light, sampler, vertex + 1);
 }
 
 }  // namespace
 
-RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first, const Light& light,
-                          const Sampler& sampler) {
+RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
+                          const Light& light, const Sampler& sampler) {
   RadiancePair pair;
   pair.no.bounce = pair.with.bounce = first.emission;
   const World without{real, nullptr};
@@ -90,7 +95,8 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       no += lit;
       if (object == nullptr || !object->occluded(ray)) with_object += lit;
     }
-    const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
+    const Eigen::Vector3f direction =
+        cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return pair;
     Ray ray = leaving_ray(point, direction, light.sky_distance_m);
     const Rgb sky = throughput * light.environment_radiance;
@@ -126,11 +132,14 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
 namespace {
 
 bool reaches_past(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m) {
-  return above_horizon(*real.start, direction) && !real.geometry->occluded(leaving_ray(*real.start, direction, far_m));
+  return above_horizon(*real.start, direction) &&
+         !real.geometry->occluded(leaving_ray(*real.start, direction, far_m));
 }
 
-/// The real surface that a ray of the object meets; a start below the depth mesh's horizon meets that mesh at once.
-std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m) {
+/// The real surface that a ray of the object meets; a start below the depth mesh's horizon meets that mesh at
+/// once.
+std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction,
+                                     float far_m) {
   if (!above_horizon(*real.start, direction)) return *real.start;
   return real.geometry->nearest(leaving_ray(*real.start, direction, far_m));
 }
@@ -144,7 +153,8 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   for (const Sun& sun : light.suns) {
     const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(0)));
     const float cosine = sun_cosine(point, to_sun);
-    if (cosine > 0.0F && !object.occluded(leaving_ray(point, to_sun, endless)) && reaches_past(lit_past, to_sun, endless))
+    if (cosine > 0.0F && !object.occluded(leaving_ray(point, to_sun, endless)) &&
+        reaches_past(lit_past, to_sun, endless))
       out.direct += point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine);
   }
   const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(0)));
@@ -163,7 +173,8 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   const std::optional<SurfacePoint> object_hit =
       object.nearest(same || !hit ? ray : Ray{ray.origin_m, ray.direction, light.sky_distance_m});
   const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
-  const bool sky_reaches = !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m));
+  const bool sky_reaches =
+      !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m));
   if (sky_reaches) out.direct += sky;
   const World world{*bounced_by.geometry, &object};
   if (object_first)
@@ -173,8 +184,8 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   return out;
 }
 
-RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, const Geometry& object, const Rgb& albedo,
-                         const Light& light, const Sampler& sampler) {
+RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, const Geometry& object,
+                         const Rgb& albedo, const Light& light, const Sampler& sampler) {
   RadiancePair pair;
   const auto add = [&](const Eigen::Vector3f& direction, const Rgb& radiance, float far_m) {
     if (!reaches_past(lit, direction, far_m)) return;
@@ -187,7 +198,8 @@ RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, 
       add(to_sun, albedo * sun.irradiance_w_m2 * (inverse_pi * cosine), endless);
   }
   const Eigen::Vector3f direction = cosine_direction(receiver.normal, sampler.point(dimension::direction(0)));
-  if (above_horizon(receiver, direction)) add(direction, albedo * light.environment_radiance, light.sky_distance_m);
+  if (above_horizon(receiver, direction))
+    add(direction, albedo * light.environment_radiance, light.sky_distance_m);
   return pair;
 }
 

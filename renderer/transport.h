@@ -18,33 +18,38 @@ struct Split {
   }
 };
 
-/// The same without and with the virtual object, from one coupled computation on the same path: they differ only by
-/// what the object does, so their ratio has far less noise than that of two renderings (DESIGN section 4).
+/// The same without and with the virtual object, from one coupled computation on the same path: they differ
+/// only by what the object does, so their ratio has far less noise than that of two renderings (DESIGN
+/// section 4).
 struct RadiancePair {
   Split no;
   Split with;
 };
 
-/// A point from which real geometry is asked. For a point of the object that lies behind the depth mesh on its view ray,
-/// this is the depth mesh's own point, else the object's (DESIGN section 3).
+/// A point from which real geometry is asked. For a point of the object that lies behind the depth mesh on
+/// its view ray, this is the depth mesh's own point, else the object's (DESIGN section 3).
 struct RealQuestion {
   const Geometry* geometry;
   const SurfacePoint* start;
 };
 
-/// Radiance that a point of the real world sends to the camera, without and with the object. `object` may be null: then
-/// both are the same. One sample; `sampler` fixes every random number.
-[[nodiscard]] RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& point,
-                                        const Light& light, const Sampler& sampler);
+/// Radiance that a point of the real world sends to the camera, without and with the object. `object` may be
+/// null: then both are the same. One sample; `sampler` fixes every random number.
+[[nodiscard]] RadiancePair leaving_pair(const Geometry& real, const Geometry* object,
+                                        const SurfacePoint& point, const Light& light,
+                                        const Sampler& sampler);
 
-/// Radiance that a point of the virtual object sends to the camera. `lit_past` answers whether sun and sky reach it past
-/// real things (question 3), `bounced_by` where bounce light comes from (question 5).
-[[nodiscard]] Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by, const Geometry& object,
-                                   const SurfacePoint& point, const Light& light, const Sampler& sampler);
+/// Radiance that a point of the virtual object sends to the camera. `lit_past` answers whether sun and sky
+/// reach it past real things (question 3), `bounced_by` where bounce light comes from (question 5).
+[[nodiscard]] Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by,
+                                   const Geometry& object, const SurfacePoint& point, const Light& light,
+                                   const Sampler& sampler);
 
-/// Sun and sky on a receiver (question 1) whose being lit is asked of another geometry at that geometry's own point
-/// (question 2). The virtual object is seen from the receiver. `albedo` is that of whoever answers question 5.
-[[nodiscard]] RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, const Geometry& object,
-                                       const Rgb& albedo, const Light& light, const Sampler& sampler);
+/// Sun and sky on a receiver (question 1) whose being lit is asked of another geometry at that geometry's own
+/// point (question 2). The virtual object is seen from the receiver. `albedo` is that of whoever answers
+/// question 5.
+[[nodiscard]] RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit,
+                                       const Geometry& object, const Rgb& albedo, const Light& light,
+                                       const Sampler& sampler);
 
 }  // namespace seamline

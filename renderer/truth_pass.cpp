@@ -8,7 +8,8 @@ namespace seamline {
 namespace {
 
 /// Adds one sample of the truth to its pixel's sums.
-void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray, const Sampler& sampler, TruthSums& sums) {
+void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray,
+                const Sampler& sampler, TruthSums& sums) {
   const std::optional<SurfacePoint> real = geometry.truth.nearest(ray);
   const std::optional<SurfacePoint> object =
       geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m});
@@ -36,7 +37,8 @@ std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide&
 }
 
 Ray centre_ray(const Camera& camera, int x, int y) {
-  return {Eigen::Vector3f::Zero(), camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
+  return {Eigen::Vector3f::Zero(),
+          camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
 }
 
 }  // namespace
@@ -47,13 +49,16 @@ ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
 
 Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler) {
   const Eigen::Array2f jitter = sampler.point(dimension::pixel);
-  return {Eigen::Vector3f::Zero(), camera.direction(static_cast<float>(x) + jitter[0], static_cast<float>(y) + jitter[1])};
+  return {Eigen::Vector3f::Zero(),
+          camera.direction(static_cast<float>(x) + jitter[0], static_cast<float>(y) + jitter[1])};
 }
 
-TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options) {
+TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
+                         const PassOptions& options) {
   const Camera& camera = scene.camera;
   TruthLayers layers{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
-  const std::size_t pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : layers.halves) half.resize(pixels);
   layers.guides.resize(pixels);
   layers.object_ids.resize(pixels);
@@ -81,9 +86,10 @@ TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry
 SceneReference render_reference(const TruthScene& scene, const PassOptions& options) {
   const Camera& camera = scene.camera;
   const Geometry everything = scene.geometry(true, {1, 2, 3});
-  SceneReference reference{Image(camera.width_px, camera.height_px, 3),
-                           {camera.width_px, camera.height_px, 1, {}}, 0};
-  reference.object_ids.values.resize(static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px));
+  SceneReference reference{
+      Image(camera.width_px, camera.height_px, 3), {camera.width_px, camera.height_px, 1, {}}, 0};
+  reference.object_ids.values.resize(static_cast<std::size_t>(camera.width_px) *
+                                     static_cast<std::size_t>(camera.height_px));
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     const std::int64_t before = rays_traced_by_this_thread();

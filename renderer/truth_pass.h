@@ -22,9 +22,11 @@ struct ObjectGeometry {
 [[nodiscard]] ObjectGeometry object_geometry(const TruthScene& scene, int object_index);
 
 /// Renders background, reference and their parts for one virtual object, as one coupled computation.
-[[nodiscard]] TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options);
+[[nodiscard]] TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
+                                       const PassOptions& options);
 
-/// The reference of a whole scene, all objects in place, and its click map (0 background, 1 left, 2 middle, 3 right).
+/// The reference of a whole scene, all objects in place, and its click map (0 background, 1 left, 2 middle, 3
+/// right).
 struct SceneReference {
   Image radiance;
   ByteImage object_ids;

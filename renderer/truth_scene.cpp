@@ -12,7 +12,9 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-Rgb rgb(const std::array<double, 3>& values) { return Eigen::Array3d(values[0], values[1], values[2]).cast<float>(); }
+Rgb rgb(const std::array<double, 3>& values) {
+  return Eigen::Array3d(values[0], values[1], values[2]).cast<float>();
+}
 
 }  // namespace
 
@@ -28,9 +30,12 @@ Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> o
 
 Geometry TruthScene::geometry_without(int object_index) const {
   switch (object_index) {
-    case 1: return geometry(true, {2, 3});
-    case 2: return geometry(true, {1, 3});
-    default: return geometry(true, {1, 2});
+    case 1:
+      return geometry(true, {2, 3});
+    case 2:
+      return geometry(true, {1, 3});
+    default:
+      return geometry(true, {1, 2});
   }
 }
 
@@ -46,7 +51,8 @@ Eigen::Affine3d object_placement(const ObjectDefinition& object) {
 }
 
 std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file, const Eigen::Affine3d& placement,
-                                                     const Eigen::Vector3d& centre_m, double default_albedo, int object_index) {
+                                                     const Eigen::Vector3d& centre_m, double default_albedo,
+                                                     int object_index) {
   std::vector<std::shared_ptr<const Part>> parts;
   const Eigen::Matrix3f rotation = placement.rotation().cast<float>();
   for (const FileMesh& mesh : file.meshes) {
@@ -77,14 +83,17 @@ Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
     return light;
   }
   if (definition.sun) {
-    light.suns.push_back({definition.sun->to_sun.cast<float>().normalized(), rgb(definition.sun->irradiance_w_m2),
+    light.suns.push_back({definition.sun->to_sun.cast<float>().normalized(),
+                          rgb(definition.sun->irradiance_w_m2),
                           static_cast<float>(definition.sun->angular_radius_deg * radians_per_degree)});
     return light;
   }
   if (!file.other_lights.empty())
-    throw input_error({.file = definition.path.string(), .wanted = "directional lights only (or a [scene.sun] in the study file)",
+    throw input_error({.file = definition.path.string(),
+                       .wanted = "directional lights only (or a [scene.sun] in the study file)",
                        .found = file.other_lights.front()});
-  for (const FileSun& sun : file.suns) light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2, 0.0F});
+  for (const FileSun& sun : file.suns)
+    light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2, 0.0F});
   return light;
 }
 
@@ -100,14 +109,18 @@ Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, in
     Eigen::Matrix3d axes;
     axes << right, back.cross(right), back;
     camera.axes = axes.cast<float>();
-    camera.tan_half_horizontal = static_cast<float>(std::tan(0.5 * given.horizontal_fov_deg * radians_per_degree));
+    camera.tan_half_horizontal =
+        static_cast<float>(std::tan(0.5 * given.horizontal_fov_deg * radians_per_degree));
     camera_position_m = given.position_m;
     return camera;
   }
   if (!file.camera)
-    throw input_error({.file = definition.path.string(), .wanted = "a camera in the scene file, or a [scene.camera] in the study file", .found = "none"});
+    throw input_error({.file = definition.path.string(),
+                       .wanted = "a camera in the scene file, or a [scene.camera] in the study file",
+                       .found = "none"});
   camera.axes = file.camera->axes.cast<float>();
-  camera.tan_half_horizontal = static_cast<float>(std::tan(0.5 * file.camera->vertical_fov_rad) * width_px / height_px);
+  camera.tan_half_horizontal =
+      static_cast<float>(std::tan(0.5 * file.camera->vertical_fov_rad) * width_px / height_px);
   camera_position_m = file.camera->position_m;
   return camera;
 }
@@ -117,17 +130,20 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.definition = definition;
   const SceneFile background = read_scene_file(definition.path);
   if (background.meshes.empty())
-    throw input_error({.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
+    throw input_error(
+        {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
   scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
   scene.light = scene_light(definition, background);
-  scene.background = place_parts(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+  scene.background =
+      place_parts(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
     const SceneFile file = read_scene_file(object.path);
     if (file.meshes.empty())
-      throw input_error({.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
-    scene.objects[i] =
-        place_parts(file, object_placement(object), scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);
+      throw input_error(
+          {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
+    scene.objects[i] = place_parts(file, object_placement(object), scene.camera_position_m, definition.albedo,
+                                   static_cast<int>(i) + 1);
   }
   return scene;
 }

@@ -18,7 +18,9 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-Eigen::Vector3d vector(const Triple& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d vector(const Triple& v) {
+  return {v[0], v[1], v[2]};
+}
 
 struct CaptureOptions {
   std::string scene, out;
@@ -27,17 +29,21 @@ struct CaptureOptions {
 };
 
 void run_capture(const CaptureOptions& options) {
-  if (options.width_px % 2 != 0) throw input_error({.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
+  if (options.width_px % 2 != 0)
+    throw input_error(
+        {.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
   const std::filesystem::path path = resolve_asset(options.scene, "./command line", "SCENE");
   const SceneFile file = read_scene_file(path);
   if (options.at.empty() && !file.camera)
-    throw input_error({.file = path.string(), .wanted = "a camera in the scene, or --at X Y Z", .found = "neither"});
-  const Eigen::Vector3d centre_m = options.at.empty() ? file.camera->position_m : Eigen::Vector3d(options.at.data());
+    throw input_error(
+        {.file = path.string(), .wanted = "a camera in the scene, or --at X Y Z", .found = "neither"});
+  const Eigen::Vector3d centre_m =
+      options.at.empty() ? file.camera->position_m : Eigen::Vector3d(options.at.data());
   const Geometry geometry(place_parts(file, Eigen::Affine3d::Identity(), centre_m, 0.5, 0));
   const DepthMap map = capture_depth(geometry, options.width_px, options.yaw_texels, default_thread_count());
   write_depth_map(options.out, map);
-  fmt::print("{}: {} x {} texels, centred on ({:.3f}, {:.3f}, {:.3f}) m\n", options.out, map.width_px, map.height_px,
-             centre_m.x(), centre_m.y(), centre_m.z());
+  fmt::print("{}: {} x {} texels, centred on ({:.3f}, {:.3f}, {:.3f}) m\n", options.out, map.width_px,
+             map.height_px, centre_m.x(), centre_m.y(), centre_m.z());
 }
 
 struct MeshCommandOptions {
@@ -49,22 +55,26 @@ struct MeshCommandOptions {
 DepthMesh mesh_of(const MeshCommandOptions& options) {
   const DepthMap map = read_depth_map(options.depth);
   if (map.cleaned_texels > 0)
-    fmt::print(stderr, "{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes\n", options.depth, map.cleaned_texels);
-  return build_depth_mesh(map, {.density = options.density == "full" ? MeshDensity::full : MeshDensity::adaptive,
-                                .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
+    fmt::print(stderr, "{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes\n",
+               options.depth, map.cleaned_texels);
+  return build_depth_mesh(map,
+                          {.density = options.density == "full" ? MeshDensity::full : MeshDensity::adaptive,
+                           .tolerance = options.tolerance,
+                           .yaw_texels = options.yaw_texels});
 }
 
 void run_mesh(const MeshCommandOptions& options) {
   const DepthMesh mesh = mesh_of(options);
   write_depth_mesh(options.out, mesh);
-  fmt::print("{}: {} triangles, {} vertices, largest relative error {:.2e}\n", options.out, mesh.triangles.size(),
-             mesh.vertices_m.size(), mesh.max_relative_error);
+  fmt::print("{}: {} triangles, {} vertices, largest relative error {:.2e}\n", options.out,
+             mesh.triangles.size(), mesh.vertices_m.size(), mesh.max_relative_error);
 }
 
 struct CompositeOptions {
   MeshCommandOptions mesh;
   std::string photograph, object, out;
-  Triple position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0}, irradiance{0, 0, 0}, environment{1, 1, 1};
+  Triple position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0},
+      irradiance{0, 0, 0}, environment{1, 1, 1};
   double scale = 1, fov_deg = 60, sun_radius_deg = 0, albedo = 0.5, exposure_ev = 0;
   int bounces = 4, spp = 64, seed = 1;
   bool additive = false;
@@ -85,22 +95,37 @@ SceneDefinition scene_of(const CompositeOptions& options) {
 void run_composite(const CompositeOptions& options) {
   const std::string extension = std::filesystem::path(options.out).extension().string();
   if (extension != ".png" && extension != ".exr")
-    throw input_error({.field = "--out", .wanted = "a name ending in .png or .exr", .found = "\"" + options.out + "\""});
-  if (!(vector(options.to_sun).norm() > 0)) throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
+    throw input_error(
+        {.field = "--out", .wanted = "a name ending in .png or .exr", .found = "\"" + options.out + "\""});
+  if (!(vector(options.to_sun).norm() > 0))
+    throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
   const Image photograph = read_image(options.photograph);
-  if (photograph.channels < 3) throw input_error({.file = options.photograph, .wanted = "three colour channels", .found = std::to_string(photograph.channels)});
+  if (photograph.channels < 3)
+    throw input_error({.file = options.photograph,
+                       .wanted = "three colour channels",
+                       .found = std::to_string(photograph.channels)});
   const SceneDefinition scene = scene_of(options);
   const SceneFile object_file = read_scene_file(resolve_asset(options.object, "./command line", "--object"));
   Eigen::Vector3d centre_m;
   const Camera camera = scene_camera(scene, object_file, photograph.width_px, photograph.height_px, centre_m);
   const Geometry depth(mesh_of(options.mesh), Rgb::Constant(static_cast<float>(options.albedo)));
-  const ObjectDefinition placement{.name = {}, .file = {}, .path = {}, .position_m = vector(options.position_m),
-                                   .rotation_deg = vector(options.rotation_deg), .scale = options.scale};
+  const ObjectDefinition placement{.name = {},
+                                   .file = {},
+                                   .path = {},
+                                   .position_m = vector(options.position_m),
+                                   .rotation_deg = vector(options.rotation_deg),
+                                   .scale = options.scale};
   const Geometry object(place_parts(object_file, object_placement(placement), centre_m, options.albedo, 1));
   Progress progress("composite", 1.0);
-  const PassOptions pass{.spp = options.spp, .seed = static_cast<std::uint64_t>(options.seed), .threads = default_thread_count(),
-                         .progress = [&, last = 0.0](double share) mutable { progress.advance(share - last, ""); last = share; }};
-  const StimulusLayers layers = render_onto_photograph(photograph, depth, object, camera, scene_light(scene, object_file), pass);
+  const PassOptions pass{.spp = options.spp,
+                         .seed = static_cast<std::uint64_t>(options.seed),
+                         .threads = default_thread_count(),
+                         .progress = [&, last = 0.0](double share) mutable {
+                           progress.advance(share - last, "");
+                           last = share;
+                         }};
+  const StimulusLayers layers =
+      render_onto_photograph(photograph, depth, object, camera, scene_light(scene, object_file), pass);
   const Composite composite = compose(layers, options.additive ? Compositing::additive : Compositing::ratio);
   if (extension == ".exr")
     write_exr(options.out, composite.picture);
@@ -111,14 +136,17 @@ void run_composite(const CompositeOptions& options) {
 }
 
 void add_mesh_options(CLI::App* command, MeshCommandOptions& options) {
-  command->add_option("--mesh", options.density, "adaptive or full")->check(CLI::IsMember({"adaptive", "full"}));
-  command->add_option("--tolerance", options.tolerance, "relative error of the adaptive mesh")->check(CLI::Range(1e-9, 1.0));
+  command->add_option("--mesh", options.density, "adaptive or full")
+      ->check(CLI::IsMember({"adaptive", "full"}));
+  command->add_option("--tolerance", options.tolerance, "relative error of the adaptive mesh")
+      ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--yaw", options.yaw_texels, "texels by which the map was turned");
 }
 
 void add_composite(CLI::App& app) {
   auto options = std::make_shared<CompositeOptions>();
-  CLI::App* command = app.add_subcommand("composite", "insert an object into a photograph through a panoramic depth map");
+  CLI::App* command =
+      app.add_subcommand("composite", "insert an object into a photograph through a panoramic depth map");
   command->add_option("--background", options->photograph, "photograph (EXR, HDR, PNG, JPEG)")->required();
   command->add_option("--depth", options->mesh.depth, "equirectangular depth map (.exr, metres)")->required();
   command->add_option("--object", options->object, "object (.glb, .gltf or builtin:NAME)")->required();
@@ -126,14 +154,18 @@ void add_composite(CLI::App& app) {
   command->add_option("--position", options->position_m, "object's place, m from the panorama's centre");
   command->add_option("--rotation", options->rotation_deg, "pitch yaw roll in degrees");
   command->add_option("--scale", options->scale, "object's scale")->check(CLI::PositiveNumber);
-  command->add_option("--look-at", options->look_at_m, "point that the photograph's centre shows, m from the panorama's centre");
-  command->add_option("--fov", options->fov_deg, "horizontal field of view of the photograph, degrees")->check(CLI::Range(1.0, 170.0));
+  command->add_option("--look-at", options->look_at_m,
+                      "point that the photograph's centre shows, m from the panorama's centre");
+  command->add_option("--fov", options->fov_deg, "horizontal field of view of the photograph, degrees")
+      ->check(CLI::Range(1.0, 170.0));
   command->add_option("--to-sun", options->to_sun, "direction towards the sun");
   command->add_option("--sun-irradiance", options->irradiance, "W/m2 on a plane facing the sun, R G B");
-  command->add_option("--sun-radius", options->sun_radius_deg, "angular radius of the sun, degrees")->check(CLI::Range(0.0, 45.0));
+  command->add_option("--sun-radius", options->sun_radius_deg, "angular radius of the sun, degrees")
+      ->check(CLI::Range(0.0, 45.0));
   command->add_option("--environment", options->environment, "environment radiance R G B, W/m2/sr");
   command->add_option("--albedo", options->albedo, "albedo of the local scene")->check(CLI::Range(0.0, 1.0));
-  command->add_option("--bounces", options->bounces, "further diffuse scatterings")->check(CLI::Range(0, 1024));
+  command->add_option("--bounces", options->bounces, "further diffuse scatterings")
+      ->check(CLI::Range(0, 1024));
   command->add_option("--spp", options->spp, "samples per pixel")->check(CLI::Range(1, 65536));
   command->add_option("--seed", options->seed, "seed")->check(CLI::NonNegativeNumber);
   command->add_option("--exposure", options->exposure_ev, "stops, for .png");
@@ -148,9 +180,11 @@ void add_workbench_commands(CLI::App& app) {
   auto capture_options = std::make_shared<CaptureOptions>();
   CLI::App* capture = app.add_subcommand("capture", "capture a panoramic depth map of a scene file");
   capture->add_option("scene", capture_options->scene, ".glb, .gltf or builtin:NAME")->required();
-  capture->add_option("--width", capture_options->width_px, "width W; the height is W / 2")->check(CLI::Range(2, 16384));
+  capture->add_option("--width", capture_options->width_px, "width W; the height is W / 2")
+      ->check(CLI::Range(2, 16384));
   capture->add_option("--yaw", capture_options->yaw_texels, "turn the sampling grid by so many texels");
-  capture->add_option("--at", capture_options->at, "centre X Y Z in metres (default: the scene's camera)")->expected(3);
+  capture->add_option("--at", capture_options->at, "centre X Y Z in metres (default: the scene's camera)")
+      ->expected(3);
   capture->add_option("--out", capture_options->out, "depth map to write (.exr)")->required();
   capture->callback([capture_options] { run_capture(*capture_options); });
 

@@ -25,7 +25,7 @@ name = "hall"
 file = "MESHES/sponza.glb"
 artifacts = ["receiver", "shadow", "overlap"]
 environment_radiance = [0.5, 0.55, 0.65]
-exposure_ev = -0.7
+exposure_ev = -1.5
   [scene.sun]
   to_sun = [0.45, 1.0, 0.12]
   irradiance_w_m2 = [9.0, 8.5, 8.0]

@@ -163,7 +163,10 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
 TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
   StimulusLayers layers{.width_px = 3, .height_px = 1, .spp = 2};
   for (auto& half : layers.halves) half.resize(3);
-  layers.guides.resize(3, {Eigen::Vector3f(0, 1, 0), 1.0F});
+  layers.rest_asks_depth = true;
+  // Three surfaces that have nothing in common, so that no pocket borrows from another.
+  layers.guides = {
+      {Eigen::Vector3f(0, 1, 0), 1.0F}, {Eigen::Vector3f(1, 0, 0), 1.0F}, {Eigen::Vector3f(0, 0, 1), 1.0F}};
   for (std::size_t i = 0; i < 3; ++i) {
     StimulusSums& pixel = layers.halves[0][i];
     pixel.rest = 2;
@@ -181,6 +184,30 @@ TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
   EXPECT_EQ(composite.tiny_denominators.floored_pixels, 1);
   EXPECT_EQ(composite.tiny_denominators.clamped_pixels, 1);
   for (const float value : composite.picture.values) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
+  // A dark strip of depth mesh before a bright photograph: one path in 16 finds light, and the object takes a
+  // third of those.
+  StimulusLayers layers{.width_px = 32, .height_px = 32, .spp = 16};
+  layers.rest_asks_depth = true;
+  for (auto& half : layers.halves) half.resize(32 * 32);
+  layers.guides.resize(32 * 32, {Eigen::Vector3f(0, 0, 1), 2.0F});
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      StimulusSums& pixel = layers.halves[0][static_cast<std::size_t>(y * 32 + x)];
+      const bool pocket = x >= 24;
+      const int number = y * 8 + x;
+      pixel.rest = 16;
+      pixel.background = Rgb::Constant(16.0F);
+      pixel.no.direct = Rgb::Constant(pocket ? (number % 2 == 0 ? 1.0F : 0.0F) : 16.0F);
+      pixel.with.direct = pocket && number % 6 == 0 ? Rgb::Zero() : pixel.no.direct;
+    }
+  const Composite composite = compose(layers);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 24; ++x) EXPECT_EQ(composite.ratio.at(x, y), 1.0F);
+  for (int y = 6; y < 26; ++y)
+    for (int x = 24; x < 32; ++x) EXPECT_NEAR(composite.ratio.at(x, y), 2.0 / 3, 0.2) << x << " " << y;
 }
 
 }  // namespace
