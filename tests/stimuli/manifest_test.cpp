@@ -1,0 +1,98 @@
+#include "stimuli/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include "stimuli/difference.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Manifest example() {
+  Manifest manifest;
+  manifest.study_name = "s";
+  manifest.study_hash = "abc";
+  manifest.program_version = "0.1.0";
+  manifest.instruction_set = "avx2";
+  manifest.left_out = {"textures"};
+  manifest.width_px = 96;
+  manifest.height_px = 54;
+  manifest.references = {{"room", "references/room.png", "references/room-ids.png", "1", "2"}};
+  ManifestStimulus stimulus;
+  stimulus.stimulus = {.scene = "room",
+                       .artifact = Artifact::overlap,
+                       .object = "a",
+                       .object_index = 2,
+                       .condition = {.depth_width_px = 512}};
+  stimulus.id = stimulus_id(stimulus.stimulus);
+  stimulus.image = "stimuli/a.png";
+  stimulus.spp = 16;
+  stimulus.rays = 123456789012;
+  stimulus.rmse = 0.01;
+  stimulus.mesh = {1000, 9e-5};
+  stimulus.tiny_denominators = {3, 4};
+  stimulus.sha256 = "3";
+  manifest.stimuli = {stimulus, stimulus};
+  manifest.stimuli[1].rmse.reset();
+  return manifest;
+}
+
+class ManifestFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("seamline-manifest-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+TEST_F(ManifestFile, RoundTripKeepsEveryByte) {
+  write_manifest(folder_, example());
+  const std::string bytes = read_file(folder_ / "manifest.json");
+  const Manifest back = read_manifest(folder_);
+  EXPECT_EQ(back.stimuli[0].stimulus.artifact, Artifact::overlap);
+  EXPECT_EQ(back.stimuli[0].rays, 123456789012);
+  EXPECT_FALSE(back.stimuli[1].rmse);
+  write_manifest(folder_, back);
+  EXPECT_EQ(read_file(folder_ / "manifest.json"), bytes);
+  EXPECT_EQ(set_hash(folder_).size(), 64U);
+}
+
+TEST_F(ManifestFile, EveryMissingFieldAndEveryCutIsTheUsersInput) {
+  write_manifest(folder_, example());
+  const std::string bytes = read_file(folder_ / "manifest.json");
+  for (const char* key : {"\"version\"", "\"stimuli\"", "\"rays\"", "\"depth_width_px\"", "\"artifact\"",
+                          "\"sha256\"", "\"references\""}) {
+    std::string broken = bytes;
+    broken.replace(broken.find(key), 3, "\"x_");
+    write_file_atomically(folder_ / "manifest.json", broken);
+    EXPECT_THROW((void)read_manifest(folder_), InputError) << key;
+  }
+  for (std::size_t length = 0; length + 2 < bytes.size(); length += 97) {
+    write_file_atomically(folder_ / "manifest.json", bytes.substr(0, length));
+    EXPECT_THROW((void)read_manifest(folder_), InputError) << length;
+  }
+  for (const char* text : {"[]", "3", "null", "{\"format\": 3}"}) {
+    write_file_atomically(folder_ / "manifest.json", text);
+    EXPECT_THROW((void)read_manifest(folder_), InputError) << text;
+  }
+}
+
+TEST(Difference, IsInDisplayUnitsAndOverTheMask) {
+  Image a(2, 1, 3), b(2, 1, 3);
+  b.set_rgb(1, 0, Rgb::Ones());
+  EXPECT_NEAR(display_rmse(a, b, 0), std::sqrt(0.5), 1e-6);
+  Image mask(2, 1, 1);
+  mask.at(1, 0) = 1;
+  EXPECT_NEAR(display_rmse(a, b, 0, &mask), 1.0, 1e-6);
+  EXPECT_NEAR(display_rmse(a, b, 5, &mask), 1.0, 1e-6);  // clipped at white
+  EXPECT_EQ(clipped_share(b, 0.0), 0.0);
+  EXPECT_EQ(clipped_share(b, 1.0), 0.5);
+}
+
+}  // namespace
+}  // namespace seamline

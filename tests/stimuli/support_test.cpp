@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/colour.h"
+#include "stimuli/support/error.h"
+#include "stimuli/support/hash.h"
+#include "stimuli/support/image.h"
+#include "stimuli/support/progress.h"
+#include "stimuli/support/suggest.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("seamline-support-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+using AtomicFile = TemporaryFolder;
+using ImageFile = TemporaryFolder;
+
+TEST(Hash, Sha256OfPublishedMessages) {  // FIPS 180-2, appendix B
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST_F(AtomicFile, FailedWriteLeavesTheOldFileAndNothingElse) {
+  write_file_atomically(folder_ / "a.txt", "old");
+  EXPECT_THROW(write_file_atomically(folder_ / "a.txt",
+                                     [](const fs::path& temporary) {
+                                       std::ofstream(temporary) << "half";
+                                       throw InputError("stopped");
+                                     }),
+               InputError);
+  EXPECT_EQ(read_file(folder_ / "a.txt"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(AtomicFile, HashOfAFileIsTheHashOfItsBytes) {
+  const std::string bytes(200000, 'x');
+  write_file_atomically(folder_ / "b", bytes);
+  EXPECT_EQ(sha256_of_file(folder_ / "b"), sha256(bytes));
+  EXPECT_THROW((void)sha256_of_file(folder_ / "none"), InputError);
+  EXPECT_THROW((void)sha256_of_file(folder_), InputError);
+}
+
+TEST(Colour, SrgbCurveMeetsItsInverseAndItsCodes) {
+  for (int code = 0; code < 256; ++code) {
+    const float linear = linear_from_srgb(static_cast<float>(code) / 255.0F);
+    EXPECT_EQ(code_from_display(srgb_from_linear(linear)), code);
+  }
+  EXPECT_FLOAT_EQ(srgb_from_linear(0.18F), 0.46135613F);
+  EXPECT_EQ(srgb_from_linear(std::nanf("")), 0.0F);
+  EXPECT_EQ(srgb_from_linear(7.0F), 1.0F);
+  EXPECT_EQ(srgb_from_linear(-1.0F), 0.0F);
+}
+
+TEST_F(ImageFile, ExrKeepsEveryBit) {
+  Image image(5, 3, 3);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = 1e-7F * static_cast<float>(i * i) + 1.0F / 3;
+  image.values[7] = 1e30F;
+  write_exr(folder_ / "a.exr", image);
+  EXPECT_EQ(read_image(folder_ / "a.exr").values, image.values);
+}
+
+TEST_F(ImageFile, PngKeepsEveryCodeAndTheSamePictureGivesTheSameBytes) {
+  ByteImage image{16, 16, 3, {}};
+  for (int i = 0; i < 16 * 16 * 3; ++i) image.values.push_back(static_cast<std::uint8_t>(i % 256));
+  write_png(folder_ / "a.png", image);
+  write_png(folder_ / "b.png", image);
+  EXPECT_EQ(read_bytes_image(folder_ / "a.png").values, image.values);
+  EXPECT_EQ(read_file(folder_ / "a.png"), read_file(folder_ / "b.png"));
+  EXPECT_NEAR(read_image(folder_ / "a.png").values[188], linear_from_srgb(188.0F / 255), 1e-6);
+}
+
+TEST_F(ImageFile, DamagedPictureIsTheUsersInput) {
+  write_file_atomically(folder_ / "a.png", "\x89PNG\r\n\x1a\nnothing more");
+  EXPECT_THROW((void)read_image(folder_ / "a.png"), InputError);
+  EXPECT_THROW((void)read_image(folder_ / "none.png"), InputError);
+}
+
+TEST(Suggest, NearestWordOrNone) {
+  const std::array<std::string, 3> known = {"exposure_ev", "albedo", "bounces"};
+  EXPECT_EQ(nearest_word("exposure", known), "exposure_ev");
+  EXPECT_EQ(nearest_word("albdo", known), "albedo");
+  EXPECT_EQ(nearest_word("xyzzy_zyx", known), "");
+}
+
+TEST(Progress, DurationsReadWell) {
+  EXPECT_EQ(duration_text(14.2), "14 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(7500), "2 h 05 min");
+}
+
+TEST(Error, SentenceNamesFileFieldWantedAndFound) {
+  EXPECT_STREQ(
+      input_error({.file = "a.toml", .field = "scene[0].scale", .wanted = "a positive number", .found = "-1"})
+          .what(),
+      "a.toml: scene[0].scale: wanted a positive number, found -1");
+}
+
+}  // namespace
+}  // namespace seamline
