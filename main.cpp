@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 
 #include "analysis/commands.h"
 #include "demo.h"
@@ -47,6 +49,13 @@ int main(int argc, char** argv) {
   } catch (const seamline::Interrupted&) {
     std::fprintf(stderr, "seamline: stopped; run the same command again to continue\n");
     return exit_interrupted;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "seamline: %s: wanted a path that can be used, found %s\n", error.path1().c_str(),
+                 error.code().message().c_str());
+    return exit_wrong_input;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "seamline: wanted input that fits into memory, found more than there is\n");
+    return exit_wrong_input;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "seamline: this is a bug in seamline: %s\n", error.what());
     return exit_bug;

@@ -93,6 +93,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
       }
       out.picture.set_rgb(
           x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
+      out.tiny_denominators.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
     }
   return out;
 }

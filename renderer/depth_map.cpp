@@ -49,7 +49,7 @@ DepthMap read_depth_map(const std::filesystem::path& path) {
   // Eight-bit formats would be decoded as colours: their numbers are no metres.
   if (path.extension() != ".exr" && path.extension() != ".EXR")
     throw refuse("a depth map as an .exr file", "the extension `" + path.extension().string() + "`");
-  Image image = read_image(path);
+  Image image = read_float_image(path);
   if (image.channels != 1)
     throw refuse("a depth map with one channel", std::to_string(image.channels) + " channels");
   if (image.width_px < 2 || image.width_px % 2 != 0 || image.height_px != image.width_px / 2)

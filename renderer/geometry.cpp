@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 namespace seamline {
@@ -35,6 +36,12 @@ void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
+}
+
+/// Embree keeps its errors to itself until asked: a scene that could not be built would be an empty one.
+void commit(RTCScene scene) {
+  rtcCommitScene(scene);
+  if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 
 RTCRay embree_ray(const Ray& ray) {
@@ -95,13 +102,13 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
     attach(as_scene(scene_), part->positions_m, part->triangles);
     emits_ = emits_ || (part->emission > 0.0F).any();
   }
-  rtcCommitScene(as_scene(scene_));
+  commit(as_scene(scene_));
 }
 
 Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScene(device())) {
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   attach(as_scene(scene_), mesh.vertices_m, mesh.triangles);
-  rtcCommitScene(as_scene(scene_));
+  commit(as_scene(scene_));
   auto part = std::make_shared<Part>();
   part->name = "local scene";
   part->albedo = albedo;

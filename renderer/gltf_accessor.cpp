@@ -11,7 +11,7 @@
 namespace seamline {
 namespace {
 
-constexpr std::size_t largest_count = 400'000'000;
+constexpr std::size_t largest_count = 200'000'000;
 
 /// A run of elements inside one buffer, proven to lie within it.
 struct Run {
@@ -59,11 +59,17 @@ Run checked_run(const tinygltf::Model& model, int view_index, std::size_t offset
     throw bad("a buffer that exists", std::to_string(view.buffer));
   const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
   const std::size_t stride = stride_or_zero != 0 ? stride_or_zero : element_bytes;
-  const std::size_t needed = count == 0 ? offset : offset + stride * (count - 1) + element_bytes;
-  if (count > largest_count || view.byteLength > bytes.size() ||
-      view.byteOffset > bytes.size() - view.byteLength || needed > view.byteLength)
-    throw bad("an accessor inside its buffer", fmt::format("{} elements that need {} bytes of {}", count,
-                                                           needed, std::min(view.byteLength, bytes.size())));
+  const bool view_inside =
+      view.byteLength <= bytes.size() && view.byteOffset <= bytes.size() - view.byteLength;
+  // Divided, not multiplied: hostile offsets and strides must not wrap around.
+  const bool inside =
+      view_inside &&
+      (count == 0 || (element_bytes <= view.byteLength && offset <= view.byteLength - element_bytes &&
+                      count - 1 <= (view.byteLength - element_bytes - offset) / stride));
+  if (!inside)
+    throw bad("an accessor inside its buffer",
+              fmt::format("{} elements of {} bytes from byte {} of {}", count, element_bytes, offset,
+                          std::min(view.byteLength, bytes.size())));
   return {bytes.data() + view.byteOffset + offset, stride, count, component_type, false};
 }
 
@@ -89,7 +95,7 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
                        .field = field,
                        .wanted = "a sensible count",
                        .found = std::to_string(accessor.count)});
-  std::vector<double> values(accessor.count * static_cast<std::size_t>(component_count), 0.0);
+  std::vector<double> values;
   if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {
     const std::size_t element_bytes = static_cast<std::size_t>(component_bytes * component_count);
     const bool view_exists =
@@ -98,12 +104,14 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
         view_exists ? model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride : 0;
     const Run run = checked_run(model_, accessor.bufferView, accessor.byteOffset, stride, element_bytes,
                                 accessor.count, accessor.componentType, where);
+    values.resize(accessor.count * static_cast<std::size_t>(component_count), 0.0);
     std::size_t next = 0;
     for (std::size_t i = 0; i < run.count; ++i)
       for (int c = 0; c < component_count; ++c)
         values[next++] = component(run.data + i * run.stride + static_cast<std::size_t>(c * component_bytes),
                                    accessor.componentType, accessor.normalized);
   }
+  values.resize(accessor.count * static_cast<std::size_t>(component_count), 0.0);
   if (accessor.sparse.isSparse) overwrite_sparse(index, component_count, values, field);
   return values;
 }
@@ -116,10 +124,12 @@ void GltfReader::overwrite_sparse(int index, int component_count, std::vector<do
   const int index_bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(index_type));
   const std::size_t component_bytes = static_cast<std::size_t>(
       tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
-  if (accessor.sparse.count < 0 || index_bytes <= 0 || index_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
+  if (accessor.sparse.count < 0 || accessor.sparse.indices.byteOffset < 0 ||
+      accessor.sparse.values.byteOffset < 0 || index_bytes <= 0 ||
+      index_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
     throw input_error({.file = where.file,
                        .field = where.field,
-                       .wanted = "a count and whole-number indices",
+                       .wanted = "a count, offsets that are not negative, and whole-number indices",
                        .found = "others"});
   const std::size_t count = static_cast<std::size_t>(accessor.sparse.count);
   const Run where_run = checked_run(model_, accessor.sparse.indices.bufferView,

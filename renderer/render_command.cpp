@@ -67,6 +67,11 @@ void run_verify(const std::string& set) {
                          .wanted = "the bytes with hash " + expected.substr(0, 16) + "...",
                          .found = found.substr(0, 16) + "..."});
   };
+  const std::filesystem::path study = std::filesystem::path(set) / manifest.study_file;
+  if (study_hash(read_study(study, AssetCheck::not_needed)) != manifest.study_hash)
+    throw input_error({.file = study.string(),
+                       .wanted = "the study that the set was rendered from",
+                       .found = "another one"});
   for (const ManifestReference& reference : manifest.references) {
     check(reference.image, reference.image_sha256);
     check(reference.object_ids, reference.object_ids_sha256);

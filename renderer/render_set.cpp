@@ -47,44 +47,61 @@ class SetRenderer {
         hashes_(study, settings_),
         records_(request.set_folder),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
-        timings_(request.set_folder, threads_) {}
+        timings_(request.set_folder, threads_, request.shard, request.shard_count) {}
 
   RenderSummary run() {
     const Clock::time_point start = Clock::now();
-    prepare_folder();
+    check_existing_set();
     find_pending();
-    progress_.emplace("rendering " + study_.name, total_work());
     for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
+    for (const char* part : {"stimuli", "references", "records"})
+      prepare_output_folder(request_.set_folder / part);
+    progress_.emplace("rendering " + study_.name, total_work());
     for (const SceneDefinition& scene : study_.scenes) render_scene(scene);
     progress_.reset();
-    write_manifest(request_.set_folder, manifest());
+    write_set();
     summary_.seconds = seconds_since(start);
     timings_.write(summary_.seconds);
     return summary_;
   }
 
  private:
-  void prepare_folder() const {
-    prepare_output_folder(request_.set_folder);
-    for (const char* part : {"stimuli", "references", "records"})
-      prepare_output_folder(request_.set_folder / part);
-    if (fs::exists(request_.set_folder / "manifest.json")) {
-      const Manifest existing = read_manifest(request_.set_folder);
-      if (existing.study_name != study_.name)
-        throw input_error({.file = request_.set_folder.string(),
-                           .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
-                           .found = "a set of study \"" + existing.study_name + "\""});
-    }
+  void check_existing_set() {
+    if (!fs::exists(request_.set_folder / "manifest.json")) return;
+    const Manifest existing = read_manifest(request_.set_folder);
+    if (existing.study_name != study_.name)
+      throw input_error({.file = request_.set_folder.string(),
+                         .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
+                         .found = "a set of study \"" + existing.study_name + "\""});
+    earlier_stimuli_ = existing.stimuli.size();
+  }
+
+  /// Manifest and study file change together, at the end: until then a set stays what it was.
+  void write_set() {
+    Manifest written = manifest();
     write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
+    write_manifest(request_.set_folder, written);
+    // Another shard may have finished meanwhile: the last to look lists everything.
+    for (Manifest now = manifest(); now.stimuli.size() != written.stimuli.size(); now = manifest()) {
+      write_manifest(request_.set_folder, now);
+      written = std::move(now);
+    }
+    if (written.stimuli.size() < earlier_stimuli_)
+      fmt::print(
+          stderr,
+          "seamline: the set had {} stimuli and now has {}: the others were rendered with other settings; "
+          "render without --only to make them again\n",
+          earlier_stimuli_, written.stimuli.size());
   }
 
   void find_pending() {
     for (const Stimulus& stimulus : list_stimuli(study_)) {
       if (!matches_pattern(stimulus_id(stimulus), request_.only)) continue;
       selected_scenes_.insert(stimulus.scene);
+      if (!in_this_shard(stimulus)) continue;
       const std::string inputs = hashes_.of_stimulus(stimulus);
       if (records_.finished(stimulus_id(stimulus), inputs) &&
-          !(request_.layers && !has_layers(request_.set_folder, stimulus)))
+          !(request_.layers && !has_layers(request_.set_folder, stimulus, inputs)))
         ++summary_.already_finished;
       else
         pending_.push_back({stimulus, inputs});
@@ -94,6 +111,13 @@ class SetRenderer {
                          .field = "--only",
                          .wanted = "a pattern that matches a stimulus id",
                          .found = "\"" + request_.only + "\""});
+  }
+
+  /// Shards share out the virtual objects of all scenes, because stimuli of one object share its truth.
+  bool in_this_shard(const Stimulus& stimulus) {
+    const auto [found, added] =
+        objects_.emplace(stimulus.scene + "/" + stimulus.object, static_cast<int>(objects_.size()));
+    return found->second % request_.shard_count == request_.shard - 1;
   }
 
   // Weights of the progress bar, in passes over the picture.
@@ -152,7 +176,6 @@ class SetRenderer {
     const TruthScene& scene = found->second;
     finish_reference(scene);
     for (int object = 1; object <= 3; ++object) {
-      if (object % request_.shard_count != request_.shard % request_.shard_count) continue;
       render_object(scene, object);
     }
     scenes_.erase(found);
@@ -226,9 +249,9 @@ class SetRenderer {
                   const TruthLayers& truth, const MeshRecord& mesh, const Pending& work) {
     const Clock::time_point start = Clock::now();
     const std::string id = stimulus_id(work.stimulus);
+    const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
     const StimulusLayers layers =
-        render_stimulus(scene, geometry, depth, truth, recipe(work.stimulus.artifact, study_.isolation),
-                        pass(stimulus_work, id));
+        render_stimulus(scene, geometry, depth, truth, how, pass(stimulus_work, id));
     const Composite composite = compose(layers);
     const double exposure_ev = scene.definition.exposure_ev;
     ManifestStimulus record{.id = id,
@@ -240,14 +263,15 @@ class SetRenderer {
                             .spp = settings_.spp,
                             .rays = layers.rays,
                             .rmse = estimated_noise(layers, exposure_ev),
-                            .mesh = mesh,
+                            .mesh = how.answers.needs_depth() ? mesh : MeshRecord{},
                             .tiny_denominators = composite.tiny_denominators,
                             .clipped_share = clipped_share(composite.picture, exposure_ev),
                             .sha256 = {}};
     write_png(request_.set_folder / record.image, display_image(composite.picture, exposure_ev));
     record.sha256 = sha256_of_file(request_.set_folder / record.image);
     if (request_.layers)
-      write_layers(request_.set_folder, scene, depth, truth, layers, composite, work.stimulus);
+      write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, depth,
+                   {truth, layers, composite});
     records_.finish(record, work.inputs);
     timings_.add(id, seconds_since(start), layers.rays);
     ++summary_.rendered;
@@ -284,6 +308,8 @@ class SetRenderer {
   Timings timings_;
   std::vector<Pending> pending_;
   std::set<std::string> selected_scenes_;
+  std::map<std::string, int> objects_;  ///< in study order, for sharing out
+  std::size_t earlier_stimuli_ = 0;
   std::map<std::string, TruthScene> scenes_;
   std::optional<Progress> progress_;
   RenderSummary summary_;

@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
 
 #include "renderer/gltf_accessor.h"
@@ -23,8 +24,9 @@ class NodeWalker {
 
   SceneFile walk() {
     if (model_.scenes.empty()) {
+      const std::vector<bool> is_child = children();
       for (std::size_t node = 0; node < model_.nodes.size(); ++node)
-        if (!is_child(static_cast<int>(node))) visit(static_cast<int>(node), Eigen::Affine3d::Identity(), 0);
+        if (!is_child[node]) visit(static_cast<int>(node), Eigen::Affine3d::Identity(), 0);
     } else {
       const std::size_t scene = model_.defaultScene < 0 ? 0 : static_cast<std::size_t>(model_.defaultScene);
       if (scene >= model_.scenes.size()) throw bad("scene", "a scene that exists", std::to_string(scene));
@@ -39,11 +41,13 @@ class NodeWalker {
     return input_error({.file = file_, .field = field, .wanted = wanted, .found = found});
   }
 
-  [[nodiscard]] bool is_child(int wanted) const {
+  [[nodiscard]] std::vector<bool> children() const {
+    std::vector<bool> is_child(model_.nodes.size());
     for (const tinygltf::Node& node : model_.nodes)
       for (const int child : node.children)
-        if (child == wanted) return true;
-    return false;
+        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+          is_child[static_cast<std::size_t>(child)] = true;
+    return is_child;
   }
 
   static Eigen::Affine3d local_transform(const tinygltf::Node& node) {
@@ -65,8 +69,9 @@ class NodeWalker {
     const std::string field = fmt::format("nodes[{}]", index);
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       throw bad(field, "a node that exists", "none");
-    if (depth > deepest_node_tree || !on_path_.insert(index).second)
-      throw bad(field, "a tree of nodes", depth > deepest_node_tree ? "one too deep" : "a cycle");
+    if (depth > deepest_node_tree || !visited_.insert(index).second)
+      throw bad(field, "a tree of nodes",
+                depth > deepest_node_tree ? "one too deep" : "a cycle, or a node with two parents");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const Eigen::Affine3d world = parent * local_transform(node);
     if (!world.matrix().allFinite()) throw bad(field, "a finite transform", "one that is not");
@@ -74,7 +79,6 @@ class NodeWalker {
     if (node.camera >= 0) add_camera(node, world, field);
     add_light(node, world, field);
     for (const int child : node.children) visit(child, world, depth + 1);
-    on_path_.erase(index);
   }
 
   void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
@@ -159,6 +163,12 @@ class NodeWalker {
     if (const auto strength = material.extensions.find("KHR_materials_emissive_strength");
         strength != material.extensions.end() && strength->second.Has("emissiveStrength"))
       part.emission *= static_cast<float>(strength->second.Get("emissiveStrength").GetNumberAsDouble());
+    check_emission(part, where);
+  }
+
+  void check_emission(const FileMesh& part, const std::string& where) const {
+    if (!(part.emission >= 0).all() || !part.emission.allFinite())
+      throw bad(where + ".material", "a finite emission that is not negative", "another");
   }
 
   void add_camera(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
@@ -198,7 +208,7 @@ class NodeWalker {
   std::string file_;
   GltfReader reader_;
   SceneFile out_;
-  std::set<int> on_path_;
+  std::set<int> visited_;
 };
 
 /// Textures are never looked at: decoding them would cost time and memory for nothing.
@@ -218,6 +228,7 @@ tinygltf::Model load_model(const std::filesystem::path& path) {
   const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path.string())
                              : loader.LoadASCIIFromFile(&model, &error, &warning, path.string());
   while (!error.empty() && error.back() == '\n') error.pop_back();
+  std::replace(error.begin(), error.end(), '\n', ' ');
   if (!loaded)
     throw input_error({.file = path.string(),
                        .wanted = "a whole glTF 2.0 file",

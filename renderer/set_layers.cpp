@@ -44,28 +44,30 @@ std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry&
   return count;
 }
 
-bool has_layers(const fs::path& set_folder, const Stimulus& stimulus) {
-  return fs::exists(layer_folder(set_folder, stimulus) / "composite.exr");
+bool has_layers(const fs::path& set_folder, const Stimulus& stimulus, const std::string& inputs) {
+  const fs::path made_from = layer_folder(set_folder, stimulus) / "inputs";
+  return fs::exists(made_from) && read_file(made_from) == inputs;
 }
 
-void write_layers(const fs::path& set_folder, const TruthScene& scene, const Geometry* depth,
-                  const TruthLayers& truth, const StimulusLayers& layers, const Composite& composite,
-                  const Stimulus& stimulus) {
-  const fs::path folder = layer_folder(set_folder, stimulus);
+void write_layers(const LayerTarget& target, const TruthScene& scene, const Geometry* depth,
+                  const StimulusParts& parts) {
+  const fs::path folder = layer_folder(target.set_folder, target.stimulus);
   prepare_output_folder(folder);
-  const LayerImages parts = layer_images(layers);
-  const Image reference = reference_image(truth);
-  write_exr(folder / "background.exr", background_image(truth));
+  fs::remove(folder / "inputs");
+  const LayerImages images = layer_images(parts.layers);
+  const Image reference = reference_image(parts.truth);
+  write_exr(folder / "background.exr", background_image(parts.truth));
   write_exr(folder / "reference.exr", reference);
-  write_exr(folder / "with.exr", parts.with);
-  write_exr(folder / "without.exr", parts.without);
-  write_exr(folder / "ratio.exr", composite.ratio);
-  write_exr(folder / "matte.exr", matte_image(truth));
-  write_exr(folder / "difference.exr", difference(composite.picture, reference));
-  write_exr(folder / "additive.exr", compose(layers, Compositing::additive).picture);
+  write_exr(folder / "with.exr", images.with);
+  write_exr(folder / "without.exr", images.without);
+  write_exr(folder / "ratio.exr", parts.composite.ratio);
+  write_exr(folder / "matte.exr", matte_image(parts.truth));
+  write_exr(folder / "difference.exr", difference(parts.composite.picture, reference));
+  write_exr(folder / "additive.exr", compose(parts.layers, Compositing::additive).picture);
   if (depth != nullptr)
     write_png(folder / "local_scene.png", display_image(shaded_picture(scene.camera, *depth)));
-  write_exr(folder / "composite.exr", composite.picture);
+  write_exr(folder / "composite.exr", parts.composite.picture);
+  write_file_atomically(folder / "inputs", target.inputs);
 }
 
 }  // namespace seamline

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "renderer/geometry.h"
@@ -16,9 +17,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The JSON part of a .gltf or .glb file; an unreadable one is complained about by the scene reader.
+Json gltf_json(const fs::path& path) {
+  std::string bytes = read_file(path);
+  if (bytes.starts_with("glTF") && bytes.size() >= 20) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    bytes = bytes.substr(20, length);
+  }
+  return Json::parse(bytes, nullptr, false);
+}
+
+/// Hash of a scene file and of the buffer files beside it that it names.
+std::string scene_file_hash(const fs::path& path) {
+  std::string hashes = sha256_of_file(path);
+  const Json json = gltf_json(path);
+  if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array()) return hashes;
+  for (const Json& buffer : json["buffers"]) {
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+    const std::string uri = buffer["uri"];
+    std::error_code error;
+    if (!uri.starts_with("data:") && fs::is_regular_file(path.parent_path() / uri, error))
+      hashes += sha256_of_file(path.parent_path() / uri);
+  }
+  return hashes;
+}
+
 std::string scene_inputs(const SceneDefinition& scene) {
-  std::string text = canonical_text(scene) + sha256_of_file(scene.path);
-  for (const ObjectDefinition& object : scene.objects) text += sha256_of_file(object.path);
+  std::string text = canonical_text(scene) + scene_file_hash(scene.path);
+  for (const ObjectDefinition& object : scene.objects) text += scene_file_hash(object.path);
   return text;
 }
 
@@ -44,8 +71,19 @@ void write_record(const fs::path& path, const std::string& inputs, const Json& r
 
 }  // namespace
 
+namespace {
+
+/// The running program's own bytes: a changed program renders its pictures anew.
+std::string program_hash() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  return error ? std::string() : sha256_of_file(self);
+}
+
+}  // namespace
+
 InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& settings)
-    : common_(fmt::format("seamline {} {} image {} {} spp {} seed {}", program_version(),
+    : common_(fmt::format("seamline {} {} {} image {} {} spp {} seed {}", program_version(), program_hash(),
                           RayDevice::instruction_set(), study.width_px, study.height_px, settings.spp,
                           settings.seed)),
       isolation_and_mesh_(
@@ -87,8 +125,16 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
   const std::optional<Json> json =
       read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
   if (!json) return std::nullopt;
-  const ManifestReference reference{scene, json->value("image", ""), json->value("object_ids", ""),
-                                    json->value("image_sha256", ""), json->value("object_ids_sha256", "")};
+  ManifestReference reference{
+      .scene = scene, .image = {}, .object_ids = {}, .image_sha256 = {}, .object_ids_sha256 = {}};
+  try {
+    reference.image = json->at("image").get<std::string>();
+    reference.object_ids = json->at("object_ids").get<std::string>();
+    reference.image_sha256 = json->at("image_sha256").get<std::string>();
+    reference.object_ids_sha256 = json->at("object_ids_sha256").get<std::string>();
+  } catch (const Json::exception&) {
+    return std::nullopt;  // a damaged record is unfinished work
+  }
   const bool whole = has_hash(set_folder_ / reference.image, reference.image_sha256) &&
                      has_hash(set_folder_ / reference.object_ids, reference.object_ids_sha256);
   return whole ? std::optional(reference) : std::nullopt;

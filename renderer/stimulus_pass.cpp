@@ -108,6 +108,11 @@ class PixelRenderer {
     return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object),
                           geometry_.object, *sample.object, scene_.light, sample.sampler);
   }
+  /// Sun and sky only: bounce light of the truth is in the truth's sums already.
+  Split object_direct_light(const Sample& sample) const {
+    return leaving_object(ask(Who::depth, sample, *sample.object), {nullptr, nullptr}, geometry_.object,
+                          *sample.object, scene_.light, sample.sampler);
+  }
 
   RadiancePair rest_in_truth(const Sample& sample) const {
     return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler);
@@ -124,10 +129,12 @@ class PixelRenderer {
   /// Everything that some geometry other than the truth alone has to answer; traced for every stimulus.
   void add_depth_part(const Sample& sample, StimulusSums& out) const {
     if (sample.shows == Sample::Shows::object) {
-      if (answers_.object_lit == Who::depth || answers_.bounce == Who::depth) {
-        const Split light = object_light(sample, answers_.object_lit, answers_.bounce);
+      if (answers_.bounce == Who::depth) {
+        const Split light = object_light(sample, answers_.object_lit, Who::depth);
         if (answers_.object_lit == Who::depth) out.object += light.direct;
-        if (answers_.bounce == Who::depth) out.object += light.bounce;
+        out.object += light.bounce;
+      } else if (answers_.object_lit == Who::depth) {
+        out.object += object_direct_light(sample).direct;
       }
       return;
     }
@@ -143,9 +150,8 @@ class PixelRenderer {
       const RealQuestion lit = answers_.real_lit == Who::depth
                                    ? RealQuestion{depth_, &*sample.depth}
                                    : RealQuestion{&geometry_.truth, &*sample.real};
-      const Rgb& albedo = answers_.bounce == Who::depth ? sample.depth->albedo : sample.real->albedo;
-      add(direct_pair(receiver, lit, geometry_.object, albedo, scene_.light, sample.sampler), true, false,
-          out);
+      add(direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler),
+          true, false, out);
     }
     if (answers_.bounce == Who::depth)
       add(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), false, true,

@@ -21,7 +21,7 @@ std::string processor_name() {
 
 void Timings::write(double total_seconds) const {
   Json json = std::filesystem::exists(path_) ? Json::parse(read_file(path_), nullptr, false) : Json();
-  if (!json.is_object()) json = Json::object();
+  if (!json.is_object() || (json.contains("pieces") && !json["pieces"].is_object())) json = Json::object();
   json["threads"] = threads_;
   json["machine"] = processor_name();
   if (!pieces_.empty()) json["seconds"] = total_seconds;

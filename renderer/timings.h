@@ -10,8 +10,12 @@ namespace seamline {
 /// it differs from run to run.
 class Timings {
  public:
-  Timings(const std::filesystem::path& set_folder, int threads)
-      : path_(set_folder / "timings.json"), threads_(threads) {}
+  /// A shard writes `timings-IofN.json` of its own, because shards run at once.
+  Timings(const std::filesystem::path& set_folder, int threads, int shard, int shard_count)
+      : path_(set_folder / (shard_count == 1 ? std::string("timings.json")
+                                             : "timings-" + std::to_string(shard) + "of" +
+                                                   std::to_string(shard_count) + ".json")),
+        threads_(threads) {}
   void add(const std::string& piece, double seconds, std::int64_t rays) {
     pieces_.push_back({piece, seconds, rays});
   }

@@ -140,7 +140,11 @@ bool reaches_past(const RealQuestion& real, const Eigen::Vector3f& direction, fl
 /// once.
 std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction,
                                      float far_m) {
-  if (!above_horizon(*real.start, direction)) return *real.start;
+  if (!above_horizon(*real.start, direction)) {
+    SurfacePoint at_once = *real.start;
+    at_once.distance_m = 0.0F;
+    return at_once;
+  }
   return real.geometry->nearest(leaving_ray(*real.start, direction, far_m));
 }
 
@@ -161,7 +165,8 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   if (!above_horizon(point, direction)) return out;
   const Rgb sky = point.albedo * light.environment_radiance;
   Ray ray = leaving_ray(point, direction, light.sky_distance_m);
-  const bool bounces_matter = light.bounces > 0 || bounced_by.geometry->emits() || object.emits();
+  const bool bounces_matter =
+      bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());
   if (!bounces_matter) {
     if (!object.occluded(ray) && reaches_past(lit_past, direction, light.sky_distance_m)) out.direct += sky;
     return out;

@@ -40,14 +40,15 @@ struct RealQuestion {
                                         const Sampler& sampler);
 
 /// Radiance that a point of the virtual object sends to the camera. `lit_past` answers whether sun and sky
-/// reach it past real things (question 3), `bounced_by` where bounce light comes from (question 5).
+/// reach it past real things (question 3), `bounced_by` where bounce light comes from (question 5);
+/// without a geometry there the bounce part is not computed.
 [[nodiscard]] Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by,
                                    const Geometry& object, const SurfacePoint& point, const Light& light,
                                    const Sampler& sampler);
 
 /// Sun and sky on a receiver (question 1) whose being lit is asked of another geometry at that geometry's own
-/// point (question 2). The virtual object is seen from the receiver. `albedo` is that of whoever answers
-/// question 5.
+/// point (question 2). The virtual object is seen from the receiver. `albedo` is the truth's, whose bounce
+/// light joins it.
 [[nodiscard]] RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit,
                                        const Geometry& object, const Rgb& albedo, const Light& light,
                                        const Sampler& sampler);

@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <numbers>
+#include <Eigen/Geometry>
+#include <cmath>
 
 #include "renderer/capture.h"
 #include "renderer/gltf_write.h"
 #include "renderer/parallel.h"
 #include "renderer/photo_composite.h"
+#include "renderer/set_layers.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
@@ -22,6 +24,16 @@ Eigen::Vector3d vector(const Triple& v) {
   return {v[0], v[1], v[2]};
 }
 
+/// Refuses a file name whose ending does not say what will be in the file.
+void need_extension(const std::string& file, std::initializer_list<const char*> endings) {
+  std::string wanted;
+  for (const char* ending : endings) {
+    if (std::filesystem::path(file).extension() == ending) return;
+    wanted += (wanted.empty() ? "" : " or ") + std::string(ending);
+  }
+  throw input_error({.field = "--out", .wanted = "a name ending in " + wanted, .found = "\"" + file + "\""});
+}
+
 struct CaptureOptions {
   std::string scene, out;
   int width_px = 2048, yaw_texels = 0;
@@ -29,6 +41,7 @@ struct CaptureOptions {
 };
 
 void run_capture(const CaptureOptions& options) {
+  need_extension(options.out, {".exr"});
   if (options.width_px % 2 != 0)
     throw input_error(
         {.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
@@ -64,6 +77,7 @@ DepthMesh mesh_of(const MeshCommandOptions& options) {
 }
 
 void run_mesh(const MeshCommandOptions& options) {
+  need_extension(options.out, {".glb"});
   const DepthMesh mesh = mesh_of(options);
   write_depth_mesh(options.out, mesh);
   fmt::print("{}: {} triangles, {} vertices, largest relative error {:.2e}\n", options.out,
@@ -92,13 +106,41 @@ SceneDefinition scene_of(const CompositeOptions& options) {
   return scene;
 }
 
-void run_composite(const CompositeOptions& options) {
-  const std::string extension = std::filesystem::path(options.out).extension().string();
-  if (extension != ".png" && extension != ".exr")
-    throw input_error(
-        {.field = "--out", .wanted = "a name ending in .png or .exr", .found = "\"" + options.out + "\""});
+void check_numbers(const CompositeOptions& options) {
+  const auto finite = [](const char* field, const Triple& values, double least) {
+    for (const double value : values)
+      if (!(value >= least && value <= 1e12))
+        throw input_error({.field = field,
+                           .wanted = fmt::format("finite numbers of at least {}", least),
+                           .found = fmt::format("{}", value)});
+  };
+  finite("--position", options.position_m, -1e12);
+  finite("--rotation", options.rotation_deg, -1e12);
+  finite("--look-at", options.look_at_m, -1e12);
+  finite("--to-sun", options.to_sun, -1e12);
+  finite("--sun-irradiance", options.irradiance, 0);
+  finite("--environment", options.environment, 0);
+  if (!std::isfinite(options.exposure_ev))
+    throw input_error({.field = "--exposure",
+                       .wanted = "a finite number of stops",
+                       .found = fmt::format("{}", options.exposure_ev)});
   if (!(vector(options.to_sun).norm() > 0))
     throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
+  const Eigen::Vector3d view = vector(options.look_at_m);
+  if (!(view.cross(Eigen::Vector3d::UnitY()).norm() > 1e-9 * view.norm()))
+    throw input_error({.field = "--look-at",
+                       .wanted = "a point that is not straight above, below or at the centre",
+                       .found = "one that is"});
+}
+
+bool covers_a_pixel(const Camera& camera, const Geometry& object) {
+  const std::array<std::int64_t, 4> seen = visible_pixels(camera, object);
+  return seen[1] > 0;
+}
+
+void run_composite(const CompositeOptions& options) {
+  need_extension(options.out, {".png", ".exr"});
+  check_numbers(options);
   const Image photograph = read_image(options.photograph);
   if (photograph.channels < 3)
     throw input_error({.file = options.photograph,
@@ -116,6 +158,11 @@ void run_composite(const CompositeOptions& options) {
                                    .rotation_deg = vector(options.rotation_deg),
                                    .scale = options.scale};
   const Geometry object(place_parts(object_file, object_placement(placement), centre_m, options.albedo, 1));
+  if (!covers_a_pixel(camera, object))
+    throw input_error({.file = options.object,
+                       .field = "--position",
+                       .wanted = "an object that covers at least one pixel of the picture",
+                       .found = "none"});
   Progress progress("composite", 1.0);
   const PassOptions pass{.spp = options.spp,
                          .seed = static_cast<std::uint64_t>(options.seed),
@@ -127,7 +174,7 @@ void run_composite(const CompositeOptions& options) {
   const StimulusLayers layers =
       render_onto_photograph(photograph, depth, object, camera, scene_light(scene, object_file), pass);
   const Composite composite = compose(layers, options.additive ? Compositing::additive : Compositing::ratio);
-  if (extension == ".exr")
+  if (std::filesystem::path(options.out).extension() == ".exr")
     write_exr(options.out, composite.picture);
   else
     write_png(options.out, display_image(composite.picture, options.exposure_ev));

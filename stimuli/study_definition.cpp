@@ -45,7 +45,6 @@ std::string canonical_text(const SceneDefinition& scene) {
   std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
                                 scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
                                 scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
-  for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
   for (const ObjectDefinition& object : scene.objects) out += object_text(object);
   if (scene.sun)
     out += fmt::format("sun {} {} {}\n", text(scene.sun->to_sun), text(scene.sun->irradiance_w_m2),
@@ -62,7 +61,10 @@ std::string canonical_text(const StudyDefinition& study) {
                   study.name, word(study.isolation), study.width_px, study.height_px, study.samples_per_pixel,
                   study.seed, word(study.mesh), study.mesh_tolerance, study.yaw_texels);
   for (const int width_px : study.depth_width_px) out += fmt::format("depth_width_px {}\n", width_px);
-  for (const SceneDefinition& scene : study.scenes) out += canonical_text(scene);
+  for (const SceneDefinition& scene : study.scenes) {
+    out += canonical_text(scene);
+    for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
+  }
   return out + session_text(study.session, study.observer);
 }
 

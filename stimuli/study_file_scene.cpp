@@ -1,6 +1,7 @@
 #include "stimuli/study_file_scene.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -77,6 +78,8 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
     if (!artifact)
       throw table.complaint("artifacts", "receiver, shadow, occlusion, overlap, bounce, all or none",
                             "\"" + text + "\"");
+    if (std::find(artifacts.begin(), artifacts.end(), *artifact) != artifacts.end())
+      throw table.complaint("artifacts", "each artifact once", "\"" + text + "\" twice");
     artifacts.push_back(*artifact);
   }
   return artifacts;

@@ -125,7 +125,7 @@ std::array<double, 3> TomlTable::triple(const std::string& key, const std::array
   bool good = array != nullptr && array->size() == 3;
   for (std::size_t i = 0; good && i < 3; ++i) {
     const toml::node& item = (*array)[i];
-    values[i] = item.is_number() ? *item.value<double>() : std::nan("");
+    values[i] = item.is_number() ? item.value<double>().value_or(std::nan("")) : std::nan("");
     good = inside(values[i], range);
   }
   if (!good) {

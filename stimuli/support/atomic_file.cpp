@@ -29,20 +29,20 @@ void sync_file(const fs::path& path) {
   if (failed != 0) throw unwritable(path, error_number);
 }
 
-void write_all(const fs::path& path, std::string_view bytes) {
+void write_all(const fs::path& path, const fs::path& shown, std::string_view bytes) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw unwritable(path, errno);
+  if (descriptor < 0) throw unwritable(shown, errno);
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error_number = errno;
       ::close(descriptor);
-      throw unwritable(path, error_number);
+      throw unwritable(shown, error_number);
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::close(descriptor) != 0) throw unwritable(path, errno);
+  if (::close(descriptor) != 0) throw unwritable(shown, errno);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ void write_file_atomically(const fs::path& path, const std::function<void(const 
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
-  write_file_atomically(path, [&](const fs::path& temporary) { write_all(temporary, bytes); });
+  write_file_atomically(path, [&](const fs::path& temporary) { write_all(temporary, path, bytes); });
 }
 
 std::string read_file(const fs::path& path) {
@@ -80,7 +80,7 @@ void prepare_output_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) throw unwritable(folder, error.value());
   const fs::path probe = folder / (".writable." + std::to_string(::getpid()));
-  write_all(probe, "");
+  write_all(probe, folder, "");
   ::unlink(probe.c_str());
 }
 

@@ -24,7 +24,8 @@ std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
     throw input_error(
         {.file = path.string(), .wanted = "an image that can be decoded", .found = OIIO::geterror()});
   const OIIO::ImageSpec& spec = input->spec();
-  if (std::int64_t{spec.width} * spec.height > largest_pixel_count || spec.nchannels < 1 || spec.depth > 1)
+  if (std::int64_t{spec.width} * spec.height > largest_pixel_count || spec.nchannels < 1 ||
+      spec.nchannels > 16 || spec.depth > 1)
     throw input_error({.file = path.string(),
                        .wanted = "a flat image of at most 16384 x 16384 pixels",
                        .found = std::to_string(spec.width) + " x " + std::to_string(spec.height)});
@@ -51,6 +52,14 @@ ByteImage display_image(const Image& linear, double exposure_ev) {
   for (const float value : linear.values)
     out.values.push_back(code_from_display(srgb_from_linear(value * gain)));
   return out;
+}
+
+Image read_float_image(const fs::path& path) {
+  if (const auto input = open_image(path); !input->spec().format.is_floating_point())
+    throw input_error({.file = path.string(),
+                       .wanted = "an image of floating-point values",
+                       .found = input->spec().format.c_str()});
+  return read_image(path);
 }
 
 Image read_image(const fs::path& path) {

@@ -60,6 +60,10 @@ struct ByteImage {
 /// Throws InputError naming the file.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
+/// Reads a file that holds floating-point values (EXR, HDR); anything else, whatever its name, is an
+/// InputError.
+[[nodiscard]] Image read_float_image(const std::filesystem::path& path);
+
 /// Reads an 8-bit PNG without any conversion. Throws InputError naming the file.
 [[nodiscard]] ByteImage read_bytes_image(const std::filesystem::path& path);
 

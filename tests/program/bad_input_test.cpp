@@ -57,6 +57,20 @@ TEST(BadInput, WrongUnitOrImpossibleValue) {
                    {"artifacts", "receiver", "reciever"});
 }
 
+TEST(BadInput, ArtifactGivenTwice) {
+  const auto folder = fresh_folder("bad-twice");
+  expect_complaint(
+      render_study(folder, quick_study_with({{"[\"receiver\"]", "[\"receiver\", \"receiver\"]"}})),
+      {"scene[0].artifacts", "twice"});
+  expect_complaint(
+      render_study(folder, quick_study_with({{"position_m = [", "position_m = [9007199254740993, 0, 0] #"}})),
+      {"position_m"});
+}
+
+TEST(BadInput, FileNamesThatNoFileSystemHolds) {
+  expect_complaint(run_seamline("render " + std::string(400, 'x') + ".toml --dry-run"), {"xxx"});
+}
+
 TEST(BadInput, UnknownBuiltinSuggestsTheRightOne) {
   const auto folder = fresh_folder("bad-builtin");
   expect_complaint(render_study(folder, quick_study_with({{"builtin:statue", "builtin:statu"}})),
@@ -92,8 +106,8 @@ TEST(BadInput, GltfWithABadAccessor) {
                         " --at 0 1 0 --width 64 --out " + (folder / "d.exr").string());
   };
   EXPECT_EQ(with("3").status, 0);
-  expect_complaint(with("4"),
-                   {"scene.gltf", "meshes[0].primitives[0].POSITION", "inside its buffer", "48 bytes of 36"});
+  expect_complaint(with("4"), {"scene.gltf", "meshes[0].primitives[0].POSITION", "inside its buffer",
+                               "4 elements of 12 bytes from byte 0 of 36"});
   expect_complaint(with("4000000000"), {"scene.gltf", "POSITION"});
 }
 
@@ -146,6 +160,13 @@ TEST(BadInput, DepthMapOfTheWrongShape) {
       run_seamline("mesh " + (folder / "d.exr").string() + " --out " + (folder / "m.glb").string()),
       {"d.exr", "image"});
   EXPECT_FALSE(std::filesystem::exists(folder / "m.glb"));
+}
+
+TEST(BadInput, OutputNamesThatDoNotSayWhatWillBeInThem) {
+  const auto folder = fresh_folder("bad-names");
+  expect_complaint(run_seamline("capture builtin:bedroom --width 64 --out " + (folder / "d.png").string()),
+                   {".exr", "d.png"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "d.png"));
 }
 
 TEST(BadInput, UnknownCommandsAndOptionsAreExitStatusOne) {

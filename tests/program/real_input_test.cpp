@@ -1,5 +1,5 @@
-// Real meshes through the whole renderer: Sponza with scanned statues, placed by a study file. The pictures are kept in the
-// build folder under test-output/real_input/set for people to look at.
+// Real meshes through the whole renderer: Sponza with scanned statues, placed by a study file. The pictures
+// are kept in the build folder under test-output/real_input/set for people to look at.
 #include <gtest/gtest.h>
 
 #include "run_program.h"
@@ -80,7 +80,8 @@ ambient_occlusion = true
 
 std::string with_meshes(const fs::path& meshes) {
   std::string text = study_text;
-  for (std::size_t at = text.find("MESHES"); at != std::string::npos; at = text.find("MESHES")) text.replace(at, 6, meshes.string());
+  for (std::size_t at = text.find("MESHES"); at != std::string::npos; at = text.find("MESHES"))
+    text.replace(at, 6, meshes.string());
   return text;
 }
 
@@ -90,14 +91,17 @@ TEST(RealInput, OneStimulusOfEachArtifactFromScannedMeshes) {
   const fs::path folder = test::fresh_folder("real_input");
   test::write_text(folder / "study.toml", with_meshes(meshes));
   const fs::path set = folder / "set";
-  for (const char* only : {"hall-receiver-armadillo-0256", "hall-shadow-lion-0256", "hall-overlap-nefertiti-0256", "arcade-occlusion-teapot_middle-0256"}) {
-    const test::Outcome outcome = test::run_seamline("render " + (folder / "study.toml").string() + " --out " + set.string() + " --only " + only);
+  for (const char* only : {"hall-receiver-armadillo-0256", "hall-shadow-lion-0256",
+                           "hall-overlap-nefertiti-0256", "arcade-occlusion-teapot_middle-0256"}) {
+    const test::Outcome outcome = test::run_seamline("render " + (folder / "study.toml").string() +
+                                                     " --out " + set.string() + " --only " + only);
     ASSERT_EQ(outcome.status, 0) << outcome.output;
   }
   const Manifest manifest = read_manifest(set);
   ASSERT_EQ(manifest.stimuli.size(), 4U);
   for (const ManifestStimulus& stimulus : manifest.stimuli) {
-    const ByteImage picture = read_bytes_image(set / stimulus.image), reference = read_bytes_image(set / stimulus.reference);
+    const ByteImage picture = read_bytes_image(set / stimulus.image),
+                    reference = read_bytes_image(set / stimulus.reference);
     int visible = 0, light = 0;
     for (std::size_t i = 0; i < picture.values.size(); ++i) {
       visible += std::abs(int{picture.values[i]} - int{reference.values[i]}) > 10 ? 1 : 0;

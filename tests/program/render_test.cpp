@@ -71,19 +71,88 @@ TEST(Render, ContinuesWhereItWasStoppedAndEndsWithTheSameBytes) {
               testing::HasSubstr("3 stimuli rendered, 0 kept"));
 }
 
-TEST(Render, CtrlCStopsCleanlyAndARerunCompletes) {
+TEST(Render, CtrlCStopsCleanlyAndARerunContinues) {
   const fs::path folder = fresh_folder("interrupt");
   test::write_text(folder / "study.toml", tiny_study());
-  // `timeout` sends SIGINT after a second; whatever was finished by then is kept.
-  const std::string command = "timeout -s INT 1 " + std::string(SEAMLINE_PROGRAM) + " render " +
-                              (folder / "study.toml").string() + " --out " + (folder / "set").string() +
-                              " --spp 64 --only 'gazebo*-0064' >/dev/null 2>&1";
-  const int status = std::system(command.c_str());
-  EXPECT_TRUE(WIFEXITED(status));
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "set"))
-    EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "half-written: " << entry.path();
-  EXPECT_EQ(run_seamline(render(folder, "set", "--only 'gazebo*-0064'")).status, 0);
+  const std::string arguments = "render " + (folder / "study.toml").string() + " --out " +
+                                (folder / "set").string() + " --spp 64 --only 'gazebo*-0064'";
+  // Interrupted again and again, a little later each time, until some stimuli but not all are finished.
+  int finished = 0;
+  for (int tenths = 10; tenths < 600 && finished == 0; tenths += tenths / 4) {
+    const std::string command = "timeout --preserve-status -s INT " + std::to_string(tenths / 10.0) + " " +
+                                SEAMLINE_PROGRAM + " " + arguments + " >/dev/null 2>&1";
+    const int status = std::system(command.c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 0) GTEST_SKIP() << "rendered whole between two interruptions";
+    ASSERT_EQ(WEXITSTATUS(status), 130);
+    if (!fs::exists(folder / "set" / "stimuli")) continue;
+    finished = static_cast<int>(std::distance(fs::directory_iterator(folder / "set" / "stimuli"), {}));
+    EXPECT_FALSE(fs::exists(folder / "set" / "manifest.json"));
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "set"))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "half-written: " << entry.path();
+  }
+  const test::Outcome rest = run_seamline(arguments);
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  EXPECT_THAT(rest.output, testing::ContainsRegex("[1-9][0-9]* kept from before"));
   EXPECT_EQ(run_seamline("verify " + (folder / "set").string()).status, 0);
+}
+
+TEST(Render, AFailedRunLeavesAFinishedSetAsItWas) {
+  const fs::path folder = fresh_folder("failed-run");
+  test::write_text(folder / "study.toml", tiny_study());
+  ASSERT_EQ(run_seamline(render(folder, "set", "--only 'atrium*left-0064'")).status, 0);
+  const std::string study = read_text(folder / "set" / "study.toml"),
+                    manifest = read_text(folder / "set" / "manifest.json");
+  test::write_text(folder / "study.toml",
+                   "# changed\n" + test::quick_study_with({{"albedo = 0.5", "albedo = 0.4"}}));
+  EXPECT_EQ(run_seamline(render(folder, "set", "--only 'zzz*'")).status, 1);
+  EXPECT_EQ(read_text(folder / "set" / "study.toml"), study);
+  EXPECT_EQ(read_text(folder / "set" / "manifest.json"), manifest);
+  EXPECT_EQ(run_seamline("verify " + (folder / "set").string()).status, 0);
+  EXPECT_EQ(run_seamline(render(folder, "fresh", "--only 'zzz*'")).status, 1);
+  EXPECT_FALSE(fs::exists(folder / "fresh"));
+}
+
+TEST(Render, ShardsTogetherMakeTheWholeSet) {
+  const fs::path folder = fresh_folder("shards");
+  test::write_text(folder / "study.toml", tiny_study());
+  ASSERT_EQ(run_seamline(render(folder, "whole", "--only '*-0064'")).status, 0);
+  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"})
+    ASSERT_EQ(run_seamline(render(folder, "shards", std::string("--only '*-0064' --shard ") + shard)).status,
+              0);
+  EXPECT_EQ(read_text(folder / "whole" / "manifest.json"), read_text(folder / "shards" / "manifest.json"));
+  EXPECT_EQ(run_seamline(render(folder, "none", "--shard 5/4")).status, 1);
+}
+
+TEST(Render, ChangedBufferOfAGltfFileIsRenderedAgain) {
+  const fs::path folder = fresh_folder("buffers");
+  const auto cube = [&](float size) {
+    std::string bytes;
+    const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (int i = 0; i < 8; ++i)
+      for (int axis = 0; axis < 3; ++axis) put((i >> axis & 1) != 0 ? size : -size);
+    for (const int index : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
+      put(static_cast<std::uint16_t>(index));
+    test::write_text(folder / "cube.bin", bytes);
+  };
+  cube(0.3F);
+  test::write_text(
+      folder / "cube.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":168,"uri":"cube.bin"}],"bufferViews":[{"buffer":0,"byteLength":96},)"
+      R"({"buffer":0,"byteOffset":96,"byteLength":72}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":8},)"
+      R"({"bufferView":1,"componentType":5123,"type":"SCALAR","count":36}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},)"
+      R"("indices":1}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
+  test::write_text(folder / "study.toml", test::quick_study_with({{"width_px = 480", "width_px = 96"},
+                                                                  {"height_px = 270", "height_px = 54"},
+                                                                  {"builtin:statue", "cube.gltf"}}));
+  ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
+              testing::HasSubstr("1 stimuli rendered"));
+  ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
+              testing::HasSubstr("0 stimuli rendered, 1 kept"));
+  cube(0.5F);
+  EXPECT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
+              testing::HasSubstr("1 stimuli rendered"));
 }
 
 TEST(Render, ManifestKeepsItsContract) {

@@ -129,6 +129,7 @@ TEST_F(GltfFile, CameraSunAndBaseColour) {
 TEST_F(GltfFile, WrongFilesAreTheUsersInput) {
   const std::string mesh = R"([{"mesh":0}])";
   EXPECT_THAT(complaint(R"([{"children":[1]},{"children":[0]}])"), HasSubstr("cycle"));
+  EXPECT_THAT(complaint(R"([{"children":[1,1]},{}])"), HasSubstr("two parents"));
   EXPECT_THAT(complaint(R"([{"mesh":7}])"), HasSubstr("nodes[0]"));
   EXPECT_THAT(complaint(mesh, R"({"attributes":{"NORMAL":0}})"), HasSubstr("POSITION"));
   EXPECT_THAT(complaint(mesh, R"({"attributes":{"POSITION":9}})"), HasSubstr("accessor that exists"));
@@ -145,6 +146,22 @@ TEST_F(GltfFile, WrongFilesAreTheUsersInput) {
   std::memcpy(not_a_number.data(), &nan, 4);
   EXPECT_THAT(complaint(mesh, R"({"attributes":{"POSITION":0}})", "", not_a_number), HasSubstr("finite"));
   EXPECT_THROW((void)read_scene_file("no/such/file.glb"), InputError);
+}
+
+TEST_F(GltfFile, HostileOffsetsStayInsideTheBuffer) {
+  for (
+      const char* accessor :
+      {R"({"bufferView":0,"byteOffset":18446744073709551580,"componentType":5126,"type":"VEC3","count":3})",
+       R"({"bufferView":0,"byteOffset":44,"componentType":5126,"type":"VEC3","count":1})",
+       R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":150000000})",
+       R"({"componentType":5126,"type":"VEC3","count":2,"sparse":{"count":1,"indices":{"bufferView":1,"byteOffset":-2,"componentType":5123},"values":{"bufferView":0}}})"}) {
+    std::ofstream(path_)
+        << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+        << R"("buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)" << base64(square())
+        << R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],"accessors":[)"
+        << accessor << "]}";
+    EXPECT_THROW((void)read_scene_file(path_), InputError) << accessor;
+  }
 }
 
 TEST(Placement, RollThenPitchThenYawThenPosition) {
