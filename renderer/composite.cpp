@@ -9,6 +9,7 @@ namespace seamline {
 namespace {
 
 constexpr float floor_share = 1e-6F;  // of the frame's median: below it the ratio is 1
+constexpr float sealed_share = 0.1F;  // of the usual S_no for what the photograph shows
 constexpr float largest_ratio = 4.0F;
 
 std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
@@ -17,21 +18,30 @@ std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
   return sums;
 }
 
-/// Median over the pixels with a ratio of S_no a sample, channels averaged.
-float median_denominator(const std::vector<StimulusSums>& sums) {
+/// Median of a value over the pixels that have a ratio; 0 when none has.
+template <class Value>
+float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
   std::vector<float> values;
   for (const StimulusSums& pixel : sums)
-    if (pixel.rest > 0) values.push_back(pixel.no.total().mean() / static_cast<float>(pixel.rest));
+    if (pixel.rest > 0) values.push_back(value(pixel));
   if (values.empty()) return 0.0F;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
+/// Of S_no a sample, channels averaged.
+float median_denominator(const std::vector<StimulusSums>& sums) {
+  return median_of(sums, [](const StimulusSums& pixel) {
+    return pixel.no.total().mean() / static_cast<float>(pixel.rest);
+  });
+}
+
 struct RatioOutcome {
   Rgb ratio = Rgb::Ones();
   bool floored = false;
   bool clamped = false;
+  bool sealed = false;
 };
 
 /// Pixels whose S_no rests on too few paths for a ratio of their own.
@@ -44,8 +54,24 @@ std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float medi
   return pockets;
 }
 
+/// How much of a pixel's ratio is believed: all of it, less where the depth mesh is more than ten times
+/// darker than the photograph there (both against what is usual in this picture): depth sheets have sealed
+/// the surface in a well that only the camera sees into, and whatever stands before the well takes all its
+/// light.
+float belief(const Rgb& no, const Rgb& photograph, float usual_darkness) {
+  const float sealed = sealed_share * usual_darkness * photograph.mean();
+  return sealed > 0.0F ? std::min(1.0F, no.mean() / sealed) : 1.0F;
+}
+
+/// Median of S_no over the photograph.
+float usual_darkness(const std::vector<StimulusSums>& sums) {
+  return median_of(sums, [](const StimulusSums& pixel) {
+    return pixel.no.total().mean() / std::max(pixel.background.mean(), 1e-30F);
+  });
+}
+
 /// The ratio of light a sample with and without the object.
-RatioOutcome ratio_of(const FilteredLight& light, float median) {
+RatioOutcome ratio_of(const FilteredLight& light, float median, float believed) {
   RatioOutcome outcome;
   const Rgb change = light.with - light.no;
   for (int c = 0; c < 3; ++c) {
@@ -55,9 +81,11 @@ RatioOutcome ratio_of(const FilteredLight& light, float median) {
       continue;
     }
     const float ratio = 1.0F + change[c] / light.no[c];
-    outcome.ratio[c] = std::clamp(ratio, 0.0F, largest_ratio);
+    const float clamped = std::clamp(ratio, 0.0F, largest_ratio);
+    outcome.ratio[c] = believed < 1.0F ? 1.0F + believed * (clamped - 1.0F) : clamped;
     // A fully blocked light ends a rounding error below 0: that is no clamped pixel.
     outcome.clamped = outcome.clamped || ratio < -1e-4F || ratio > largest_ratio;
+    outcome.sealed = outcome.sealed || believed < 1.0F;
   }
   return outcome;
 }
@@ -67,6 +95,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
   const int width_px = layers.width_px, height_px = layers.height_px;
   Composite out{Image(width_px, height_px, 3), Image(width_px, height_px, 3, 1.0F), {}};
   const float median = median_denominator(sums);
+  const float darkness = usual_darkness(sums);
   const std::vector<bool> pockets =
       layers.rest_asks_depth ? find_pockets(sums, median, samples) : std::vector<bool>(sums.size(), false);
   const std::vector<FilteredLight> filtered =
@@ -78,15 +107,18 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
       Rgb rest = pixel.background;
       if (pixel.rest > 0) {
         const float per_sample = 1.0F / static_cast<float>(pixel.rest);
-        const RatioOutcome outcome = ratio_of(
+        const FilteredLight light =
             pockets[i] ? filtered[i]
-                       : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample},
-            median);
+                       : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};
+        const float believed =
+            layers.rest_asks_depth ? belief(light.no, pixel.background * per_sample, darkness) : 1.0F;
+        const RatioOutcome outcome = ratio_of(light, median, believed);
         out.ratio.set_rgb(x, y, outcome.ratio);
         if (compositing == Compositing::ratio) {
           rest *= outcome.ratio;
           out.tiny_denominators.floored_pixels += outcome.floored ? 1 : 0;
           out.tiny_denominators.clamped_pixels += outcome.clamped ? 1 : 0;
+          out.tiny_denominators.sealed_pixels += outcome.sealed ? 1 : 0;
         } else {
           rest += pixel.with.total() - pixel.no.total();
         }

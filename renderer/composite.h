@@ -26,6 +26,8 @@ struct Composite {
 /// median, at least 2 % and at most 25 %: pockets that depth sheets seal, which only a few paths find) both
 /// sums are taken from a filter along depth and normals. Elsewhere nothing is filtered: with and without
 /// share their noise there, and the division cancels it.
+/// And where the depth mesh is more than ten times darker than the photograph (against the frame's usual),
+/// the ratio is faded towards 1 in proportion: sheets have sealed that surface in.
 [[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio);
 
 /// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root

@@ -33,6 +33,7 @@ Json to_json(const ManifestStimulus& record) {
                   {"max_relative_error", record.mesh.max_relative_error}};
   json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
                                {"clamped_pixels", record.tiny_denominators.clamped_pixels},
+                               {"sealed_pixels", record.tiny_denominators.sealed_pixels},
                                {"not_finite_pixels", record.tiny_denominators.not_finite_pixels}};
   json["clipped_share"] = record.clipped_share;
   json["sha256"] = record.sha256;
@@ -111,9 +112,9 @@ ManifestStimulus read_record(const FieldReader& fields) {
   const FieldReader mesh = fields.object("mesh");
   record.mesh = {mesh.get<std::int64_t>("triangles"), mesh.get<double>("max_relative_error")};
   const FieldReader tiny = fields.object("tiny_denominators");
-  record.tiny_denominators = {tiny.get<std::int64_t>("floored_pixels"),
-                              tiny.get<std::int64_t>("clamped_pixels"),
-                              tiny.get<std::int64_t>("not_finite_pixels")};
+  record.tiny_denominators = {
+      tiny.get<std::int64_t>("floored_pixels"), tiny.get<std::int64_t>("clamped_pixels"),
+      tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
   record.clipped_share = fields.get<double>("clipped_share");
   record.sha256 = fields.get<std::string>("sha256");
   return record;

@@ -15,6 +15,8 @@ inline constexpr int manifest_version = 1;
 struct TinyDenominators {
   std::int64_t floored_pixels = 0;  ///< ratio taken as 1, because S_no was under 1e-6 of the frame's median
   std::int64_t clamped_pixels = 0;  ///< ratio clamped to 0..4
+  std::int64_t sealed_pixels =
+      0;  ///< ratio faded towards 1, because the depth mesh is far darker than the photograph
   std::int64_t not_finite_pixels = 0;  ///< infinite or not a number: shown black or white, and counted
 };
 

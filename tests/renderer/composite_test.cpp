@@ -234,6 +234,7 @@ TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
   layers.halves[0][1].with.direct = Rgb::Constant(1e-3F);
   layers.halves[0][2].no.direct = Rgb::Constant(0.1F);  // brightened far beyond the clamp
   layers.halves[0][2].with.direct = Rgb::Constant(5.0F);
+  layers.halves[0][2].background = Rgb::Constant(0.2F);  // as dark in the photograph: believed
   const Composite composite = compose(layers);
   EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);
   EXPECT_EQ(composite.ratio.at(1, 0), 1.0F);
@@ -256,7 +257,7 @@ TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
       const bool pocket = x >= 24;
       const int number = y * 8 + x;
       pixel.rest = 16;
-      pixel.background = Rgb::Constant(16.0F);
+      pixel.background = Rgb::Constant(pocket ? 1.0F : 16.0F);
       pixel.no.direct = Rgb::Constant(pocket ? (number % 2 == 0 ? 1.0F : 0.0F) : 16.0F);
       pixel.with.direct = pocket && number % 6 == 0 ? Rgb::Zero() : pixel.no.direct;
     }
@@ -265,6 +266,27 @@ TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
     for (int x = 0; x < 24; ++x) EXPECT_EQ(composite.ratio.at(x, y), 1.0F);
   for (int y = 6; y < 26; ++y)
     for (int x = 24; x < 32; ++x) EXPECT_NEAR(composite.ratio.at(x, y), 2.0 / 3, 0.2) << x << " " << y;
+}
+
+TEST(Composite, WellsThatTheDepthMeshSealsDoNotTurnBlack) {
+  // A bright photograph; in the last pixel the depth mesh receives 1 % of the usual light, all of it past the
+  // object.
+  StimulusLayers layers{.width_px = 5, .height_px = 1, .spp = 2};
+  layers.rest_asks_depth = true;
+  for (auto& half : layers.halves) half.resize(5);
+  layers.guides.resize(5, {Eigen::Vector3f(0, 0, 1), 2.0F});
+  for (std::size_t i = 0; i < 5; ++i) {
+    StimulusSums& pixel = layers.halves[0][i];
+    pixel.rest = 2;
+    pixel.background = Rgb::Constant(2.0F);
+    pixel.no.direct = Rgb::Constant(i == 4 ? 0.02F : 2.0F);
+    pixel.with.direct = i == 4 ? Rgb::Zero() : Rgb::Constant(i == 3 ? 0.4F : 2.0F);
+  }
+  const Composite composite = compose(layers);
+  EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);
+  EXPECT_NEAR(composite.ratio.at(3, 0), 0.2, 1e-6);  // a shadow stays a shadow
+  EXPECT_NEAR(composite.ratio.at(4, 0), 0.9, 1e-6);
+  EXPECT_EQ(composite.tiny_denominators.sealed_pixels, 1);
 }
 
 }  // namespace
