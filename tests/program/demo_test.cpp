@@ -1,0 +1,54 @@
+// The whole chain as a newcomer meets it: study file -> stimuli -> sessions -> log -> thresholds -> report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
+  const fs::path folder = test::fresh_folder("demo");
+  const test::Outcome outcome = test::run_seamline("demo --out " + (folder / "out").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const fs::path report = folder / "out" / "report" / "report.html";
+  EXPECT_THAT(outcome.output, HasSubstr(report.string()));
+
+  const auto thresholds =
+      nlohmann::json::parse(test::read_text(folder / "out" / "report" / "thresholds.json"));
+  const std::string text = thresholds.dump();
+  for (const char* word : {"receiver", "shadow", "occlusion", "overlap", "perceptual_threshold_px",
+                           "slightly_noticeable_px", "inflection_px", "ci95"})
+    EXPECT_THAT(text, HasSubstr(word));
+
+  const std::string html = test::read_text(report);
+  EXPECT_THAT(html, HasSubstr("<svg"));
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(html, HasSubstr("20 simulated observers"));
+  // Offline: nothing is fetched from anywhere.
+  EXPECT_THAT(html, testing::Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(html, testing::Not(HasSubstr("<link")));
+
+  const std::string set = (folder / "out" / "set").string(), log = (folder / "out" / "log.sqlite").string();
+  EXPECT_EQ(test::run_seamline("verify " + set).status, 0);
+  const test::Outcome status = test::run_seamline("log " + log + " --status");
+  EXPECT_EQ(status.status, 0);
+  EXPECT_THAT(status.output, HasSubstr("sim-0020"));
+  // The same log again gives the same numbers.
+  ASSERT_EQ(test::run_seamline("analyze " + log + " --out " + (folder / "again").string()).status, 0);
+  EXPECT_EQ(test::read_text(folder / "again" / "thresholds.json"),
+            test::read_text(folder / "out" / "report" / "thresholds.json"));
+  // More observers join the same log; those who are done are left alone.
+  EXPECT_EQ(test::run_seamline("study " + set + " --log " + log + " --observer threshold --count 22 --seed 1")
+                .status,
+            0);
+  EXPECT_THAT(test::run_seamline("log " + log + " --status").output, HasSubstr("sim-0022"));
+}
+
+}  // namespace
+}  // namespace seamline
