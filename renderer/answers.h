@@ -25,6 +25,12 @@ struct Answers {
   return answers.receiver == Who::depth || answers.real_lit == Who::depth || answers.bounce == Who::depth;
 }
 
+/// Whether the depth mesh decides how much light a real surface gets, so that its sheets can seal one in. As
+/// a receiver alone it only lends its points and normals.
+[[nodiscard]] inline bool depth_lights_rest(const Answers& answers) {
+  return answers.real_lit == Who::depth || answers.bounce == Who::depth;
+}
+
 /// Which layer of a composite is kept; the other comes from the reference.
 enum class Keep { everything, object_layer, rest_layer };
 

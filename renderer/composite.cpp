@@ -97,7 +97,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
   const float median = median_denominator(sums);
   const float darkness = usual_darkness(sums);
   const std::vector<bool> pockets =
-      layers.rest_asks_depth ? find_pockets(sums, median, samples) : std::vector<bool>(sums.size(), false);
+      layers.depth_lights_rest ? find_pockets(sums, median, samples) : std::vector<bool>(sums.size(), false);
   const std::vector<FilteredLight> filtered =
       filter_pockets(sums, pockets, layers.guides, width_px, height_px);
   for (int y = 0; y < height_px; ++y)
@@ -111,7 +111,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
             pockets[i] ? filtered[i]
                        : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};
         const float believed =
-            layers.rest_asks_depth ? belief(light.no, pixel.background * per_sample, darkness) : 1.0F;
+            layers.depth_lights_rest ? belief(light.no, pixel.background * per_sample, darkness) : 1.0F;
         const RatioOutcome outcome = ratio_of(light, median, believed);
         out.ratio.set_rgb(x, y, outcome.ratio);
         if (compositing == Compositing::ratio) {

@@ -22,12 +22,12 @@ struct Composite {
 /// The pixel formula of DESIGN section 3:
 ///   I = (1/N) [ sum_unc B_s * (sum_unc L_with / sum_unc L_no) + sum_cov L_obj ]
 /// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under
-/// 1e-6 of the frame's median. Where the depth mesh answers and S_no is poorly lit (under 4 / N of the
-/// median, at least 2 % and at most 25 %: pockets that depth sheets seal, which only a few paths find) both
-/// sums are taken from a filter along depth and normals. Elsewhere nothing is filtered: with and without
-/// share their noise there, and the division cancels it.
-/// And where the depth mesh is more than ten times darker than the photograph (against the frame's usual),
-/// the ratio is faded towards 1 in proportion: sheets have sealed that surface in.
+/// 1e-6 of the frame's median. Where the depth mesh decides the light (questions 2 and 5) and S_no is poorly
+/// lit (under 4 / N of the median, at least 2 % and at most 25 %: pockets that depth sheets seal, which only
+/// a few paths find) both sums are taken from a filter along depth and normals. Elsewhere nothing is
+/// filtered: with and without share their noise there, and the division cancels it. And where the depth mesh
+/// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
+/// 1 in proportion: sheets have sealed that surface in.
 [[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio);
 
 /// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root

@@ -67,7 +67,7 @@ struct StimulusLayers {
   int width_px = 0, height_px = 0, spp = 0;
   Halves<StimulusSums> halves = {};
   std::vector<Guide> guides = {};  ///< of the surface whose bounce light is in `no`
-  bool rest_asks_depth = false;    ///< whether the depth mesh answers for `no` and `with`
+  bool depth_lights_rest = false;  ///< whether the depth mesh decides how much light `no` has
   std::int64_t rays = 0;
 };
 

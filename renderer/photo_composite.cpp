@@ -31,7 +31,7 @@ StimulusLayers render_onto_photograph(const Image& photograph, const Geometry& d
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : layers.halves) half.resize(pixels);
   layers.guides.resize(pixels);
-  layers.rest_asks_depth = true;
+  layers.depth_lights_rest = true;
   parallel_for(
       camera.height_px, options.threads,
       [&](int y) {

@@ -236,7 +236,7 @@ StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& ge
   StimulusLayers layers{.width_px = truth.width_px, .height_px = truth.height_px, .spp = options.spp};
   for (auto& half : layers.halves) half.resize(truth.guides.size());
   layers.guides.resize(truth.guides.size());
-  layers.rest_asks_depth = asks_depth_for_rest(recipe.answers);
+  layers.depth_lights_rest = depth_lights_rest(recipe.answers);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     const std::int64_t before = rays_traced_by_this_thread();

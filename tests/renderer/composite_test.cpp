@@ -118,7 +118,7 @@ TEST(Composite, EverythingFromADepthMeshThatIsTheTruthEqualsTheReference) {
     for (const Artifact artifact : every_artifact) {
       StimulusLayers layers =
           render_stimulus(scene, geometry, &twin, truth, recipe(artifact, isolation), options);
-      layers.rest_asks_depth = false;  // leave the pockets' filter out: identity sample by sample is asked
+      layers.depth_lights_rest = false;  // leave the pockets' filter out: identity sample by sample is asked
       const Composite composite = compose(layers);
       for (std::size_t i = 0; i < reference.values.size(); ++i)
         ASSERT_NEAR(composite.picture.values[i], reference.values[i], 1e-4)
@@ -220,7 +220,7 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
 TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
   StimulusLayers layers{.width_px = 3, .height_px = 1, .spp = 2};
   for (auto& half : layers.halves) half.resize(3);
-  layers.rest_asks_depth = true;
+  layers.depth_lights_rest = true;
   // Three surfaces that have nothing in common, so that no pocket borrows from another.
   layers.guides = {
       {Eigen::Vector3f(0, 1, 0), 1.0F}, {Eigen::Vector3f(1, 0, 0), 1.0F}, {Eigen::Vector3f(0, 0, 1), 1.0F}};
@@ -248,7 +248,7 @@ TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
   // A dark strip of depth mesh before a bright photograph: one path in 16 finds light, and the object takes a
   // third of those.
   StimulusLayers layers{.width_px = 32, .height_px = 32, .spp = 16};
-  layers.rest_asks_depth = true;
+  layers.depth_lights_rest = true;
   for (auto& half : layers.halves) half.resize(32 * 32);
   layers.guides.resize(32 * 32, {Eigen::Vector3f(0, 0, 1), 2.0F});
   for (int y = 0; y < 32; ++y)
@@ -272,7 +272,7 @@ TEST(Composite, WellsThatTheDepthMeshSealsDoNotTurnBlack) {
   // A bright photograph; in the last pixel the depth mesh receives 1 % of the usual light, all of it past the
   // object.
   StimulusLayers layers{.width_px = 5, .height_px = 1, .spp = 2};
-  layers.rest_asks_depth = true;
+  layers.depth_lights_rest = true;
   for (auto& half : layers.halves) half.resize(5);
   layers.guides.resize(5, {Eigen::Vector3f(0, 0, 1), 2.0F});
   for (std::size_t i = 0; i < 5; ++i) {
