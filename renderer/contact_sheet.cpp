@@ -38,6 +38,24 @@ int difference_at(const ByteImage& a, const ByteImage& b, int x, int y) {
   return largest;
 }
 
+/// The window moved so that the difference inside it lies in its middle, as far as the picture goes.
+Box centred(const Box& window, const ByteImage& stimulus, const ByteImage& reference) {
+  double weight = 0, sum_x = 0, sum_y = 0;
+  for (int y = window.top; y < window.bottom; ++y)
+    for (int x = window.left; x < window.right; ++x) {
+      const int difference = difference_at(stimulus, reference, x, y);
+      if (difference <= 12) continue;
+      weight += difference;
+      sum_x += difference * x;
+      sum_y += difference * y;
+    }
+  if (!(weight > 0)) return window;
+  const int width = window.right - window.left, height = window.bottom - window.top;
+  const int left = std::clamp(static_cast<int>(sum_x / weight) - width / 2, 0, stimulus.width_px - width);
+  const int top = std::clamp(static_cast<int>(sum_y / weight) - height / 2, 0, stimulus.height_px - height);
+  return {left, top, left + width, top + height};
+}
+
 /// Where a stimulus differs most from its reference: the densest window of the cell's shape, widened by half.
 Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
   const int width = stimulus.width_px, height = stimulus.height_px;
@@ -68,7 +86,7 @@ Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
         best = {x, y, x + window_width, y + window_height};
       }
     }
-  return best;
+  return centred(best, stimulus, reference);
 }
 
 /// Copies a window into a cell of the sheet, each cell pixel the mean of what it covers.
