@@ -157,6 +157,14 @@ bool Geometry::occluded(const Ray& ray) const {
   return query.tfar < 0.0F;
 }
 
+void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = nearest(rays[i]);
+}
+
+void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = occluded(rays[i]) ? 1 : 0;
+}
+
 std::int64_t rays_traced_by_this_thread() {
   return rays_traced;
 }

@@ -85,6 +85,10 @@ class Geometry {
   [[nodiscard]] std::optional<SurfacePoint> nearest(const Ray& ray) const;
   /// Whether anything lies on the ray before its end.
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  /// The same for rays that lie close together (samples of one pixel, neighbouring texels of a depth map),
+  /// which are traced in packets. `hits` and `blocked` are as long as `rays`.
+  void nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
   [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
   /// Whether any part emits light.
   [[nodiscard]] bool emits() const { return emits_; }
