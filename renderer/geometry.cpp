@@ -165,6 +165,11 @@ void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
   for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = occluded(rays[i]) ? 1 : 0;
 }
 
+void Geometry::nearest_from_centre(std::span<const Ray> rays,
+                                   std::span<std::optional<SurfacePoint>> hits) const {
+  nearest(rays, hits);
+}
+
 std::int64_t rays_traced_by_this_thread() {
   return rays_traced;
 }

@@ -89,6 +89,9 @@ class Geometry {
   /// which are traced in packets. `hits` and `blocked` are as long as `rays`.
   void nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+  /// The nearest surfaces along rays that all start at the origin, which is the panorama's centre. The same
+  /// hits as `nearest`, found without search in the local scene.
+  void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
   [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
   /// Whether any part emits light.
   [[nodiscard]] bool emits() const { return emits_; }
