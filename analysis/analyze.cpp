@@ -2,13 +2,13 @@
 
 #include "analysis/analysis.h"
 #include "analysis/figures.h"
-#include "analysis/gnuplot.h"
 #include "analysis/report_html.h"
 #include "analysis/stimulus_samples.h"
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"
 #include "analysis/thresholds_json.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/gnuplot.h"
 
 namespace seamline {
 

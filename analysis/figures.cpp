@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/gnuplot.h"
 #include "analysis/threshold_rows.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/gnuplot.h"
 
 namespace seamline {
 

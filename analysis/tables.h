@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "analysis/analysis.h"
-#include "analysis/csv.h"
+#include "stimuli/support/csv.h"
 
 namespace seamline {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv.h"
 #include "analysis/threshold_rows.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/csv.h"
 
 namespace seamline {
 

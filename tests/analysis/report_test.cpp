@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/analysis.h"
-#include "analysis/csv.h"
 #include "analysis/figures.h"
 #include "analysis/html.h"
 #include "analysis/report_html.h"
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"
 #include "analysis/thresholds_json.h"
+#include "stimuli/support/csv.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline {

@@ -1,4 +1,4 @@
-#include "analysis/gnuplot.h"
+#include "stimuli/support/gnuplot.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "analysis/csv.h"
+#include "stimuli/support/csv.h"
 
 #include <fmt/format.h>
 
