@@ -1,4 +1,4 @@
-// The only file that includes Embree, besides the benchmarks.
+// With ray_packet.h, the only file that includes Embree, besides the benchmarks.
 #include "renderer/geometry.h"
 
 #include <embree3/rtcore.h>
@@ -8,6 +8,8 @@
 #include <cstring>
 #include <new>
 #include <stdexcept>
+
+#include "renderer/ray_packet.h"
 
 namespace seamline {
 namespace {
@@ -44,29 +46,60 @@ void commit(RTCScene scene) {
   if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 
-RTCRay embree_ray(const Ray& ray) {
-  RTCRay out{};
+void set_ray(RTCRay& out, const Ray& ray) {
   out.org_x = ray.origin_m.x();
   out.org_y = ray.origin_m.y();
   out.org_z = ray.origin_m.z();
+  out.tnear = 0.0F;
   out.dir_x = ray.direction.x();
   out.dir_y = ray.direction.y();
   out.dir_z = ray.direction.z();
-  out.tnear = 0.0F;
+  out.time = 0.0F;
   out.tfar = ray.far_m;
   out.mask = 0xffffffffU;
-  return out;
+  out.flags = 0;
 }
 
-Eigen::Vector3f shading_normal(const Part& part, const RTCHit& hit, const Eigen::Vector3f& geometric) {
-  if (part.normals.empty()) return geometric;
-  const Triangle& t = part.triangles[hit.primID];
-  const Eigen::Vector3f mixed =
-      (1.0F - hit.u - hit.v) * part.normals[t[0]] + hit.u * part.normals[t[1]] + hit.v * part.normals[t[2]];
+/// What Embree says of a hit.
+struct RawHit {
+  Eigen::Vector3f normal;  ///< any length, either side
+  float distance_m, u, v;
+  std::uint32_t triangle, part;
+};
+
+SurfaceTable surface_table(const Part& part) {
+  return {.triangles = part.triangles.data(),
+          .normals = part.normals.empty() ? nullptr : part.normals.data(),
+          .albedo = part.albedo,
+          .emission = part.emission,
+          .object_index = part.object_index};
+}
+
+Eigen::Vector3f shading_normal(const SurfaceTable& surface, const RawHit& hit,
+                               const Eigen::Vector3f& geometric) {
+  if (surface.normals == nullptr) return geometric;
+  const Triangle& t = surface.triangles[hit.triangle];
+  const Eigen::Vector3f mixed = (1.0F - hit.u - hit.v) * surface.normals[t[0]] +
+                                hit.u * surface.normals[t[1]] + hit.v * surface.normals[t[2]];
   const float length = mixed.norm();
   if (!(length > 0.0F)) return geometric;
   // On the geometric normal's side; the file's winding and its normals may disagree.
   return (mixed.dot(geometric) < 0.0F ? -mixed : mixed) / length;
+}
+
+void set_surface(const SurfaceTable& surface, const Ray& ray, const RawHit& hit,
+                 std::optional<SurfacePoint>& out) {
+  SurfacePoint& point = out.emplace();
+  point.distance_m = hit.distance_m;
+  point.position_m = ray.origin_m + ray.direction * hit.distance_m;
+  Eigen::Vector3f normal = hit.normal.normalized();
+  if (normal.dot(ray.direction) > 0.0F) normal = -normal;
+  point.geometric_normal = normal;
+  point.normal = shading_normal(surface, hit, normal);
+  point.albedo = surface.albedo;
+  point.emission = surface.emission;
+  point.object_index = surface.object_index;
+  point.part = hit.part;
 }
 
 }  // namespace
@@ -100,6 +133,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
     attach(as_scene(scene_), part->positions_m, part->triangles);
+    surfaces_.push_back(surface_table(*part));
     emits_ = emits_ || (part->emission > 0.0F).any();
   }
   commit(as_scene(scene_));
@@ -112,6 +146,7 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScen
   auto part = std::make_shared<Part>();
   part->name = "local scene";
   part->albedo = albedo;
+  surfaces_.push_back(surface_table(*part));
   parts_.push_back(std::move(part));
 }
 
@@ -120,7 +155,10 @@ Geometry::~Geometry() {
 }
 
 Geometry::Geometry(Geometry&& other) noexcept
-    : scene_(other.scene_), parts_(std::move(other.parts_)), emits_(other.emits_) {
+    : scene_(other.scene_),
+      surfaces_(std::move(other.surfaces_)),
+      parts_(std::move(other.parts_)),
+      emits_(other.emits_) {
   other.scene_ = nullptr;
 }
 
@@ -128,23 +166,15 @@ std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
   ++rays_traced;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit query{embree_ray(ray), {}};
+  RTCRayHit query;
+  set_ray(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(as_scene(scene_), &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const Part& part = *parts_[query.hit.geomID];
-  SurfacePoint point;
-  point.distance_m = query.ray.tfar;
-  point.position_m = ray.origin_m + ray.direction * query.ray.tfar;
-  Eigen::Vector3f normal = Eigen::Vector3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized();
-  if (normal.dot(ray.direction) > 0.0F) normal = -normal;
-  point.geometric_normal = normal;
-  point.normal = shading_normal(part, query.hit, normal);
-  point.albedo = part.albedo;
-  point.emission = part.emission;
-  point.object_index = part.object_index;
-  point.part = query.hit.geomID;
+  std::optional<SurfacePoint> point;
+  if (const RTCHit& hit = query.hit; hit.geomID != RTC_INVALID_GEOMETRY_ID)
+    set_surface(surfaces_[hit.geomID], ray,
+                {{hit.Ng_x, hit.Ng_y, hit.Ng_z}, query.ray.tfar, hit.u, hit.v, hit.primID, hit.geomID},
+                point);
   return point;
 }
 
@@ -152,17 +182,46 @@ bool Geometry::occluded(const Ray& ray) const {
   ++rays_traced;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay query = embree_ray(ray);
+  RTCRay query;
+  set_ray(query, ray);
   rtcOccluded1(as_scene(scene_), &context, &query);
   return query.tfar < 0.0F;
 }
 
-void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const {
-  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = nearest(rays[i]);
+void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+                       Coherence coherence) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  intersect_in_packets(as_scene(scene_), rays, coherence,
+                       [&](std::size_t i, const RTCRayHit8& packet, int lane) {
+                         const RTCHit8& hit = packet.hit;
+                         hits[i].reset();
+                         if (hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return;
+                         set_surface(surfaces_[hit.geomID[lane]], rays[i],
+                                     {{hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
+                                      packet.ray.tfar[lane],
+                                      hit.u[lane],
+                                      hit.v[lane],
+                                      hit.primID[lane],
+                                      hit.geomID[lane]},
+                                     hits[i]);
+                       });
 }
 
-void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
-  for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = occluded(rays[i]) ? 1 : 0;
+void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+                        Coherence coherence) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  occlude_in_packets(as_scene(scene_), rays, coherence,
+                     [&](std::size_t i, bool is_blocked) { blocked[i] = is_blocked ? 1 : 0; });
+}
+
+void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  intersect_in_packets(as_scene(scene_), rays, Coherence::together,
+                       [&](std::size_t i, const RTCRayHit8& packet, int lane) {
+                         distance_m[i] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
+                                             ? std::numeric_limits<float>::infinity()
+                                             : packet.ray.tfar[lane];
+                       });
 }
 
 void Geometry::nearest_from_centre(std::span<const Ray> rays,

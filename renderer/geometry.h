@@ -37,6 +37,14 @@ struct SurfacePoint {
   std::uint32_t part = 0;
 };
 
+/// What a hit on a part needs to become a SurfacePoint, without a detour over the part.
+struct SurfaceTable {
+  const Triangle* triangles = nullptr;
+  const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used
+  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
+  int object_index = 0;
+};
+
 struct Ray {
   Eigen::Vector3f origin_m;
   Eigen::Vector3f direction;  ///< unit
@@ -51,6 +59,14 @@ struct Ray {
 [[nodiscard]] inline bool above_horizon(const SurfacePoint& point, const Eigen::Vector3f& direction) {
   return point.geometric_normal.dot(direction) > 0.0F;
 }
+
+/// How rays that are asked for in one call lie to each other. Measured against one ray at a time: packets
+/// that stay together are 2 to 4 times as fast, scattered ones 1.1 (nearest) to 1.6 times (occluded);
+/// scattered rays asked as if they were together 0.5 times.
+enum class Coherence {
+  together,  ///< samples of one pixel, neighbouring pixels or texels, their sun rays
+  scattered  ///< bounces
+};
 
 /// The process-wide Embree device.
 class RayDevice {
@@ -85,10 +101,14 @@ class Geometry {
   [[nodiscard]] std::optional<SurfacePoint> nearest(const Ray& ray) const;
   /// Whether anything lies on the ray before its end.
   [[nodiscard]] bool occluded(const Ray& ray) const;
-  /// The same for rays that lie close together (samples of one pixel, neighbouring texels of a depth map),
-  /// which are traced in packets. `hits` and `blocked` are as long as `rays`.
-  void nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
-  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+  /// The same for many rays, which are traced in packets. `hits`, `blocked` and `distance_m` are as long as
+  /// `rays`.
+  void nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+               Coherence coherence = Coherence::together) const;
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+                Coherence coherence = Coherence::together) const;
+  /// Only how far each ray gets, for rays that lie together; infinity where it meets nothing.
+  void distances(std::span<const Ray> rays, std::span<float> distance_m) const;
   /// The nearest surfaces along rays that all start at the origin, which is the panorama's centre. The same
   /// hits as `nearest`, found without search in the local scene.
   void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
@@ -98,6 +118,7 @@ class Geometry {
 
  private:
   void* scene_ = nullptr;
+  std::vector<SurfaceTable> surfaces_;  ///< of each part
   std::vector<std::shared_ptr<const Part>> parts_;
   bool emits_ = false;
 };
