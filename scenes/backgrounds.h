@@ -12,4 +12,8 @@ namespace seamline {
 /// A court of two storeys of arcades, with screens behind its columns (paper section 4.1.1). No sun.
 [[nodiscard]] SceneContents make_atrium();
 
+/// A living room open to the left with over sixty pieces of furniture, under a sun at 24 degrees: where times
+/// to an error are measured against other renderers.
+[[nodiscard]] SceneContents make_furnished_room();
+
 }  // namespace seamline

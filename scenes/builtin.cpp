@@ -30,6 +30,7 @@ SceneContents builtin_scene(std::string_view name) {
   if (name == "bedroom") return make_bedroom();
   if (name == "gazebo") return make_gazebo();
   if (name == "atrium") return make_atrium();
+  if (name == "furnished_room") return make_furnished_room();
   throw unknown(name);
 }
 

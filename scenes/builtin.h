@@ -7,7 +7,8 @@
 
 namespace seamline {
 
-inline constexpr std::array<std::string_view, 3> builtin_scene_names = {"bedroom", "gazebo", "atrium"};
+inline constexpr std::array<std::string_view, 4> builtin_scene_names = {"bedroom", "gazebo", "atrium",
+                                                                        "furnished_room"};
 inline constexpr std::array<std::string_view, 6> builtin_object_names = {"statue", "teapot", "creature",
                                                                          "beast",  "lion",   "dragon"};
 
@@ -17,7 +18,7 @@ struct ModelOptions {
   int threads = 2;          ///< the result does not depend on it
 };
 
-/// A background. Metres, its camera at eye height looking roughly along -Z; bedroom and gazebo have a sun.
+/// A background. Metres, its camera at eye height looking roughly along -Z; all but the atrium have a sun.
 [[nodiscard]] SceneContents builtin_scene(std::string_view name);
 
 /// An object, standing on y = 0 and centred on x = z = 0. Statue and creature face +Z; beast, lion and dragon

@@ -1,7 +1,9 @@
 // What is written can be read back; what is shipped is what the study files count on.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <set>
 
 #include "scenes/builtin.h"
@@ -75,6 +77,21 @@ TEST_P(Scenes, HasASunUnlessItsLightIsAmbientOcclusion) {
 
 INSTANTIATE_TEST_SUITE_P(Every, Scenes, testing::ValuesIn(builtin_scene_names),
                          [](const auto& each) { return std::string(each.param); });
+
+/// What times are compared on across renderers (a published room of this kind took minutes a picture).
+TEST(FurnishedRoom, HasSixtyPiecesOfFurnitureOneOpenSideAndALowSun) {
+  const SceneContents room = builtin_scene("furnished_room");
+  int pieces = 0;
+  for (const ScenePart& part : room.parts) {
+    EXPECT_NE(part.name, "wall_left");
+    pieces += part.name.find_last_of("0123456789") == part.name.size() - 1 ? 1 : 0;
+  }
+  EXPECT_GE(pieces, 60);
+  EXPECT_NEAR(std::asin(room.sun->to_sun.y()) * 180 / std::numbers::pi, 24, 1e-9);
+  EXPECT_EQ(room.sun->irradiance_w_m2, 8);
+  const double horizontal_rad = 2 * std::atan(std::tan(room.camera->vertical_fov_rad / 2) * camera_aspect);
+  EXPECT_NEAR(horizontal_rad * 180 / std::numbers::pi, 70, 1e-9);
+}
 
 TEST(SceneFiles, WritesTheSameBytesTwice) {
   const SceneContents scene = builtin_scene("gazebo");
