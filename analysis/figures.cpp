@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analysis/threshold_rows.h"
@@ -14,19 +13,7 @@ namespace seamline {
 
 namespace {
 
-/// Okabe and Ito's palette, and gnuplot's point types: circle, square, triangle, diamond, ... all filled.
-struct LineStyle {
-  const char* colour;
-  int point;
-};
-constexpr std::array<LineStyle, 7> styles = {{{"#0072B2", 7},
-                                              {"#D55E00", 5},
-                                              {"#009E73", 9},
-                                              {"#CC79A7", 13},
-                                              {"#E69F00", 11},
-                                              {"#56B4E9", 15},
-                                              {"#7F7F7F", 7}}};
-constexpr const char* ink = "#333334";  ///< axes and text; `inline_svg` replaces it by the page's text colour
+constexpr const char* ink = plot_ink;  ///< `inline_svg` replaces it by the page's text colour
 
 /// Widths seen in the data, rising.
 std::vector<int> all_widths(const NoticeabilityData& data) {
@@ -69,7 +56,7 @@ double shift(std::size_t index, std::size_t count) {
 }
 
 std::string plot_line(const std::string& block, std::size_t index, const std::string& title) {
-  const LineStyle& style = styles[index % styles.size()];
+  const PlotStyle style = plot_style(index);
   return fmt::format(
       "${0} using 1:($2-$3):(0):(2*$3) with vectors nohead lc rgb '{1}' lw 1.5 notitle, \\\n"
       "     ${0} using 1:2 with linespoints lc rgb '{1}' lw 2 pt {2} ps 0.75 title \"{3}\"",

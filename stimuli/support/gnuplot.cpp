@@ -53,6 +53,17 @@ int run_gnuplot(const std::string& argument, const fs::path& messages) {
 
 }  // namespace
 
+PlotStyle plot_style(std::size_t index) {
+  constexpr std::array<PlotStyle, 7> styles = {{{"#0072B2", 7},
+                                                {"#D55E00", 5},
+                                                {"#009E73", 9},
+                                                {"#CC79A7", 13},
+                                                {"#E69F00", 11},
+                                                {"#56B4E9", 15},
+                                                {"#7F7F7F", 7}}};
+  return styles[index % styles.size()];
+}
+
 void require_gnuplot() {
   const char* path = std::getenv("PATH");
   std::string folders = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;

@@ -6,6 +6,15 @@ namespace seamline {
 
 // The only place that knows gnuplot: it runs as a child process on a script file.
 
+/// How a line is drawn: Okabe and Ito's palette, which colour-blind readers can tell apart, and a filled
+/// point type of gnuplot's of its own.
+struct PlotStyle {
+  const char* colour;
+  int point;
+};
+[[nodiscard]] PlotStyle plot_style(std::size_t index);
+inline constexpr const char* plot_ink = "#333334";  ///< axes and text
+
 /// Throws InputError, naming the Debian package, when there is no gnuplot on the PATH.
 void require_gnuplot();
 
