@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// `seamline convergence`.
+void add_convergence_command(CLI::App& app);
+
+}  // namespace seamline

@@ -1,0 +1,139 @@
+#include "renderer/convergence_samples.h"
+
+#include <fmt/core.h>
+
+#include <bit>
+
+#include "stimuli/difference.h"
+
+namespace seamline {
+namespace {
+
+constexpr int smallest_reference_spp = 64, largest_reference_spp = 16384;
+constexpr int reference_to_largest_trial = 8;
+constexpr int fewest_trials = 3;
+
+/// What errors are measured against.
+struct Reference {
+  PathRun run;
+  Image picture, off_object;
+};
+
+/// As many samples as the budget pays for, a power of 2: half for the reference, the rest for the trials,
+/// whose sum is about as large.
+int affordable_spp(const ConvergenceSubject& subject, PathRuns& runs, double budget_s) {
+  constexpr int probe_spp = 2;
+  const double per_sample_s = runs.coupled(probe_spp, subject.study.seed).seconds() / probe_spp;
+  const double affordable = 0.5 * budget_s / per_sample_s;
+  if (!(affordable < largest_reference_spp)) return largest_reference_spp;
+  return static_cast<int>(
+      std::bit_floor(static_cast<unsigned>(std::max<double>(affordable, smallest_reference_spp))));
+}
+
+Reference render_reference_run(const ConvergenceSubject& subject, const Geometry& depth, int spp,
+                               Progress& progress) {
+  PassOptions options = subject.pass(spp, subject.study.seed + 2);
+  // Truth pass and stimulus pass report a share each; together they are the reference's work.
+  options.progress = [&, last = 0.0](double share) mutable {
+    progress.advance((share < last ? share : share - last) * 0.5 * spp, "reference");
+    last = share;
+  };
+  PathRun run = render_path(subject, subject.recipe, subject.geometry, depth, options);
+  Image picture = compose(run.layers).picture;
+  Image mask = off_object_mask(run);
+  return {.run = std::move(run), .picture = std::move(picture), .off_object = std::move(mask)};
+}
+
+double noise_given(const Reference& reference, double exposure_ev) {
+  const auto half = [&](std::size_t i) {
+    return compose(onto_given_background(half_of(reference.run.layers, i), reference.run.layers)).picture;
+  };
+  return 0.5 * display_rmse(half(0), half(1), exposure_ev, &reference.off_object);
+}
+
+SampleRow measure(const ConvergenceSubject& subject, const Series& series, int spp,
+                  const Reference& reference) {
+  const Trial trial = series.render(spp);
+  const Stopwatch watch;
+  const Image picture = compose(trial.layers).picture;
+  const double seconds = trial.seconds + watch.seconds();
+  const Image given = compose(onto_given_background(trial.layers, reference.run.layers)).picture;
+  return {.series = series.name,
+          .spp = spp,
+          .seconds = seconds,
+          .rays = trial.rays,
+          .rmse = display_rmse(picture, reference.picture, subject.exposure_ev()),
+          .rmse_given = display_rmse(given, reference.picture, subject.exposure_ev(), &reference.off_object)};
+}
+
+}  // namespace
+
+std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth, PathRuns& runs) {
+  const std::uint64_t seed = subject.study.seed, other_seed = seed + 1;
+  (void)depth;
+  return {
+      {.name = "path coupled",
+       .meaning = "with and without the object are one computation on shared paths",
+       .render = [&runs, seed](int spp) -> Trial {
+         const PathRun& run = runs.coupled(spp, seed);
+         return {run.layers, run.seconds(), run.rays};
+       }},
+      {.name = "path same-seed",
+       .meaning = "two renderings, with and without the object, that share their sample points: the same "
+                  "picture as path coupled at the cost of both",
+       .render = [&runs, seed](int spp) -> Trial {
+         const PathRun& with = runs.coupled(spp, seed);
+         const PathRun& without = runs.without(spp, seed);
+         return {with.layers, with.seconds() + without.seconds(), with.rays + without.rays};
+       }},
+      {.name = "path independent",
+       .meaning = "two renderings with different seeds",
+       .render = [&runs, seed, other_seed](int spp) -> Trial {
+         // The layers without the object come from a run that knows its coverage; the price is that of
+         // one that does not know the object.
+         const StimulusLayers& sums_without = runs.coupled(spp, seed).layers;
+         const PathRun& without = runs.without(spp, seed);
+         const PathRun& with = runs.coupled(spp, other_seed);
+         return {join_independent(sums_without, with.layers), with.seconds() + without.seconds(),
+                 with.rays + without.rays};
+       }},
+  };
+}
+
+SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s) {
+  const Geometry depth = subject_geometry(
+      subject, subject_mesh(subject, subject.map, subject.study.mesh, subject.study.mesh_tolerance));
+  PathRuns runs(subject, depth);
+  const int reference_spp = affordable_spp(subject, runs, budget_s);
+  const int largest_spp = reference_spp / reference_to_largest_trial;
+  constexpr double passes_a_trial = 3;  // coupled, another seed, without
+  Progress progress(stimulus_id(subject.stimulus) + " samples",
+                    reference_spp + 2 * passes_a_trial * largest_spp);
+  const Reference reference = render_reference_run(subject, depth, reference_spp, progress);
+
+  SampleResult result{.rows = {},
+                      .meanings = {},
+                      .reference_spp = reference_spp,
+                      .reference_seconds = reference.run.seconds(),
+                      .reference_noise = estimated_noise(reference.run.layers, subject.exposure_ev()).value(),
+                      .reference_noise_given = noise_given(reference, subject.exposure_ev())};
+  const double longest_s = reference.run.seconds() / reference_to_largest_trial;
+  std::vector<Series> open = sample_series(subject, depth, runs);
+  for (const Series& series : open) result.meanings.emplace_back(series.name, series.meaning);
+  int trials = 0;
+  for (int spp = 1; !open.empty() && spp <= reference_spp; spp *= 2) {
+    for (const Series& series : open) {
+      result.rows.push_back(measure(subject, series, spp, reference));
+      progress.advance(passes_a_trial * spp / static_cast<double>(result.meanings.size()), series.name);
+    }
+    ++trials;
+    std::erase_if(open, [&](const Series& series) {
+      for (auto row = result.rows.rbegin(); row != result.rows.rend(); ++row)
+        if (row->series == series.name) return trials >= fewest_trials && 2 * row->seconds > 1.1 * longest_s;
+      return true;
+    });
+  }
+  return result;
+}
+
+}  // namespace seamline

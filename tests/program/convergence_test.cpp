@@ -1,0 +1,91 @@
+// `seamline convergence` as a whole: its files, their columns, and slopes that are numbers. Never a time.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_text;
+using test::run_seamline;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string convergence(const fs::path& study, const fs::path& out, const std::string& more) {
+  return "convergence " + study.string() + " --out " + out.string() + " --size 32x18 --spp 2 --seconds 0.5 " +
+         more;
+}
+
+int lines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(Convergence, WritesEveryPart) {
+  const fs::path folder = test::fresh_folder("convergence");
+  const std::string from = "depth_width_px = [64, 256, 512, 1024, 4096]";
+  test::write_text(folder / "study.toml", test::quick_study_with({{from, "depth_width_px = [64, 128]"}}));
+  const test::Outcome outcome =
+      run_seamline(convergence(folder / "study.toml", folder / "out",
+                               "--tolerances 1e-2,1e-3 --only atrium-occlusion-teapot_middle-0064"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const auto csv = [&](const char* name) { return read_text(folder / "out" / name); };
+  EXPECT_THAT(csv("samples.csv"), StartsWith("series,spp,seconds,rays,rmse,rmse_given\npath coupled,1,"));
+  EXPECT_THAT(csv("mesh.csv"),
+              StartsWith("tolerance,triangles,build_seconds,bvh_seconds,mesh_mb,embree_mb,"
+                         "mrays_per_second,depth_error,rmse,changed_share,largest_change\n"));
+  EXPECT_EQ(lines(csv("mesh.csv")), 1 + 3 + 1);  // header, these tolerances and the study's, full density
+  EXPECT_THAT(csv("width.csv"), StartsWith("width,texels_per_pixel,rmse,"));
+  EXPECT_EQ(lines(csv("width.csv")), 1 + 2);
+  EXPECT_EQ(lines(csv("compositing.csv")), 1 + 4);
+  for (const char* figure : {"samples.svg", "mesh.svg", "width.svg"})
+    EXPECT_THAT(csv(figure), HasSubstr("</svg>")) << figure;
+  EXPECT_THAT(csv("convergence.md"), HasSubstr("## slopes"));
+  EXPECT_THAT(outcome.output, HasSubstr(csv("convergence.md")));
+  EXPECT_THAT(csv("data_dictionary.csv"), HasSubstr("mesh.csv,depth_error"));
+}
+
+TEST(Convergence, SlopesOfSamplesAreNumbers) {
+  const fs::path folder = test::fresh_folder("convergence-slopes");
+  ASSERT_EQ(run_seamline(convergence(test::studies() / "quick.toml", folder,
+                                     "--parts samples --only bedroom-receiver-statue-0064"))
+                .status,
+            0);
+  std::istringstream slopes(read_text(folder / "slopes.csv"));
+  std::string line;
+  std::getline(slopes, line);
+  ASSERT_EQ(line, "part,series,of,found,expected,why");
+  int found = 0;
+  while (std::getline(slopes, line)) {
+    const std::size_t expected = line.find(",-0.5,");
+    ASSERT_NE(expected, std::string::npos) << line;
+    const double slope = std::stod(line.substr(line.rfind(',', expected - 1) + 1));
+    EXPECT_TRUE(std::isfinite(slope)) << line;
+    EXPECT_LT(slope, 0) << line;  // more samples, less error
+    ++found;
+  }
+  EXPECT_GE(found, 3 * 2);
+  EXPECT_FALSE(fs::exists(folder / "mesh.csv"));
+}
+
+TEST(Convergence, WrongInputIsExitStatusOne) {
+  const fs::path folder = test::fresh_folder("convergence-wrong");
+  const std::string study = (test::studies() / "quick.toml").string();
+  const auto complaint = [&](const std::string& more) {
+    const test::Outcome outcome =
+        run_seamline("convergence " + study + " --out " + (folder / "out").string() + " " + more);
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    return outcome.output;
+  };
+  EXPECT_THAT(complaint("--only 'bedroom*'"), HasSubstr("--only: wanted a pattern that matches one"));
+  EXPECT_THAT(complaint("--only no-such"), HasSubstr("which matches 0"));
+  EXPECT_THAT(complaint("--only bedroom-receiver-statue-0064 --size 48"), HasSubstr("--size: wanted WxH"));
+  EXPECT_THAT(complaint("--only bedroom-receiver-statue-0064 --size 2x2"), HasSubstr("\"2x2\""));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace seamline

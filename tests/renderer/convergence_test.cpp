@@ -1,0 +1,106 @@
+// What error against run time rests on: the slope fit, the two renderings that the coupled one stands for,
+// and the rule for the mesh tolerance.
+#include "renderer/convergence_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "renderer/convergence_mesh.h"
+#include "renderer/convergence_slope.h"
+#include "stimuli/study_file.h"
+
+namespace seamline {
+namespace {
+
+TEST(LogLogSlope, FindsAPlantedPower) {
+  for (const double power : {-2.0, -0.5, 0.0, 1.0}) {
+    std::vector<double> x, y;
+    for (int i = 0; i < 6; ++i) {
+      x.push_back(0.003 * std::exp2(i));
+      y.push_back(7.5 * std::pow(x.back(), power));
+    }
+    EXPECT_NEAR(log_log_slope(x, y).value(), power, 1e-12);
+  }
+}
+
+TEST(LogLogSlope, IsLeastSquaresInLogarithms) {
+  // Logs (0, 0), (1, 2), (2, 1): slope (sum of (x - 1)(y - 1)) / (sum of (x - 1)^2) = 1 / 2.
+  const std::vector<double> x = {1, 10, 100}, y = {1, 100, 10};
+  EXPECT_NEAR(log_log_slope(x, y).value(), 0.5, 1e-12);
+}
+
+TEST(LogLogSlope, LeavesOutWhatHasNoLogarithm) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const std::vector<double> x = {1, 2, 0, -1, 3, nan, inf, 4}, y = {1, 4, 9, 9, 0, 9, 9, 16};
+  EXPECT_NEAR(log_log_slope(x, y).value(), 2, 1e-12);
+}
+
+TEST(LogLogSlope, NeedsTwoDifferentPlaces) {
+  EXPECT_FALSE(log_log_slope({}, {}).has_value());
+  const std::vector<double> one = {2}, twice = {0.3, 0.3}, values = {1, 5}, zeros = {0, 0};
+  EXPECT_FALSE(log_log_slope(one, one).has_value());
+  EXPECT_FALSE(log_log_slope(twice, values).has_value());
+  EXPECT_FALSE(log_log_slope(values, zeros).has_value());
+}
+
+TEST(MeshRule, OnePixelInAThousandAndEightSteps) {
+  EXPECT_TRUE(keeps_rule({.changed_share = 0.001, .largest_change_steps = 8}));
+  EXPECT_FALSE(keeps_rule({.changed_share = 0.0011, .largest_change_steps = 2}));
+  EXPECT_FALSE(keeps_rule({.changed_share = 0.0001, .largest_change_steps = 9}));
+}
+
+class SmallSubject : public testing::Test {
+ protected:
+  ConvergenceSubject subject_ =
+      load_subject(read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "quick.toml"),
+                   {.only = "bedroom-receiver-statue-0064", .threads = 2, .width_px = 32, .height_px = 18});
+};
+
+TEST_F(SmallSubject, CoupledIsTwoRenderingsThatShareTheirSamplePoints) {
+  // A rendering of the world with the object in it, all in one geometry, and one of the world without.
+  const Geometry with = subject_.scene.geometry(true, {1, 2, 3});
+  const Geometry& without = subject_.geometry.truth;
+  const Camera& camera = subject_.scene.camera;
+  double difference = 0, sum = 0;
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const Sampler sampler(1, x, y, 0);
+      const auto point = without.nearest(camera_ray(camera, x, y, sampler));
+      if (!point) continue;
+      const Light& light = subject_.scene.light;
+      const RadiancePair pair = leaving_pair(without, &subject_.geometry.object, *point, light, sampler);
+      const Rgb alone = leaving_pair(without, nullptr, *point, light, sampler).no.total();
+      const Rgb together = leaving_pair(with, nullptr, *point, light, sampler).no.total();
+      EXPECT_LT((pair.no.total() - alone).abs().maxCoeff(), 1e-6F);
+      difference += static_cast<double>((pair.with.total() - together).abs().maxCoeff());
+      sum += static_cast<double>(together.maxCoeff());
+    }
+  // Two geometries may answer differently on an edge, no more.
+  EXPECT_LT(difference, 1e-3 * sum);
+}
+
+TEST_F(SmallSubject, IndependentRenderingsKeepCoverageAndTheLevelOfLight) {
+  const Geometry depth =
+      subject_geometry(subject_, subject_mesh(subject_, subject_.map, MeshDensity::adaptive, 1e-4));
+  PathRuns runs(subject_, depth);
+  const StimulusLayers without = runs.coupled(4, 1).layers;
+  const StimulusLayers with = runs.coupled(4, 2).layers;
+  const StimulusLayers joined = join_independent(without, with);
+  for (std::size_t i = 0; i < joined.halves[0].size(); ++i) {
+    const auto rest = [&](const StimulusLayers& layers) {
+      return static_cast<float>(layers.halves[0][i].rest) + static_cast<float>(layers.halves[1][i].rest);
+    };
+    EXPECT_EQ(rest(joined), rest(with));
+    if (rest(without) != rest(with)) continue;
+    const Rgb expected = without.halves[0][i].no.total() + without.halves[1][i].no.total();
+    EXPECT_LT((joined.halves[0][i].no.total() - expected).abs().maxCoeff(), 1e-4F);
+  }
+  // Joined with itself, a rendering is what it was.
+  const Image same = compose(join_independent(with, with)).picture, itself = compose(with).picture;
+  for (std::size_t i = 0; i < same.values.size(); ++i) EXPECT_NEAR(same.values[i], itself.values[i], 1e-4F);
+}
+
+}  // namespace
+}  // namespace seamline
