@@ -4,17 +4,18 @@
 #include <embree3/rtcore.h>
 #include <immintrin.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
+#include "renderer/ray_count.h"
 #include "renderer/ray_packet.h"
 
 namespace seamline {
 namespace {
-
-thread_local std::int64_t rays_traced = 0;
 
 constexpr float relative_offset = 1e-5F;
 
@@ -25,16 +26,25 @@ RTCScene as_scene(void* scene) {
   return static_cast<RTCScene>(scene);
 }
 
+/// Adds triangles to a scene; with `shared`, Embree looks into the arrays, which must outlive it and of which
+/// the first must have room for one vertex more.
 void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
-            const std::vector<Triangle>& triangles) {
+            const std::vector<Triangle>& triangles, bool shared) {
   RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(Eigen::Vector3f), positions.size());
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          sizeof(Triangle), triangles.size());
-  if (!positions.empty()) std::memcpy(vertices, positions.data(), positions.size() * sizeof(Eigen::Vector3f));
-  if (!triangles.empty()) std::memcpy(indices, triangles.data(), triangles.size() * sizeof(Triangle));
+  if (shared) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
+                               sizeof(Eigen::Vector3f), positions.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
+                               sizeof(Triangle), triangles.size());
+  } else {
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(Eigen::Vector3f), positions.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(Triangle), triangles.size());
+    std::copy(positions.begin(), positions.end(), static_cast<Eigen::Vector3f*>(vertices));
+    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
+  }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -132,7 +142,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
   rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
-    attach(as_scene(scene_), part->positions_m, part->triangles);
+    attach(as_scene(scene_), part->positions_m, part->triangles, false);
     surfaces_.push_back(surface_table(*part));
     emits_ = emits_ || (part->emission > 0.0F).any();
   }
@@ -140,12 +150,16 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
 }
 
 Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScene(device())) {
-  rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
-  attach(as_scene(scene_), mesh.vertices_m, mesh.triangles);
-  commit(as_scene(scene_));
   auto part = std::make_shared<Part>();
   part->name = "local scene";
   part->albedo = albedo;
+  part->positions_m.reserve(mesh.vertices_m.size() + 1);
+  part->positions_m.assign(mesh.vertices_m.begin(), mesh.vertices_m.end());
+  part->triangles = mesh.triangles;
+  rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
+  attach(as_scene(scene_), part->positions_m, part->triangles, true);
+  commit(as_scene(scene_));
+  directions_ = make_direction_table(part->positions_m, part->triangles);
   surfaces_.push_back(surface_table(*part));
   parts_.push_back(std::move(part));
 }
@@ -155,12 +169,11 @@ Geometry::~Geometry() {
 }
 
 Geometry::Geometry(Geometry&& other) noexcept
-    : scene_(other.scene_),
+    : scene_(std::exchange(other.scene_, nullptr)),
       surfaces_(std::move(other.surfaces_)),
       parts_(std::move(other.parts_)),
-      emits_(other.emits_) {
-  other.scene_ = nullptr;
-}
+      directions_(std::move(other.directions_)),
+      emits_(other.emits_) {}
 
 std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
   ++rays_traced;
@@ -222,11 +235,6 @@ void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m)
                                              ? std::numeric_limits<float>::infinity()
                                              : packet.ray.tfar[lane];
                        });
-}
-
-void Geometry::nearest_from_centre(std::span<const Ray> rays,
-                                   std::span<std::optional<SurfacePoint>> hits) const {
-  nearest(rays, hits);
 }
 
 std::int64_t rays_traced_by_this_thread() {

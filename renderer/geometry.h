@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/depth_mesh.h"
+#include "renderer/direction_table.h"
 #include "renderer/scene_file.h"
 #include "stimuli/support/colour.h"
 
@@ -109,8 +110,9 @@ class Geometry {
                 Coherence coherence = Coherence::together) const;
   /// Only how far each ray gets, for rays that lie together; infinity where it meets nothing.
   void distances(std::span<const Ray> rays, std::span<float> distance_m) const;
-  /// The nearest surfaces along rays that all start at the origin, which is the panorama's centre. The same
-  /// hits as `nearest`, found without search in the local scene.
+  /// The nearest surfaces along rays that all start at the origin, which is the panorama's centre: the hits
+  /// of `nearest`, but in the local scene without search (a ray within rounding of an edge may get either
+  /// neighbour).
   void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
   [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
   /// Whether any part emits light.
@@ -120,6 +122,7 @@ class Geometry {
   void* scene_ = nullptr;
   std::vector<SurfaceTable> surfaces_;  ///< of each part
   std::vector<std::shared_ptr<const Part>> parts_;
+  std::optional<DirectionTable> directions_;  ///< of the local scene's one part
   bool emits_ = false;
 };
 

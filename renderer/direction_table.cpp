@@ -1,0 +1,172 @@
+#include "renderer/direction_table.h"
+
+#include <xmmintrin.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+
+#include "renderer/cube_cells.h"
+
+namespace seamline {
+namespace {
+
+constexpr std::uint32_t nothing = DirectionTable::nothing;
+
+/// More have only full meshes.
+constexpr std::size_t most_triangles = std::size_t{1} << 21;
+
+/// Where many thin triangles meet (sheets over depth jumps) walks are long; on the built-in scenes one in
+/// 10,000 is longer than this.
+constexpr int most_steps = 48;
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const Triangle& t, std::span<const Eigen::Vector3f> vertices_m) {
+  return {vertices_m[t[0]].cast<double>(), vertices_m[t[1]].cast<double>(), vertices_m[t[2]].cast<double>()};
+}
+
+/// Normals of the planes through the centre and the edges, pointing inwards.
+Corners inward_of(const Corners& p) {
+  return {p[1].cross(p[0]), p[2].cross(p[1]), p[0].cross(p[2])};
+}
+
+CentreTriangle seen_from_centre(const Corners& p) {
+  Corners inward = inward_of(p);
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  const Eigen::Vector3d m = normal / normal.dot(p[0]);
+  CentreTriangle seen{};
+  for (std::size_t i = 0; i < 3; ++i) inward[i].normalize();
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const Eigen::Vector3f of_lane = (lane < 3 ? inward[lane] : m).cast<float>();
+    seen.x[lane] = of_lane.x(), seen.y[lane] = of_lane.y(), seen.z[lane] = of_lane.z();
+  }
+  seen.inverse_length_m = static_cast<float>(1 / m.norm());
+  return seen;
+}
+
+/// Tells each triangle which one has its edge the other way round.
+void join_neighbours(std::size_t vertex_count, std::span<const Triangle> triangles,
+                     std::vector<CentreTriangle>& seen) {
+  struct Edge {
+    std::uint32_t to, triangle;
+  };
+  // Edges in the order of the vertices they start from.
+  std::vector<std::uint32_t> first(vertex_count + 1);
+  for (const Triangle& t : triangles)
+    for (const std::uint32_t v : t) ++first[v + 1];
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  std::vector<Edge> edges(triangles.size() * 3);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) edges[next[triangles[i][k]]++] = {triangles[i][(k + 1) % 3], i};
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t to = triangles[i][k], from = triangles[i][(k + 1) % 3];
+      seen[i].neighbours[k] = nothing;
+      for (std::uint32_t e = first[from]; e < first[from + 1]; ++e)
+        if (edges[e].to == to) seen[i].neighbours[k] = edges[e].triangle;
+    }
+}
+
+bool share_a_corner(const Triangle& a, const Triangle& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+/// The table while it is filled.
+struct Cells {
+  std::vector<std::uint32_t> triangle_of_cell = std::vector<std::uint32_t>(cube::cell_count, nothing);
+  std::vector<bool> centre_taken = std::vector<bool>(cube::cell_count);
+};
+
+/// Writes a triangle into the cells it touches. False when another triangle is there already.
+bool enter(std::uint32_t index, const Corners& inward, const Corners& p, std::span<const Triangle> triangles,
+           Cells& cells) {
+  for (int f = 0; f < 6; ++f) {
+    const cube::Face face = cube::face(f);
+    if (!cube::may_reach(face, p)) continue;
+    const cube::CellRange range = cube::range_of(face, p);
+    for (int row = range.first.y(); row <= range.last.y(); ++row)
+      for (int column = range.first.x(); column <= range.last.x(); ++column) {
+        const cube::Cover cover = cube::cover(face, inward, row, column);
+        if (cover == cube::Cover::none) continue;
+        const std::size_t cell = cube::cell_index(f, row, column);
+        std::uint32_t& entry = cells.triangle_of_cell[cell];
+        if (cover == cube::Cover::centre) {
+          // A centre on an edge belongs to both sides.
+          if (cells.centre_taken[cell] && !share_a_corner(triangles[index], triangles[entry])) return false;
+          cells.centre_taken[cell] = true;
+          entry = index;
+        } else if (entry == nothing) {
+          entry = index;
+        }
+      }
+  }
+  return true;
+}
+
+/// Which triangle each cell's centre lies in, or else one that touches the cell. Empty when triangles turn
+/// their back or overlap.
+std::vector<std::uint32_t> triangles_of_cells(std::span<const Eigen::Vector3f> vertices_m,
+                                              std::span<const Triangle> triangles) {
+  Cells cells;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const Corners p = corners_of(triangles[i], vertices_m);
+    const Corners inward = inward_of(p);
+    if (!(inward[0].dot(p[2]) > 0) || !enter(i, inward, p, triangles, cells)) return {};
+  }
+  return std::move(cells.triangle_of_cell);
+}
+
+/// The edge that a direction is farthest beyond, of those whose bit is set.
+int farthest_outside(__m128 product, int edges) {
+  if ((edges & (edges - 1)) == 0) return std::countr_zero(static_cast<unsigned>(edges));
+  alignas(16) std::array<float, 4> value;
+  _mm_store_ps(value.data(), product);
+  return static_cast<int>(std::min_element(value.begin(), value.begin() + 3) - value.begin());
+}
+
+}  // namespace
+
+std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector3f> vertices_m,
+                                                   std::span<const Triangle> triangles) {
+  if (triangles.size() > most_triangles) return std::nullopt;
+  DirectionTable table{triangles_of_cells(vertices_m, triangles), {}};
+  if (table.triangle_of_cell.empty()) return std::nullopt;
+  table.triangles.reserve(triangles.size());
+  for (const Triangle& t : triangles) table.triangles.push_back(seen_from_centre(corners_of(t, vertices_m)));
+  join_neighbours(vertices_m.size(), triangles, table.triangles);
+  return table;
+}
+
+CentreHit find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction, std::uint32_t guess) {
+  const __m128 x = _mm_set1_ps(direction.x()), y = _mm_set1_ps(direction.y()), z = _mm_set1_ps(direction.z());
+  const auto products = [&](const CentreTriangle& t) {
+    return _mm_add_ps(
+        _mm_add_ps(_mm_mul_ps(_mm_load_ps(t.x.data()), x), _mm_mul_ps(_mm_load_ps(t.y.data()), y)),
+        _mm_mul_ps(_mm_load_ps(t.z.data()), z));
+  };
+  // A negative lane 0 to 2: outside of that edge.
+  const auto outside = [](__m128 product) {
+    return _mm_movemask_ps(_mm_cmplt_ps(product, _mm_setzero_ps())) & 7;
+  };
+  const auto hit = [](std::uint32_t index, __m128 product) {
+    return CentreHit{index, _mm_cvtss_f32(_mm_shuffle_ps(product, product, 3))};
+  };
+  if (guess != nothing)
+    if (const __m128 product = products(table.triangles[guess]); outside(product) == 0)
+      return hit(guess, product);
+  std::uint32_t index = table.triangle_of_cell[cube::cell_of(direction)];
+  if (index == nothing) return {};
+  for (int step = 0; step < most_steps; ++step) {
+    const CentreTriangle& t = table.triangles[index];
+    const __m128 product = products(t);
+    const int edges = outside(product);
+    if (edges == 0) return hit(index, product);
+    index = t.neighbours[static_cast<std::size_t>(farthest_outside(product, edges))];
+    if (index == nothing) break;
+  }
+  return {.triangle = DirectionTable::not_found};
+}
+
+}  // namespace seamline

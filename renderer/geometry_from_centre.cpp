@@ -1,0 +1,66 @@
+// Rays of the panorama's centre: answered by the table of directions, and only what it leaves over by Embree.
+#include <array>
+#include <cassert>
+
+#include "renderer/geometry.h"
+#include "renderer/ray_count.h"
+
+namespace seamline {
+namespace {
+
+constexpr std::size_t left_over_size = 8;  ///< a packet
+
+/// Rays from the centre that the table of directions could not answer: they pass close to a hole.
+struct LeftOver {
+  std::array<Ray, left_over_size> rays;
+  std::array<std::size_t, left_over_size> index;
+  std::size_t count = 0;
+};
+
+/// A point of the local scene, which has geometric normals only.
+void set_surface_from_centre(const CentreTriangle& triangle, const SurfaceTable& surface, const Ray& ray,
+                             float distance_m, std::optional<SurfacePoint>& out) {
+  SurfacePoint& point = out.emplace();
+  point.distance_m = distance_m;
+  point.position_m = ray.direction * distance_m;
+  point.geometric_normal =
+      Eigen::Vector3f(triangle.x[3], triangle.y[3], triangle.z[3]) * -triangle.inverse_length_m;
+  point.normal = point.geometric_normal;
+  point.albedo = surface.albedo;
+}
+
+}  // namespace
+
+void Geometry::nearest_from_centre(std::span<const Ray> rays,
+                                   std::span<std::optional<SurfacePoint>> hits) const {
+  if (!directions_) return nearest(rays, hits);
+  std::uint32_t before = DirectionTable::nothing;
+  LeftOver left_over;
+  const auto trace_left_over = [&] {
+    std::array<std::optional<SurfacePoint>, left_over_size> found;
+    nearest(std::span(left_over.rays).first(left_over.count), std::span(found).first(left_over.count));
+    for (std::size_t k = 0; k < left_over.count; ++k) hits[left_over.index[k]] = found[k];
+    left_over.count = 0;
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    assert(rays[i].origin_m.isZero());
+    const CentreHit hit = find_triangle(*directions_, rays[i].direction, before);
+    if (hit.triangle == DirectionTable::not_found) {
+      left_over.rays[left_over.count] = rays[i];
+      left_over.index[left_over.count++] = i;
+      if (left_over.count == left_over_size) trace_left_over();
+      continue;
+    }
+    ++rays_traced;
+    before = hit.triangle;
+    hits[i].reset();
+    if (hit.triangle == DirectionTable::nothing) continue;
+    const float distance_m = 1.0F / hit.inverse_distance_m;
+    if (distance_m > 0.0F && distance_m <= rays[i].far_m)
+      set_surface_from_centre(directions_->triangles[hit.triangle], surfaces_.front(), rays[i], distance_m,
+                              hits[i]);
+  }
+  if (left_over.count > 0) trace_left_over();
+}
+
+}  // namespace seamline
