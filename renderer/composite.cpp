@@ -32,9 +32,7 @@ float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
 
 /// Of S_no a sample, channels averaged.
 float median_denominator(const std::vector<StimulusSums>& sums) {
-  return median_of(sums, [](const StimulusSums& pixel) {
-    return pixel.no.total().mean() / static_cast<float>(pixel.rest);
-  });
+  return median_of(sums, [](const StimulusSums& pixel) { return pixel.no.total().mean() / pixel.rest; });
 }
 
 struct RatioOutcome {
@@ -49,8 +47,7 @@ std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float medi
   const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
   std::vector<bool> pockets(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
-    pockets[i] = sums[i].rest > 0 &&
-                 sums[i].no.total().mean() < poorly_lit_share * median * static_cast<float>(sums[i].rest);
+    pockets[i] = sums[i].rest > 0 && sums[i].no.total().mean() < poorly_lit_share * median * sums[i].rest;
   return pockets;
 }
 
@@ -106,7 +103,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
       const StimulusSums& pixel = sums[i];
       Rgb rest = pixel.background;
       if (pixel.rest > 0) {
-        const float per_sample = 1.0F / static_cast<float>(pixel.rest);
+        const float per_sample = 1.0F / pixel.rest;
         const FilteredLight light =
             pockets[i] ? filtered[i]
                        : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};

@@ -31,7 +31,7 @@ Image reference_image(const TruthLayers& truth) {
 
 Image matte_image(const TruthLayers& truth) {
   return image_of(
-      truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(static_cast<float>(sums.covered)); });
+      truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(sums.covered); });
 }
 
 StimulusSums& StimulusSums::operator+=(const StimulusSums& other) {

@@ -17,7 +17,8 @@ struct TruthSums {
   Split with;                ///< uncovered, with the object: the reference's rest
   Split object;              ///< covered: the object's own light in the reference
   Rgb behind = Rgb::Zero();  ///< covered: the background behind the object
-  std::int32_t covered = 0;  ///< number of covered samples
+  float covered = 0;         ///< number of covered samples
+  float rest = 0;            ///< number of uncovered samples with a surface
 };
 
 /// What filters are guided by: the surface that the first sample of a pixel saw.
@@ -58,7 +59,7 @@ struct StimulusSums {
   Split with;                        ///< sum_unc L_with
   Rgb object = Rgb::Zero();          ///< sum_cov L_obj
   Rgb from_reference = Rgb::Zero();  ///< samples that `mask` takes from the reference
-  std::int32_t rest = 0;             ///< number of samples in `background`, `no` and `with`
+  float rest = 0;                    ///< number of samples in `background`, `no` and `with`
 
   StimulusSums& operator+=(const StimulusSums& other);
 };

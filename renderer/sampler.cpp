@@ -50,12 +50,12 @@ std::uint32_t sobol_second_dimension(std::uint32_t index) {
   return reverse_bits(second_dimension_reversed(index));
 }
 
-Sampler::Sampler(std::uint64_t seed, int x, int y, int sample)
-    : pixel_hash_(
-          static_cast<std::uint32_t>(mix_bits(mix_bits(seed) ^ ((static_cast<std::uint64_t>(y) << 32) |
-                                                                static_cast<std::uint32_t>(x))) >>
-                                     32)),
-      sample_(static_cast<std::uint32_t>(sample)) {}
+Sampler::Sampler(std::uint64_t seed, int x, int y, int sample) {
+  const std::uint64_t place = (static_cast<std::uint64_t>(y) << 32) | static_cast<std::uint32_t>(x);
+  const std::uint64_t half = static_cast<std::uint64_t>(sample & 1) << 31;
+  pixel_hash_ = static_cast<std::uint32_t>(mix_bits(mix_bits(seed) ^ place ^ half) >> 32);
+  sample_ = static_cast<std::uint32_t>(sample) >> 1;
+}
 
 Eigen::Array2f Sampler::point(int dimension) const {
   const std::uint32_t base = hash(pixel_hash_, static_cast<std::uint32_t>(dimension));

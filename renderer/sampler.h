@@ -5,7 +5,9 @@
 namespace seamline {
 
 /// Points of one sample of one pixel: Owen-scrambled Sobol' (the first two dimensions, padded: every use of a
-/// `dimension` is its own scrambled and shuffled set), decorrelated between pixels by hashing. The same
+/// `dimension` is its own scrambled and shuffled set), decorrelated between pixels by hashing. Even and odd
+/// samples are two sets that know nothing of each other, so that half their difference estimates the noise of
+/// their mean. The same
 /// pixel, sample, dimension and seed always give the same point, which is how background, reference and
 /// composite share their sample points. Construction: Burley, "Practical Hash-based Owen Scrambling", JCGT
 /// 9(4), 2020.

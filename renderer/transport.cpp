@@ -1,11 +1,9 @@
 #include "renderer/transport.h"
 
-#include <numbers>
+#include "renderer/leaving_ray.h"
 
 namespace seamline {
 namespace {
-
-constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 
 /// What a path meets: real things, and the virtual object when it is there.
 struct World {
@@ -24,17 +22,6 @@ struct World {
     return hit;
   }
 };
-
-/// Cosine with the sun's direction, 0 when the sun is below the surface's horizon.
-float sun_cosine(const SurfacePoint& point, const Eigen::Vector3f& to_sun) {
-  return above_horizon(point, to_sun) ? std::max(0.0F, point.normal.dot(to_sun)) : 0.0F;
-}
-
-Ray leaving_ray(const SurfacePoint& point, const Eigen::Vector3f& direction, float far_m) {
-  return {ray_start(point, direction), direction, far_m};
-}
-
-constexpr float endless = std::numeric_limits<float>::infinity();
 
 /// Radiance scattered by `point`, the path's vertex number `vertex`, and by all later ones.
 Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler,

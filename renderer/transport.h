@@ -16,6 +16,14 @@ struct Split {
     bounce += other.bounce;
     return *this;
   }
+  Split& operator-=(const Split& other) {
+    direct -= other.direct;
+    bounce -= other.bounce;
+    return *this;
+  }
+  friend Split operator*(float factor, const Split& light) {
+    return {factor * light.direct, factor * light.bounce};
+  }
 };
 
 /// The same without and with the virtual object, from one coupled computation on the same path: they differ

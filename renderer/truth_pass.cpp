@@ -21,6 +21,7 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
                         : scene.light.environment_radiance;
   } else if (real) {
     const RadiancePair pair = leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler);
+    ++sums.rest;
     sums.no += pair.no;
     sums.with += pair.with;
   } else {

@@ -21,19 +21,36 @@ TEST(Sampler, SecondSobolDimensionIsTheSequencesOwn) {
   }
 }
 
-TEST(Sampler, EveryDyadicCellOfAPowerOfTwoHoldsOnePoint) {
-  for (int dimension = 0; dimension < 5; ++dimension)
+TEST(Sampler, EveryDyadicCellOfAPowerOfTwoHoldsOnePointOfEachHalf) {
+  for (int dimension = 0; dimension < 10; ++dimension)
     for (const auto& [columns, rows] :
          {std::array{8, 8}, std::array{64, 1}, std::array{1, 64}, std::array{16, 4}}) {
       std::set<int> cells;
       for (int sample = 0; sample < 64; ++sample) {
-        const Eigen::Array2f p = Sampler(42, 3, 7, sample).point(dimension);
+        const Eigen::Array2f p = Sampler(42, 3, 7, 2 * sample + dimension % 2).point(dimension / 2);
         ASSERT_TRUE(p[0] >= 0 && p[0] < 1 && p[1] >= 0 && p[1] < 1);
         cells.insert(static_cast<int>(p[0] * static_cast<float>(columns)) * rows +
                      static_cast<int>(p[1] * static_cast<float>(rows)));
       }
       EXPECT_EQ(cells.size(), 64U);
     }
+}
+
+/// What makes half the difference of two halves an honest estimate of the noise of their mean.
+TEST(Sampler, TheTwoHalvesOfAPixelAreIndependent) {
+  double variance_of_mean = 0, estimate = 0;
+  const int pixels = 20000, samples = 8;
+  for (int pixel = 0; pixel < pixels; ++pixel) {
+    std::array<double, 2> mean{};
+    for (int i = 0; i < samples; ++i) {
+      const Eigen::Array2f p = Sampler(5, pixel, 1, i).point(0);
+      mean[static_cast<std::size_t>(i % 2)] += (p[0] + p[1] < 0.7F ? 1.0 : 0.0) / (samples / 2);
+    }
+    const double error = 0.5 * (mean[0] + mean[1]) - 0.245;
+    variance_of_mean += error * error / pixels;
+    estimate += 0.25 * (mean[0] - mean[1]) * (mean[0] - mean[1]) / pixels;
+  }
+  EXPECT_NEAR(estimate / variance_of_mean, 1, 0.05);
 }
 
 TEST(Sampler, PixelsAndSeedsAreDecorrelated) {

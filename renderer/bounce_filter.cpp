@@ -1,0 +1,85 @@
+#include "renderer/bounce_filter.h"
+
+#include <cmath>
+
+#include "renderer/parallel.h"
+
+namespace seamline {
+namespace {
+
+constexpr std::array<float, 5> kernel = {1.0F / 16, 4.0F / 16, 6.0F / 16, 4.0F / 16, 1.0F / 16};
+float KAPPA = getenv("KAPPA") ? atof(getenv("KAPPA")) : 5.0F;
+constexpr float plane_tolerance = 0.01F;  // distance from the tangent plane, relative to the distance
+
+/// 1 for like surfaces, 0 for unlike ones.
+float likeness(const Surface& a, const Surface& b) {
+  const float cosine = a.normal.dot(b.normal);
+  if (!(cosine > 0.5F)) return 0.0F;
+  const float off_plane =
+      a.normal.dot(b.position_m - a.position_m) / (plane_tolerance * a.distance_m + 1e-30F);
+  const float near = 1.0F - off_plane * off_plane;
+  if (!(near > 0.0F)) return 0.0F;
+  const float inverse_reach = std::max(a.inverse_reach, b.inverse_reach) * KAPPA;
+  const float far = 1.0F - (b.position_m - a.position_m).squaredNorm() * inverse_reach * inverse_reach;
+  if (!(far > 0.0F)) return 0.0F;
+  const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
+  return c16 * c16 * near * near * far * far;
+}
+
+void add(const BounceTexel& from, float weight, BounceTexel& to) {
+  for (std::size_t half = 0; half < 2; ++half) {
+    to.no[half] += weight * from.no[half];
+    to.change[half] += weight * from.change[half];
+    to.no_samples[half] += weight * from.no_samples[half];
+    to.change_samples[half] += weight * from.change_samples[half];
+  }
+}
+
+}  // namespace
+
+Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y) {
+  if (samples <= 0.0F) return {};
+  Surface surface;
+  surface.distance_m = sums.distance_m / samples;
+  surface.inverse_reach = sums.inverse_reach / samples;
+  const float length = sums.normal.norm();
+  if (length > 0.0F) surface.normal = sums.normal / length;
+  surface.position_m =
+      camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) * surface.distance_m;
+  surface.albedo = (sums.albedo / samples).max(1e-4F);
+  return surface;
+}
+
+void filter_bounce(const std::vector<Surface>& surfaces, int width_px, int levels, int threads,
+                   std::vector<BounceTexel>& texels) {
+  const int height_px = static_cast<int>(surfaces.size()) / std::max(width_px, 1);
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
+  };
+  std::vector<BounceTexel> filtered(levels > 0 ? texels.size() : 0);
+  for (int level = 0; level < levels; ++level) {
+    const int step = 1 << level;
+    parallel_for(height_px, threads, [&](int y) {
+      for (int x = 0; x < width_px; ++x) {
+        const std::size_t centre = index(x, y);
+        const Surface& surface = surfaces[centre];
+        BounceTexel& out = filtered[centre];
+        out = {};
+        if (surface.normal.isZero()) continue;
+        for (int dy = -2; dy <= 2; ++dy)
+          for (int dx = -2; dx <= 2; ++dx) {
+            const int column = x + dx * step, row = y + dy * step;
+            if (column < 0 || row < 0 || column >= width_px || row >= height_px) continue;
+            const std::size_t i = index(column, row);
+            const float share =
+                kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
+            const float weight = i == centre ? share : share * likeness(surface, surfaces[i]);
+            if (weight > 0.0F) add(texels[i], weight, out);
+          }
+      }
+    });
+    std::swap(texels, filtered);
+  }
+}
+
+}  // namespace seamline

@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "renderer/camera.h"
+#include "renderer/scene_sums.h"
+
+namespace seamline {
+
+/// Bounce light of one pixel without its albedo, in both halves of samples: sums and the number of samples
+/// they are over. Filtering sums and numbers apart lets a pixel count for what it saw.
+struct BounceTexel {
+  std::array<Rgb, 2> no = {Rgb::Zero(), Rgb::Zero()};      ///< without the object
+  std::array<Rgb, 2> change = {Rgb::Zero(), Rgb::Zero()};  ///< with it, minus without
+  std::array<float, 2> no_samples = {};
+  std::array<float, 2> change_samples = {};
+};
+
+/// The surface a pixel shows: unit normal (zero: none, the pixel is left alone), position, albedo.
+struct Surface {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  Eigen::Vector3f position_m = Eigen::Vector3f::Zero();
+  Rgb albedo = Rgb::Ones();
+  float distance_m = 0;
+  float inverse_reach = 0;  ///< 1 / harmonic mean distance to what sends the bounce light, in 1/m
+};
+[[nodiscard]] Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y);
+
+/// Filters bounce light among pixels that show like surfaces: `levels` a-trous levels (Dammertz et al., HPG
+/// 2010) with a cubic B-spline kernel, weights falling with the angle between the normals and with the
+/// distance from the pixel's tangent plane, never with colour. Row by row, `texels` in place. 0 levels:
+/// nothing changes.
+void filter_bounce(const std::vector<Surface>& surfaces, int width_px, int levels, int threads,
+                   std::vector<BounceTexel>& texels);
+
+}  // namespace seamline

@@ -1,0 +1,66 @@
+#include "renderer/error_estimate.h"
+
+#include <cmath>
+
+#include "renderer/parallel.h"
+
+namespace seamline {
+namespace {
+
+/// Slope of the sRGB curve; 0 where display white is passed.
+float display_slope(float linear) {
+  if (linear >= 1.0F) return 0.0F;
+  if (linear <= 0.0031308F) return 12.92F;
+  return 1.055F / 2.4F * std::pow(linear, 1.0F / 2.4F - 1.0F);
+}
+
+SquaredError tile_error(const HalfPictures& pictures, const TileGrid::Rectangle& tile, float gain) {
+  SquaredError sum;
+  for (int y = tile.top; y < tile.bottom; ++y)
+    for (int x = tile.left; x < tile.right; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float a = pictures.filtered[0].at(x, y, c) * gain, b = pictures.filtered[1].at(x, y, c) * gain;
+        const double difference = 0.5 * (double{srgb_from_linear(a)} - double{srgb_from_linear(b)});
+        sum.noise += difference * difference;
+        const float change_a = a - pictures.sampled[0].at(x, y, c) * gain;
+        const float change_b = b - pictures.sampled[1].at(x, y, c) * gain;
+        if (change_a == 0.0F || change_b == 0.0F) continue;
+        const double slope = display_slope(0.5F * (a + b));
+        sum.bias += slope * slope * double{change_a} * double{change_b};
+      }
+  const double values = 3.0 * (tile.right - tile.left) * (tile.bottom - tile.top);
+  return {sum.noise / values, sum.bias / values};
+}
+
+}  // namespace
+
+double ErrorEstimate::rmse() const {
+  return std::sqrt(image.total());
+}
+
+double ErrorEstimate::worst_tile() const {
+  double worst = 0;
+  for (const SquaredError& tile : tiles) worst = std::max(worst, tile.total());
+  return std::sqrt(worst);
+}
+
+ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {
+  const Image& any = pictures.filtered[0];
+  const TileGrid grid{any.width_px, any.height_px};
+  const float gain = static_cast<float>(std::exp2(exposure_ev));
+  ErrorEstimate estimate;
+  estimate.tiles.resize(static_cast<std::size_t>(grid.count()));
+  parallel_for(grid.count(), threads, [&](int tile) {
+    estimate.tiles[static_cast<std::size_t>(tile)] = tile_error(pictures, grid.rectangle(tile), gain);
+  });
+  const double pixels = static_cast<double>(grid.width_px) * grid.height_px;
+  for (int tile = 0; tile < grid.count(); ++tile) {
+    const TileGrid::Rectangle r = grid.rectangle(tile);
+    const double share = (r.right - r.left) * (r.bottom - r.top) / pixels;
+    estimate.image.noise += share * estimate.tiles[static_cast<std::size_t>(tile)].noise;
+    estimate.image.bias += share * estimate.tiles[static_cast<std::size_t>(tile)].bias;
+  }
+  return estimate;
+}
+
+}  // namespace seamline

@@ -1,0 +1,20 @@
+#pragma once
+#include "renderer/bounce_filter.h"
+#include "renderer/layers.h"
+#include "renderer/scene_sums.h"
+
+namespace seamline {
+
+/// How the sums of a scene become layers.
+struct LayerOptions {
+  int filter_levels = 2;  ///< of the bounce filter; 0: as sampled
+  int threads = 1;
+};
+
+/// The truth layers of one object (1 to 3), taken from the sums of the joint pass, its bounce light filtered.
+/// Scaled as if every tile had the most samples that one has.
+[[nodiscard]] TruthLayers truth_layers(const SceneSums& sums, const Camera& camera,
+                                       const Rgb& environment_radiance, int object,
+                                       const LayerOptions& options);
+
+}  // namespace seamline

@@ -1,0 +1,39 @@
+#pragma once
+#include "renderer/scene_sums.h"
+#include "renderer/truth_pass.h"
+
+namespace seamline {
+
+/// The geometries of a scene that its worlds are made of. Pointers in `worlds` look into it: it stays where
+/// it is.
+struct SceneGeometry {
+  explicit SceneGeometry(const TruthScene& scene);
+  SceneGeometry(const SceneGeometry&) = delete;
+  SceneGeometry& operator=(const SceneGeometry&) = delete;
+  ~SceneGeometry() = default;
+
+  Geometry room;                   ///< the background alone
+  Geometry objects;                ///< the three objects
+  std::array<Geometry, 3> alone;   ///< each object
+  std::array<Geometry, 3> others;  ///< the two other objects
+  Worlds worlds;
+};
+
+/// How the joint pass runs.
+struct ScenePassOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  int tail_every = 4;
+  bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
+  std::function<void(double share_done)> progress = {};
+};
+
+/// Empty sums for a picture of the scene's camera.
+[[nodiscard]] SceneSums empty_sums(const Camera& camera);
+
+/// Adds samples to every tile until it has `wanted_spp[tile]` (even numbers); tiles that have as many are
+/// left alone. The background of each object, the reference, and each object's own light are one computation.
+void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
+                 const ScenePassOptions& options, SceneSums& sums);
+
+}  // namespace seamline

@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/tiles.h"
+#include "renderer/worlds.h"
+
+namespace seamline {
+
+/// Mean surface that samples saw, as sums.
+struct GuideSums {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  Rgb albedo = Rgb::Zero();
+  float distance_m = 0;
+  float inverse_reach = 0;  ///< 1 / how far gather rays get: large in creases, where bounce light changes fast
+
+  void add(const SurfacePoint& point, float reach_m) {
+    inverse_reach += 1.0F / (reach_m + 1e-3F * point.distance_m);
+    normal += point.normal;
+    albedo += point.albedo;
+    distance_m += point.distance_m;
+  }
+};
+
+/// What the camera sees through one pixel in each world, summed over the samples of one half.
+struct WorldSums {
+  std::array<Split, 4> seen = {};      ///< light of the surfaces that each world shows
+  std::array<float, 4> surfaces = {};  ///< number of samples that show a surface; the others show sky
+};
+
+/// Where an object lies on the camera ray, before or behind other things; of one pixel and half.
+struct ObjectSums {
+  Split object;       ///< its own light where it is in front
+  Split behind;       ///< light of what it covers, in the world without it,
+  Split behind_with;  ///< and in the world with it (only when the study asks who is in front)
+  Split hidden;       ///< its own light where something covers it (likewise)
+  float covered = 0, behind_surfaces = 0, hidden_samples = 0;
+};
+
+inline constexpr std::size_t tile_pixels =
+    static_cast<std::size_t>(TileGrid::side_px) * static_cast<std::size_t>(TileGrid::side_px);
+
+/// One object's part of a tile; only tiles that it is seen or hidden in have one.
+struct ObjectTile {
+  std::array<std::vector<ObjectSums>, 2> halves;
+  std::vector<GuideSums> guides;
+  /// Distances to the object and to the nearest other thing, sample by sample (sample * tile_pixels + place):
+  /// infinity where there is none. Only when the study asks who is in front.
+  std::vector<float> object_m, real_m;
+};
+
+/// All sums of a scene, its worlds and its objects.
+struct SceneSums {
+  TileGrid grid;
+  std::array<std::vector<WorldSums>, 2> halves;  ///< row by row
+  std::array<std::vector<GuideSums>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
+  std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
+  std::vector<int> spp;                                             ///< of each tile, even
+  std::int64_t rays = 0;
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width_px) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+}  // namespace seamline

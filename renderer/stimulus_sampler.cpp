@@ -1,0 +1,142 @@
+#include "renderer/stimulus_sampler.h"
+
+namespace seamline {
+namespace {
+
+constexpr int packet = 16;
+
+bool covers(const StimulusSample& sample, const std::optional<SurfacePoint>& real) {
+  return sample.object && (!real || sample.object->distance_m < real->distance_m);
+}
+
+}  // namespace
+
+StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry,
+                                 const Geometry* depth, const Recipe& recipe, std::uint64_t seed,
+                                 int tail_every)
+    : scene_(scene),
+      geometry_(geometry),
+      depth_(recipe.answers.needs_depth() ? depth : nullptr),
+      recipe_(recipe),
+      answers_(recipe.answers),
+      depth_worlds_{depth_, &geometry.object, {}, 1},
+      seed_(seed),
+      tail_every_(tail_every) {}
+
+void StimulusSampler::look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const {
+  std::array<Ray, packet> rays;
+  std::array<std::optional<SurfacePoint>, packet> real, object, depth;
+  for (int first = from; first < to; first += packet) {
+    const auto count = static_cast<std::size_t>(std::min(packet, to - first));
+    const std::span<const Ray> asked(rays.data(), count);
+    for (std::size_t i = 0; i < count; ++i)
+      rays[i] = camera_ray(scene_.camera, x, y, Sampler(seed_, x, y, first + static_cast<int>(i)));
+    geometry_.truth.nearest_from_centre(asked, std::span(real.data(), count));
+    geometry_.object.nearest_from_centre(asked, std::span(object.data(), count));
+    if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count));
+    for (std::size_t i = 0; i < count; ++i) {
+      StimulusSample sample{.sampler = Sampler(seed_, x, y, first + static_cast<int>(i)),
+                            .real = real[i],
+                            .object = object[i],
+                            .depth = depth[i]};
+      sample.covered_in_truth = covers(sample, sample.real);
+      sample.shows = shown(sample);
+      out.push_back(sample);
+    }
+  }
+}
+
+StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const {
+  using Shows = StimulusSample::Shows;
+  const bool covered = covers(sample, answers_.occlusion == Who::depth ? sample.depth : sample.real);
+  // Where the truth shows sky, or the depth mesh does and has to answer for the rest, nothing is
+  // multiplied.
+  const Shows rest =
+      !sample.real || (asks_depth_for_rest(answers_) && !sample.depth) ? Shows::sky : Shows::rest;
+  // Layers are exchanged sample by sample, so that together they always make one whole picture: a sample
+  // whose coverage truth and depth mesh disagree about would show an occlusion artifact, and comes from the
+  // reference.
+  switch (recipe_.keep) {
+    case Keep::everything:
+      return covered ? Shows::object : rest;
+    case Keep::object_layer:
+      return covered && sample.covered_in_truth ? Shows::object : Shows::from_reference;
+    case Keep::rest_layer:
+      return covered || sample.covered_in_truth ? Shows::from_reference : rest;
+  }
+  return rest;
+}
+
+RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const {
+  if (who == Who::truth) return {&geometry_.truth, &point};
+  // Behind the depth mesh on its view ray: asked from the mesh's own surface there, or it would be sealed in.
+  const bool behind = sample.depth && sample.depth->distance_m < point.distance_m;
+  return {depth_, behind ? &*sample.depth : &point};
+}
+
+Split StimulusSampler::object_light(const StimulusSample& sample, Who lit, Who bounce) const {
+  return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object),
+                        geometry_.object, *sample.object, scene_.light, sample.sampler);
+}
+
+Split StimulusSampler::object_in_truth(const StimulusSample& sample) const {
+  return object_light(sample, Who::truth, Who::truth);
+}
+
+RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const {
+  return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler);
+}
+
+RadiancePair StimulusSampler::rest_in_depth(const StimulusSample& sample, int index) const {
+  if (tail_every_ <= 1)
+    return leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler);
+  WorldLight light{};
+  add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light, sample.sampler,
+              tail_of(index, tail_every_), light);
+  return {.no = light[1], .with = light[0]};
+}
+
+void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums& out) const {
+  if (answers_.bounce == Who::depth) {
+    const Split light = object_light(sample, answers_.object_lit, Who::depth);
+    if (answers_.object_lit == Who::depth) out.object += light.direct;
+    out.object += light.bounce;
+  } else if (answers_.object_lit == Who::depth) {
+    // Sun and sky only: bounce light of the truth is in the truth's sums already.
+    out.object += leaving_object(ask(Who::depth, sample, *sample.object), {nullptr, nullptr},
+                                 geometry_.object, *sample.object, scene_.light, sample.sampler)
+                      .direct;
+  }
+}
+
+void StimulusSampler::add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const {
+  if (sample.shows == StimulusSample::Shows::object) add_object_part(sample, out);
+  if (sample.shows != StimulusSample::Shows::rest) return;
+  out.rest += 1.0F;
+  const bool bounce = answers_.bounce == Who::depth;
+  if (bounce && answers_.receiver == Who::depth && answers_.real_lit == Who::depth) {
+    add_rest(rest_in_depth(sample, index), true, true, out);
+    return;
+  }
+  if (!direct_from_truth()) {
+    const SurfacePoint& receiver = answers_.receiver == Who::depth ? *sample.depth : *sample.real;
+    const RealQuestion lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
+                                                             : RealQuestion{&geometry_.truth, &*sample.real};
+    add_rest(direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler),
+             true, false, out);
+  }
+  if (bounce) add_rest(rest_in_depth(sample, index), false, true, out);
+}
+
+void add_rest(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out) {
+  if (direct) {
+    out.no.direct += pair.no.direct;
+    out.with.direct += pair.with.direct;
+  }
+  if (bounce) {
+    out.no.bounce += pair.no.bounce;
+    out.with.bounce += pair.with.bounce;
+  }
+}
+
+}  // namespace seamline

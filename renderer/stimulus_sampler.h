@@ -1,0 +1,67 @@
+#pragma once
+#include <vector>
+
+#include "renderer/answers.h"
+#include "renderer/truth_pass.h"
+#include "renderer/worlds.h"
+
+namespace seamline {
+
+/// What the camera ray of one sample meets.
+struct StimulusSample {
+  Sampler sampler;
+  std::optional<SurfacePoint> real;    ///< x_T
+  std::optional<SurfacePoint> object;  ///< x_O, at any depth
+  std::optional<SurfacePoint> depth;   ///< x_D
+  bool covered_in_truth = false;
+  enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
+};
+
+/// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
+/// estimators.
+class StimulusSampler {
+ public:
+  /// `depth` may be null when the recipe asks nothing of the depth mesh. `tail_every` above 1: bounce light
+  /// on real surfaces is traced thriftily (see Tail).
+  StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+                  const Recipe& recipe, std::uint64_t seed, int tail_every = 1);
+
+  /// The samples [from, to) of a pixel.
+  void look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const;
+
+  /// Everything that some geometry other than the truth alone has to answer: light on the rest (with the
+  /// number of samples it is over) and on the object. `index` is the sample's number.
+  void add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const;
+
+  /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
+  [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
+  [[nodiscard]] RadiancePair rest_in_truth(const StimulusSample& sample) const;
+
+  /// Whether sun and sky on the rest are the truth's own.
+  [[nodiscard]] bool direct_from_truth() const {
+    return answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
+  }
+  [[nodiscard]] const Recipe& recipe() const { return recipe_; }
+  [[nodiscard]] const TruthScene& scene() const { return scene_; }
+
+ private:
+  [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
+  [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
+  [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
+  [[nodiscard]] RadiancePair rest_in_depth(const StimulusSample& sample, int index) const;
+  void add_object_part(const StimulusSample& sample, StimulusSums& out) const;
+
+  const TruthScene& scene_;
+  const ObjectGeometry& geometry_;
+  const Geometry* depth_;
+  const Recipe& recipe_;
+  const Answers& answers_;
+  Worlds depth_worlds_;
+  std::uint64_t seed_;
+  int tail_every_;
+};
+
+/// Adds light on the rest: its direct part, its bounce part, or both.
+void add_rest(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out);
+
+}  // namespace seamline

@@ -1,0 +1,96 @@
+#include "renderer/worlds.h"
+
+#include "renderer/leaving_ray.h"
+
+namespace seamline {
+
+WorldSet Worlds::reached(const Ray& ray, WorldSet set) const {
+  if (room->occluded(ray)) return 0;
+  if (!objects->occluded(ray)) return set;
+  WorldSet reached = 0;
+  for (int world = 1; world <= object_count; ++world) {
+    if ((set & only_world(world)) == 0) continue;
+    const Geometry* there = others[static_cast<std::size_t>(world - 1)];
+    if (there == nullptr || !there->occluded(ray)) reached |= only_world(world);
+  }
+  return reached;
+}
+
+namespace {
+
+/// One path through several worlds at once.
+class Path {
+ public:
+  Path(const Worlds& worlds, const Light& light, const Sampler& sampler, const Tail& tail, WorldLight& out)
+      : worlds_(worlds), light_(light), sampler_(sampler), tail_(tail), emits_(worlds.emits()), out_(out) {}
+
+  /// Light scattered by the path's vertex number `vertex` and all later ones.
+  void scatter(WorldSet set, const SurfacePoint& point, Rgb throughput, int vertex) {
+    throughput *= point.albedo;
+    add_suns(set, point, throughput, vertex);
+    if (vertex == 1) {  // the tail begins
+      if (!tail_.traced) return;
+      throughput *= tail_.weight;
+    }
+    const Eigen::Vector3f direction =
+        cosine_direction(point.normal, sampler_.point(dimension::direction(vertex)));
+    if (!above_horizon(point, direction)) return;
+    const Ray ray = leaving_ray(point, direction, light_.sky_distance_m);
+    const Rgb sky = throughput * light_.environment_radiance;
+    if (vertex >= light_.bounces && !emits_) {
+      add(worlds_.reached(ray, set), vertex == 0, sky);
+      return;
+    }
+    worlds_.nearest(ray, set, [&](WorldSet subset, const std::optional<SurfacePoint>& hit) {
+      if (vertex == 0 && hit) reach_m_ = std::min(reach_m_, hit->distance_m);
+      if (!hit) {
+        add(subset, vertex == 0, sky);
+        return;
+      }
+      if (emits_) add(subset, false, throughput * hit->emission);
+      if (vertex < light_.bounces) scatter(subset, *hit, throughput, vertex + 1);
+    });
+  }
+
+  /// How far the first ray got; the nearest where worlds differ.
+  [[nodiscard]] float reach_m() const { return reach_m_; }
+
+ private:
+  void add_suns(WorldSet set, const SurfacePoint& point, const Rgb& throughput, int vertex) {
+    for (const Sun& sun : light_.suns) {
+      const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler_.point(dimension::sun(vertex)));
+      const float cosine = sun_cosine(point, to_sun);
+      if (cosine > 0.0F)
+        add(worlds_.reached(leaving_ray(point, to_sun, endless), set), vertex == 0,
+            throughput * sun.irradiance_w_m2 * (inverse_pi * cosine));
+    }
+  }
+
+  void add(WorldSet set, bool direct, const Rgb& radiance) {
+    for (unsigned left = set; left != 0; left &= left - 1) {
+      Split& light = out_[static_cast<std::size_t>(std::countr_zero(left))];
+      (direct ? light.direct : light.bounce) += radiance;
+    }
+  }
+
+  const Worlds& worlds_;
+  const Light& light_;
+  const Sampler& sampler_;
+  const Tail& tail_;
+  const bool emits_;
+  WorldLight& out_;
+  float reach_m_ = endless;
+};
+
+}  // namespace
+
+float add_leaving(const Worlds& worlds, WorldSet set, const SurfacePoint& point, const Light& light,
+                  const Sampler& sampler, const Tail& tail, WorldLight& out) {
+  for (unsigned left = set; left != 0; left &= left - 1)
+    out[static_cast<std::size_t>(std::countr_zero(left))].direct += point.emission;
+  Path path(worlds, light, sampler, tail, out);
+  path.scatter(set, point, Rgb::Ones(), 0);
+  return path.reach_m();
+}
+
+}  // namespace seamline
