@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "renderer/convergence_plot.h"
@@ -85,7 +86,7 @@ PlotPanel error_panel(const MeshResult& result, const FigureText& text) {
       .falling_x = true};
   PlotLine adaptive_rmse = panel.lines[1];
   adaptive_rmse.points.pop_back();  // full density
-  panel.guides.push_back(guide_from(adaptive_rmse, 1, "slope 1"));
+  if (adaptive_rmse.points.front().second > 0) panel.guides = {guide_from(adaptive_rmse, 1, "slope 1")};
   return panel;
 }
 
@@ -93,7 +94,7 @@ PlotPanel rule_panel(const MeshResult& result) {
   const Value<MeshRow> tolerance = [](const MeshRow& row) { return row.tolerance.value_or(0); };
   return {.title = "the rule for the default tolerance",
           .x_label = "tolerance of the depth mesh",
-          .y_label = "pixels in 1,000; 8-bit steps (0 is not drawn)",
+          .y_label = "pixels in 1,000; 8-bit steps (hollow: 0)",
           .lines = {{.title = "pixels in 1,000 that change by more than one step",
                      .points = points<MeshRow>(result.rows, tolerance,
                                                [](const MeshRow& row) { return 1000 * row.changed_share; }),
@@ -157,8 +158,12 @@ void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text) {
                  .points = points<WidthRow>(rows, width, [](const WidthRow& row) { return row.rmse; })}},
       .marks = {{.at = one_step, .label = "one 8-bit step"}},
       .powers_of_two = true};
+  // The steeper one ends at the finest map, where it is to be expected.
+  PlotLine finest = error.lines[0];
+  std::reverse(finest.points.begin(), finest.points.end());
+  finest.points.resize(std::min<std::size_t>(finest.points.size(), 4));
   error.guides = {guide_from(error.lines[0], -0.5, "slope -0.5: edges misplaced by pixels"),
-                  guide_from(error.lines[0], -1, "slope -1: by parts of a pixel")};
+                  guide_from(finest, -1, "slope -1: by parts of a pixel")};
   const PlotPanel cost{
       .title = "cost",
       .x_label = "depth map width W (px)",

@@ -50,13 +50,52 @@ bool can_be_drawn(const std::pair<double, double>& point) {
   return point.first > 0 && point.second > 0 && std::isfinite(point.first) && std::isfinite(point.second);
 }
 
-/// Data blocks of all lines; points without a logarithm are left out.
-std::string blocks(const PlotPanel& panel, std::size_t panel_index) {
+/// Of the panel's height.
+double key_share(const PlotPanel& panel) {
+  return 0.055 * static_cast<double>(panel.lines.size() + panel.guides.size()) + 0.06;
+}
+
+struct Axes {
+  Range x, y;
+};
+
+Axes axes_of(const PlotPanel& panel) {
+  Axes axes;
+  for (const PlotLine& line : panel.lines)
+    for (const auto& point : line.points) {
+      if (point.first > 0 && std::isfinite(point.first)) axes.x.include(point.first);
+      if (can_be_drawn(point)) axes.y.include(point.second);
+    }
+  for (const PlotMark& mark : panel.marks) (mark.vertical ? axes.x : axes.y).include(mark.at);
+  // The key stands above the data.
+  return {axes.x.with_room(0.06, 0.06), axes.y.with_room(0.07, key_share(panel))};
+}
+
+std::string axes_text(const PlotPanel& panel, const Axes& axes) {
+  const std::string text = axis_text('x', axes.x, panel.falling_x) + axis_text('y', axes.y, false);
+  if (!panel.powers_of_two) return text;
+  std::set<double> ticks;
+  for (const PlotLine& line : panel.lines)
+    for (const auto& point : line.points) ticks.insert(point.first);
+  std::string list;
+  for (const double tick : ticks) list += fmt::format("{}'{:g}' {:g}", list.empty() ? "" : ", ", tick, tick);
+  return text + (list.empty() ? "" : "set xtics (" + list + ")\n");
+}
+
+bool is_zero(const std::pair<double, double>& point) {
+  return point.first > 0 && point.second == 0;
+}
+
+/// Data blocks of all lines; of their zeros, which lie at the lower end of the axis; and of the guides.
+std::string blocks(const PlotPanel& panel, const Axes& axes, std::size_t panel_index) {
   std::string text;
   for (std::size_t i = 0; i < panel.lines.size(); ++i) {
     text += fmt::format("$p{}l{} << EOD\n", panel_index, i);
     for (const auto& point : panel.lines[i].points)
       if (can_be_drawn(point)) text += fmt::format("{:.8g} {:.8g}\n", point.first, point.second);
+    text += fmt::format("EOD\n$p{}z{} << EOD\n", panel_index, i);
+    for (const auto& point : panel.lines[i].points)
+      if (is_zero(point)) text += fmt::format("{:.8g} {:.8g}\n", point.first, axes.y.low * 1.0001);
     text += "EOD\n";
   }
   for (std::size_t i = 0; i < panel.guides.size(); ++i) {
@@ -69,36 +108,10 @@ std::string blocks(const PlotPanel& panel, std::size_t panel_index) {
   return text;
 }
 
-/// Of the panel's height.
-double key_share(const PlotPanel& panel) {
-  return 0.055 * static_cast<double>(panel.lines.size() + panel.guides.size()) + 0.03;
-}
-
-std::string axes(const PlotPanel& panel) {
-  Range x, y;
-  std::set<double> own_ticks;
-  for (const PlotLine& line : panel.lines)
-    for (const auto& point : line.points) {
-      // A value of 0 is not drawn, but its place on the axis is.
-      if (point.first > 0 && std::isfinite(point.first)) x.include(point.first);
-      if (can_be_drawn(point)) y.include(point.second);
-      own_ticks.insert(point.first);
-    }
-  for (const PlotMark& mark : panel.marks) (mark.vertical ? x : y).include(mark.at);
-  // The key stands above the data.
-  std::string text = axis_text('x', x.with_room(0.06, 0.06), panel.falling_x) +
-                     axis_text('y', y.with_room(0.07, key_share(panel)), false);
-  if (!panel.powers_of_two) return text;
-  std::string list;
-  for (const double tick : own_ticks)
-    list += fmt::format("{}'{:g}' {:g}", list.empty() ? "" : ", ", tick, tick);
-  return text + (list.empty() ? "" : "set xtics (" + list + ")\n");
-}
-
 /// Labels of lines that may lie close together are put at the left and at the right in turn.
 std::string marks(const PlotPanel& panel) {
   std::string text = "unset arrow\nunset label\n";
-  bool at_left = true;
+  bool at_left = !panel.key_left;
   for (const PlotMark& mark : panel.marks) {
     std::string from, to, place;
     if (mark.vertical) {
@@ -126,16 +139,20 @@ std::string plot(const PlotPanel& panel, std::size_t panel_index) {
     add(fmt::format("$p{}g{} using 1:2 with lines lc rgb '#9A9A9A' lw 1.4 dt (8,6) title \"{}\"", panel_index,
                     i, gnuplot_text(panel.guides[i].title)));
   for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-    const PlotLine& line = panel.lines[i];
-    if (std::none_of(line.points.begin(), line.points.end(), can_be_drawn)) continue;
-    const PlotStyle style = plot_style(line.style);
-    add(fmt::format("$p{}l{} using 1:2 with linespoints lc rgb '{}' lw 2 pt {} ps 0.75 {}", panel_index, i,
-                    style.colour, style.point,
-                    line.title.empty() ? "notitle" : "title \"" + gnuplot_text(line.title) + "\""));
+    const auto& points = panel.lines[i].points;
+    const PlotStyle style = plot_style(panel.lines[i].style);
+    std::string title = "title \"" + gnuplot_text(panel.lines[i].title) + "\"";
+    if (std::any_of(points.begin(), points.end(), can_be_drawn)) {
+      add(fmt::format("$p{}l{} using 1:2 with linespoints lc rgb '{}' lw 2 pt {} ps 0.75 {}", panel_index, i,
+                      style.colour, style.point, title));
+      title = "notitle";
+    }
+    // The hollow twin of each point type comes before it.
+    if (std::any_of(points.begin(), points.end(), is_zero))
+      add(fmt::format("$p{}z{} using 1:2 with points lc rgb '{}' lw 1.5 pt {} ps 0.75 {}", panel_index, i,
+                      style.colour, style.point - 1, title));
   }
-  // A panel whose every value is 0 has nothing to draw on logarithmic axes; it says so.
-  return text.empty() ? "set label \"every value is 0\" at graph 0.5, graph 0.5 center\nplot 1/0 notitle\n"
-                      : text + "\n";
+  return text + "\n";
 }
 
 }  // namespace
@@ -157,7 +174,8 @@ std::string panels_script(const std::string& heading, std::span<const PlotPanel>
       1 - 74 / height_px, 108 / width_px);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const PlotPanel& panel = panels[i];
-    script += blocks(panel, i) + axes(panel) + marks(panel) +
+    const Axes axes = axes_of(panel);
+    script += blocks(panel, axes, i) + axes_text(panel, axes) + marks(panel) +
               fmt::format(
                   "set key {} top\nset title \"{}\" font ',15' textcolor rgb '{}' offset 0,-0.4\n"
                   "set xlabel \"{}\" textcolor rgb '{}'\nset ylabel \"{}\" textcolor rgb '{}' "

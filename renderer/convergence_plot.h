@@ -8,7 +8,7 @@ namespace seamline {
 
 /// One line of a panel.
 struct PlotLine {
-  std::string title;  ///< empty: not in the key
+  std::string title;
   std::vector<std::pair<double, double>> points = {};
   std::size_t style = 0;  ///< index of colour and point type
 };
@@ -26,7 +26,7 @@ struct PlotMark {
   std::string label;
 };
 
-/// A log-log panel of a figure.
+/// A log-log panel of a figure. Zeros, which have no logarithm, are hollow points on the lower axis.
 struct PlotPanel {
   std::string title, x_label, y_label;
   std::vector<PlotLine> lines = {};

@@ -10,7 +10,7 @@ namespace seamline {
 namespace {
 
 constexpr int smallest_reference_spp = 64, largest_reference_spp = 16384;
-constexpr int reference_to_largest_trial = 8;
+constexpr int reference_to_largest_trial = 16;
 constexpr int fewest_trials = 3;
 
 /// What errors are measured against.
@@ -20,10 +20,15 @@ struct Reference {
 };
 
 /// As many samples as the budget pays for, a power of 2: half for the reference, the rest for the trials,
-/// whose sum is about as large.
+/// whose sum is about as large. The price is that of a run long enough for a clock.
 int affordable_spp(const ConvergenceSubject& subject, PathRuns& runs, double budget_s) {
-  constexpr int probe_spp = 2;
-  const double per_sample_s = runs.coupled(probe_spp, subject.study.seed).seconds() / probe_spp;
+  constexpr int longest_probe_spp = 64;
+  double per_sample_s = 0;
+  for (int spp = 2; spp <= longest_probe_spp; spp *= 2) {
+    const double probe_s = runs.coupled(spp, subject.study.seed).seconds();
+    per_sample_s = probe_s / spp;
+    if (probe_s > 0.01 * budget_s) break;
+  }
   const double affordable = 0.5 * budget_s / per_sample_s;
   if (!(affordable < largest_reference_spp)) return largest_reference_spp;
   return static_cast<int>(
@@ -68,9 +73,8 @@ SampleRow measure(const ConvergenceSubject& subject, const Series& series, int s
 
 }  // namespace
 
-std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth, PathRuns& runs) {
+std::vector<Series> sample_series(const ConvergenceSubject& subject, PathRuns& runs) {
   const std::uint64_t seed = subject.study.seed, other_seed = seed + 1;
-  (void)depth;
   return {
       {.name = "path coupled",
        .meaning = "with and without the object are one computation on shared paths",
@@ -118,7 +122,7 @@ SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s)
                       .reference_noise = estimated_noise(reference.run.layers, subject.exposure_ev()).value(),
                       .reference_noise_given = noise_given(reference, subject.exposure_ev())};
   const double longest_s = reference.run.seconds() / reference_to_largest_trial;
-  std::vector<Series> open = sample_series(subject, depth, runs);
+  std::vector<Series> open = sample_series(subject, runs);
   for (const Series& series : open) result.meanings.emplace_back(series.name, series.meaning);
   int trials = 0;
   for (int spp = 1; !open.empty() && spp <= reference_spp; spp *= 2) {

@@ -23,8 +23,7 @@ struct Series {
 };
 
 /// Every way to render the stimulus that is compared. A new estimator is one more entry here.
-[[nodiscard]] std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth,
-                                                PathRuns& runs);
+[[nodiscard]] std::vector<Series> sample_series(const ConvergenceSubject& subject, PathRuns& runs);
 
 struct SampleRow {
   std::string series;
@@ -45,7 +44,7 @@ struct SampleResult {
 
 /// Error against run time. The long reference is `path coupled` with another seed; half of the budget goes
 /// there, and every series doubles its samples until a rendering would take longer than `path coupled` with
-/// an eighth of the reference's samples. Pictures do not depend on the budget, only how many there are.
+/// a sixteenth of the reference's samples. Pictures do not depend on the budget, only how many there are.
 [[nodiscard]] SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s);
 
 }  // namespace seamline

@@ -67,7 +67,7 @@ TEST(Convergence, SlopesOfSamplesAreNumbers) {
     EXPECT_LT(slope, 0) << line;  // more samples, less error
     ++found;
   }
-  EXPECT_GE(found, 3 * 2);
+  EXPECT_GE(found, 3 * 4);
   EXPECT_FALSE(fs::exists(folder / "mesh.csv"));
 }
 
