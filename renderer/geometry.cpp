@@ -114,8 +114,17 @@ void set_surface(const SurfaceTable& surface, const Ray& ray, const RawHit& hit,
 
 }  // namespace
 
-RayDevice::RayDevice() : device_(rtcNewDevice(("isa=" + instruction_set()).c_str())) {
+// Sheets over depth jumps are long and thin: cut by more spatial splits than Embree would make of itself,
+// bounce rays in the local scene are up to 1.6 times as fast, for a quarter more memory (`seamline bench
+// --only local`).
+RayDevice::RayDevice()
+    : device_(rtcNewDevice(("isa=" + instruction_set() + ",max_spatial_split_replications=2").c_str())) {
   if (device_ == nullptr) throw std::runtime_error("Embree could not be started");
+  const auto count = [](void* bytes_in_use, ssize_t bytes, bool) {
+    *static_cast<std::atomic<std::int64_t>*>(bytes_in_use) += bytes;
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(static_cast<RTCDevice>(device_), count, &memory_bytes_);
 }
 
 RayDevice::~RayDevice() {
@@ -162,6 +171,17 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScen
   directions_ = make_direction_table(part->positions_m, part->triangles);
   surfaces_.push_back(surface_table(*part));
   parts_.push_back(std::move(part));
+}
+
+std::int64_t Geometry::own_memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& part : parts_)
+    bytes += part->positions_m.size() * sizeof(Eigen::Vector3f) +
+             part->normals.size() * sizeof(Eigen::Vector3f) + part->triangles.size() * sizeof(Triangle);
+  if (directions_)
+    bytes += directions_->triangle_of_cell.size() * sizeof(std::uint32_t) +
+             directions_->triangles.size() * sizeof(CentreTriangle);
+  return static_cast<std::int64_t>(bytes);
 }
 
 Geometry::~Geometry() {

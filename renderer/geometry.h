@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -80,10 +81,13 @@ class RayDevice {
   /// last bits.
   [[nodiscard]] static std::string instruction_set();
   [[nodiscard]] static RayDevice& instance();
+  /// What all Embree scenes of the process take now, without the arrays they share.
+  [[nodiscard]] std::int64_t memory_bytes() const { return memory_bytes_; }
   [[nodiscard]] void* handle() const { return device_; }
 
  private:
   void* device_;
+  std::atomic<std::int64_t> memory_bytes_ = 0;
 };
 
 /// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from
@@ -115,6 +119,8 @@ class Geometry {
   /// neighbour).
   void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
   [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
+  /// Of the meshes it looks into itself and of the table of directions: what Embree's count leaves out.
+  [[nodiscard]] std::int64_t own_memory_bytes() const;
   /// Whether any part emits light.
   [[nodiscard]] bool emits() const { return emits_; }
 

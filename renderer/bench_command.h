@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// `seamline bench`.
+void add_bench_command(CLI::App& app);
+
+}  // namespace seamline

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "renderer/truth_pass.h"
+#include "stimuli/study_definition.h"
+
+namespace seamline {
+
+/// The rays that a path-tracing pass asks of one geometry, in the order in which it asks them: pixel by pixel
+/// in tiles of 4 x 4, so that neighbours follow each other.
+struct RecordedRays {
+  std::vector<Ray> primary;  ///< from the camera, which is the panorama's centre
+  std::vector<Ray> sun;      ///< from what primary rays hit, to the sun
+  std::vector<Ray> bounce;   ///< from there and later vertices of a path, cosine-distributed
+};
+
+/// Follows one path of at most three vertices through every pixel of every `tile_step`th tile.
+[[nodiscard]] RecordedRays record_rays(const TruthScene& scene, const Geometry& geometry, int tile_step);
+
+/// A built-in scene with its objects, as the isolated study renders it.
+[[nodiscard]] SceneDefinition bench_scene(const std::string& name);
+
+}  // namespace seamline
