@@ -8,18 +8,17 @@ namespace seamline {
 namespace {
 
 constexpr std::array<float, 5> kernel = {1.0F / 16, 4.0F / 16, 6.0F / 16, 4.0F / 16, 1.0F / 16};
-float KAPPA = getenv("KAPPA") ? atof(getenv("KAPPA")) : 5.0F;
 constexpr float plane_tolerance = 0.01F;  // distance from the tangent plane, relative to the distance
 
 /// 1 for like surfaces, 0 for unlike ones.
-float likeness(const Surface& a, const Surface& b) {
+float likeness(const Surface& a, const Surface& b, float reach_divisor) {
   const float cosine = a.normal.dot(b.normal);
   if (!(cosine > 0.5F)) return 0.0F;
   const float off_plane =
       a.normal.dot(b.position_m - a.position_m) / (plane_tolerance * a.distance_m + 1e-30F);
   const float near = 1.0F - off_plane * off_plane;
   if (!(near > 0.0F)) return 0.0F;
-  const float inverse_reach = std::max(a.inverse_reach, b.inverse_reach) * KAPPA;
+  const float inverse_reach = std::max(a.inverse_reach, b.inverse_reach) * reach_divisor;
   const float far = 1.0F - (b.position_m - a.position_m).squaredNorm() * inverse_reach * inverse_reach;
   if (!(far > 0.0F)) return 0.0F;
   const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
@@ -50,14 +49,14 @@ Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, i
   return surface;
 }
 
-void filter_bounce(const std::vector<Surface>& surfaces, int width_px, int levels, int threads,
-                   std::vector<BounceTexel>& texels) {
+void filter_bounce(const std::vector<Surface>& surfaces, int width_px, const FilterStrength& strength,
+                   int threads, std::vector<BounceTexel>& texels) {
   const int height_px = static_cast<int>(surfaces.size()) / std::max(width_px, 1);
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   };
-  std::vector<BounceTexel> filtered(levels > 0 ? texels.size() : 0);
-  for (int level = 0; level < levels; ++level) {
+  std::vector<BounceTexel> filtered(strength.levels > 0 ? texels.size() : 0);
+  for (int level = 0; level < strength.levels; ++level) {
     const int step = 1 << level;
     parallel_for(height_px, threads, [&](int y) {
       for (int x = 0; x < width_px; ++x) {
@@ -73,7 +72,8 @@ void filter_bounce(const std::vector<Surface>& surfaces, int width_px, int level
             const std::size_t i = index(column, row);
             const float share =
                 kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
-            const float weight = i == centre ? share : share * likeness(surface, surfaces[i]);
+            const float weight =
+                i == centre ? share : share * likeness(surface, surfaces[i], strength.reach_divisor);
             if (weight > 0.0F) add(texels[i], weight, out);
           }
       }

@@ -26,11 +26,18 @@ struct Surface {
 };
 [[nodiscard]] Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y);
 
-/// Filters bounce light among pixels that show like surfaces: `levels` a-trous levels (Dammertz et al., HPG
-/// 2010) with a cubic B-spline kernel, weights falling with the angle between the normals and with the
-/// distance from the pixel's tangent plane, never with colour. Row by row, `texels` in place. 0 levels:
-/// nothing changes.
-void filter_bounce(const std::vector<Surface>& surfaces, int width_px, int levels, int threads,
-                   std::vector<BounceTexel>& texels);
+/// How far the filter reaches: `levels` a-trous levels (0: nothing is filtered), but never farther than
+/// reach / `reach_divisor`, where reach is how far gather rays get from there (the radius in which bounce
+/// light is alike: Ward et al., SIGGRAPH 1988).
+struct FilterStrength {
+  int levels = 2;
+  float reach_divisor = 2.0F;
+};
+
+/// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with a
+/// cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the
+/// pixel's tangent plane and with the distance along it, never with colour. Row by row, `texels` in place.
+void filter_bounce(const std::vector<Surface>& surfaces, int width_px, const FilterStrength& strength,
+                   int threads, std::vector<BounceTexel>& texels);
 
 }  // namespace seamline

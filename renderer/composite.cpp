@@ -133,13 +133,14 @@ Composite compose(const StimulusLayers& layers, Compositing compositing) {
   return compose_sums(sum_halves(layers), layers, layers.spp, compositing);
 }
 
+Composite compose_half(const StimulusLayers& layers, std::size_t half) {
+  const int samples = (layers.spp + 1 - static_cast<int>(half)) / 2;
+  return compose_sums(layers.halves[half], layers, samples, Compositing::ratio);
+}
+
 std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev) {
   if (layers.spp < 2) return std::nullopt;
-  const auto half = [&](std::size_t i) {
-    const int samples = (layers.spp + 1 - static_cast<int>(i)) / 2;
-    return compose_sums(layers.halves[i], layers, samples, Compositing::ratio).picture;
-  };
-  return 0.5 * display_rmse(half(0), half(1), exposure_ev);
+  return 0.5 * display_rmse(compose_half(layers, 0).picture, compose_half(layers, 1).picture, exposure_ev);
 }
 
 LayerImages layer_images(const StimulusLayers& layers) {

@@ -30,6 +30,9 @@ struct Composite {
 /// 1 in proportion: sheets have sealed that surface in.
 [[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio);
 
+/// The same from one half of the samples only (0 or 1): what errors are estimated from.
+[[nodiscard]] Composite compose_half(const StimulusLayers& layers, std::size_t half);
+
 /// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root
 /// mean square in display units (0 to 1). None when there is only one sample a pixel.
 [[nodiscard]] std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev);

@@ -29,9 +29,19 @@ Image reference_image(const TruthLayers& truth) {
   });
 }
 
+Image half_reference_image(const TruthLayers& truth, std::size_t half) {
+  Image image(truth.width_px, truth.height_px, 3);
+  const float scale = 1.0F / static_cast<float>((truth.spp + 1 - static_cast<int>(half)) / 2);
+  for (int y = 0; y < truth.height_px; ++y)
+    for (int x = 0; x < truth.width_px; ++x) {
+      const TruthSums& sums = truth.halves[half][truth.index(x, y)];
+      image.set_rgb(x, y, (sums.sky + sums.with.total() + sums.object.total()) * scale);
+    }
+  return image;
+}
+
 Image matte_image(const TruthLayers& truth) {
-  return image_of(
-      truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(sums.covered); });
+  return image_of(truth, 1, [](const TruthSums& sums) -> Rgb { return Rgb::Constant(sums.covered); });
 }
 
 StimulusSums& StimulusSums::operator+=(const StimulusSums& other) {

@@ -48,6 +48,8 @@ struct TruthLayers {
 /// The background (photograph), the reference, and the object's coverage as pictures.
 [[nodiscard]] Image background_image(const TruthLayers& truth);
 [[nodiscard]] Image reference_image(const TruthLayers& truth);
+/// The reference from one half of the samples.
+[[nodiscard]] Image half_reference_image(const TruthLayers& truth, std::size_t half);
 [[nodiscard]] Image matte_image(const TruthLayers& truth);
 
 /// Sums of one pixel of a stimulus: DESIGN section 3's pixel formula, with what `mask` takes from the

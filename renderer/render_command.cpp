@@ -14,7 +14,8 @@ namespace seamline {
 namespace {
 
 struct RenderOptions {
-  std::string study, set, only, mesh, shard;
+  std::string study, set, only, mesh, shard, estimator = "fast";
+  double error = 0;
   int threads = 0, spp = 0;
   bool dry_run = false, layers = false, contact_sheet = false;
 };
@@ -50,6 +51,8 @@ void run_render(const RenderOptions& options) {
                         .layers = options.layers,
                         .contact_sheet = options.contact_sheet};
   if (options.spp > 0) request.spp = options.spp;
+  if (options.error > 0) request.error = options.error;
+  request.estimator = options.estimator == "path" ? Estimator::path : Estimator::fast;
   if (!options.mesh.empty())
     request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
   parse_shard(options.shard, request);
@@ -93,6 +96,18 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::Range(1, 4096));
   render->add_option("--spp", options->spp, "samples per pixel, instead of the study's")
       ->check(CLI::Range(1, 65536));
+  CLI::Option* error =
+      render
+          ->add_option("--error", options->error,
+                       "instead of a number of samples: sample until each picture's estimated error is below "
+                       "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile")
+          ->check(CLI::Range(1e-4, 1.0));
+  error->excludes("--spp");
+  render
+      ->add_option("--estimator", options->estimator,
+                   "fast: shared and filtered; path: unbiased, for reference")
+      ->check(CLI::IsMember({"fast", "path"}))
+      ->capture_default_str();
   render->add_option("--mesh", options->mesh, "depth mesh, instead of the study's")
       ->check(CLI::IsMember({"adaptive", "full"}));
   render->add_option("--shard", options->shard, "I/N: this process renders part I of N (by object)");

@@ -8,10 +8,10 @@
 #include "renderer/capture.h"
 #include "renderer/composite.h"
 #include "renderer/contact_sheet.h"
+#include "renderer/estimator.h"
 #include "renderer/left_out.h"
 #include "renderer/parallel.h"
 #include "renderer/set_layers.h"
-#include "renderer/stimulus_pass.h"
 #include "renderer/timings.h"
 #include "stimuli/difference.h"
 #include "stimuli/support/assets.h"
@@ -43,7 +43,7 @@ class SetRenderer {
       : study_(study),
         request_(request),
         settings_{request.spp.value_or(study.samples_per_pixel), study.seed,
-                  request.mesh.value_or(study.mesh)},
+                  request.mesh.value_or(study.mesh), request.estimator, request.error},
         hashes_(study, settings_),
         records_(request.set_folder),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
@@ -136,13 +136,21 @@ class SetRenderer {
            static_cast<double>(pending_.size()) * stimulus_work;
   }
 
-  PassOptions pass(double work, const std::string& what) {
-    PassOptions options{.spp = settings_.spp, .seed = settings_.seed, .threads = threads_};
-    options.progress = [this, work, what, last = 0.0](double share) mutable {
+  ReportProgress report(double work, const std::string& what) {
+    return [this, work, what, last = 0.0](double share) mutable {
+      if (share < last) last = share;  // a further round over the same picture
       progress_->advance((share - last) * work, what);
       last = share;
     };
-    return options;
+  }
+
+  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
+    EstimateOptions options{
+        .spp = settings_.spp, .error = settings_.error, .seed = settings_.seed, .threads = threads_};
+    for (const Artifact artifact : scene.definition.artifacts)
+      options.who_is_in_front =
+          options.who_is_in_front || recipe(artifact, study_.isolation).answers.occlusion == Who::depth;
+    return make_estimator(settings_.estimator, scene, options);
   }
 
   [[nodiscard]] bool is_pending(const std::string& scene) const {
@@ -174,19 +182,18 @@ class SetRenderer {
     const auto found = scenes_.find(definition.name);
     if (found == scenes_.end()) return;
     const TruthScene& scene = found->second;
-    finish_reference(scene);
-    for (int object = 1; object <= 3; ++object) {
-      render_object(scene, object);
-    }
+    const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
+    finish_reference(scene, *estimator);
+    for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
     scenes_.erase(found);
   }
 
-  void finish_reference(const TruthScene& scene) {
+  void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
     const std::string& name = scene.definition.name;
     const std::string inputs = hashes_.of_reference(name);
     if (records_.finished_reference(name, inputs)) return;
     const Clock::time_point start = Clock::now();
-    const SceneReference reference = render_reference(scene, pass(reference_work, name + " reference"));
+    const SceneReference reference = estimator.reference(report(reference_work, name + " reference"));
     ManifestReference record{.scene = name,
                              .image = "references/" + name + ".png",
                              .object_ids = "references/" + name + "-ids.png",
@@ -201,7 +208,7 @@ class SetRenderer {
     timings_.add("reference-" + name, seconds_since(start), reference.rays);
   }
 
-  void render_object(const TruthScene& scene, int object_index) {
+  void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
     std::map<int, std::vector<Pending>> by_width;
     for (const Pending& work : pending_)
       if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
@@ -210,16 +217,14 @@ class SetRenderer {
     const std::string what = scene.definition.name + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     const Clock::time_point start = Clock::now();
-    const ObjectGeometry geometry = object_geometry(scene, object_index);
-    const TruthLayers truth = render_truth(scene, geometry, pass(truth_work, what));
+    estimator.take_object(object_index, report(truth_work, what));
     timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start),
-                 truth.rays);
-    for (const auto& [width_px, works] : by_width) render_width(scene, geometry, truth, works);
+                 estimator.truth().rays);
+    for (const auto& [width_px, works] : by_width) render_width(scene, estimator, works);
   }
 
   /// All artifacts of one depth map share its mesh.
-  void render_width(const TruthScene& scene, const ObjectGeometry& geometry, const TruthLayers& truth,
-                    const std::vector<Pending>& works) {
+  void render_width(const TruthScene& scene, SceneEstimator& estimator, const std::vector<Pending>& works) {
     const Condition& condition = works.front().stimulus.condition;
     const Clock::time_point start = Clock::now();
     MeshRecord mesh_record;
@@ -229,7 +234,7 @@ class SetRenderer {
       needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
     if (needed) {
       const DepthMesh mesh = build_depth_mesh(
-          capture_depth(geometry.truth, condition.depth_width_px, condition.yaw_texels, threads_),
+          capture_depth(estimator.geometry().truth, condition.depth_width_px, condition.yaw_texels, threads_),
           {.density = settings_.mesh,
            .tolerance = study_.mesh_tolerance,
            .yaw_texels = condition.yaw_texels,
@@ -242,16 +247,16 @@ class SetRenderer {
                              condition.depth_width_px),
                  seconds_since(start), 0);
     for (const Pending& work : works)
-      render_one(scene, geometry, depth ? &*depth : nullptr, truth, mesh_record, work);
+      render_one(scene, estimator, depth ? &*depth : nullptr, mesh_record, work);
   }
 
-  void render_one(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
-                  const TruthLayers& truth, const MeshRecord& mesh, const Pending& work) {
+  void render_one(const TruthScene& scene, SceneEstimator& estimator, const Geometry* depth,
+                  const MeshRecord& mesh, const Pending& work) {
     const Clock::time_point start = Clock::now();
     const std::string id = stimulus_id(work.stimulus);
     const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
-    const StimulusLayers layers =
-        render_stimulus(scene, geometry, depth, truth, how, pass(stimulus_work, id));
+    const EstimatedStimulus made = estimator.stimulus(how, depth, report(stimulus_work, id));
+    const StimulusLayers& layers = made.layers;
     const Composite composite = compose(layers);
     const double exposure_ev = scene.definition.exposure_ev;
     ManifestStimulus record{.id = id,
@@ -260,9 +265,9 @@ class SetRenderer {
                             .image = "stimuli/" + id + ".png",
                             .object_ids = "references/" + scene.definition.name + "-ids.png",
                             .reference = "references/" + scene.definition.name + ".png",
-                            .spp = settings_.spp,
+                            .spp = layers.spp,
                             .rays = layers.rays,
-                            .rmse = estimated_noise(layers, exposure_ev),
+                            .rmse = made.rmse,
                             .mesh = how.answers.needs_depth() ? mesh : MeshRecord{},
                             .tiny_denominators = composite.tiny_denominators,
                             .clipped_share = clipped_share(composite.picture, exposure_ev),
@@ -271,7 +276,7 @@ class SetRenderer {
     record.sha256 = sha256_of_file(request_.set_folder / record.image);
     if (request_.layers)
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, depth,
-                   {truth, layers, composite});
+                   {estimator.truth(), layers, composite});
     records_.finish(record, work.inputs);
     timings_.add(id, seconds_since(start), layers.rays);
     ++summary_.rendered;

@@ -10,9 +10,11 @@ namespace seamline {
 /// What `seamline render` was asked for.
 struct RenderRequest {
   std::filesystem::path set_folder;
-  std::string only = {};                 ///< pattern of stimulus ids, `*` stands for any text; empty: all
-  int threads = 0;                       ///< 0: one for each core
-  std::optional<int> spp = {};           ///< overrides the study's samples_per_pixel
+  std::string only = {};             ///< pattern of stimulus ids, `*` stands for any text; empty: all
+  int threads = 0;                   ///< 0: one for each core
+  std::optional<int> spp = {};       ///< overrides the study's samples_per_pixel
+  std::optional<double> error = {};  ///< instead: sample until the estimated error is below (display units)
+  Estimator estimator = Estimator::fast;
   std::optional<MeshDensity> mesh = {};  ///< overrides the study's mesh
   int shard = 1, shard_count = 1;        ///< this process renders every shard_count-th object of a scene
   bool layers = false;                   ///< also write the float EXR layers of every stimulus

@@ -43,12 +43,12 @@ class LayerMaker {
     surfaces_.resize(pixels);
     texels_.resize(pixels);
     rows([&](int x, int y) { collect_rest(x, y); });
-    filter_bounce(surfaces_, layers_.width_px, options_.filter_levels, options_.threads, texels_);
+    filter_bounce(surfaces_, layers_.width_px, options_.filter, options_.threads, texels_);
     rows([&](int x, int y) { write_rest(x, y); });
     std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
     std::fill(texels_.begin(), texels_.end(), BounceTexel{});
     rows([&](int x, int y) { collect_object(x, y); });
-    filter_bounce(surfaces_, layers_.width_px, options_.filter_levels, options_.threads, texels_);
+    filter_bounce(surfaces_, layers_.width_px, options_.filter, options_.threads, texels_);
     rows([&](int x, int y) { write_object(x, y); });
     return std::move(layers_);
   }
@@ -106,13 +106,13 @@ class LayerMaker {
       TruthSums& out = layers_.halves[half][i];
       const float behind_sky = own.covered - own.behind_surfaces;
       const Rgb filtered_no = mean(texels_[i].no[half], texels_[i].no_samples[half]) * surfaces_[i].albedo;
-      if (options_.filter_levels > 0) {
+      if (options_.filter.levels > 0) {
         pixel.no.bounce = filtered_no * pixel.rest;
         pixel.with.bounce = pixel.no.bounce + mean(texels_[i].change[half], texels_[i].change_samples[half]) *
                                                   surfaces_[i].albedo * pixel.rest;
       }
       const Rgb behind_bounce =
-          options_.filter_levels > 0 ? Rgb(filtered_no * own.behind_surfaces) : own.behind.bounce;
+          options_.filter.levels > 0 ? Rgb(filtered_no * own.behind_surfaces) : own.behind.bounce;
       out.no = to_layers * pixel.no;
       out.with = to_layers * pixel.with;
       out.sky = to_layers * (half_samples - own.covered - pixel.rest) * sky_;
@@ -145,7 +145,7 @@ class LayerMaker {
       const ObjectSums& own = tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))];
       if (own.covered <= 0.0F) continue;
       Split object = own.object;
-      if (options_.filter_levels > 0)
+      if (options_.filter.levels > 0)
         object.bounce =
             mean(texels_[i].no[half], texels_[i].no_samples[half]) * surfaces_[i].albedo * own.covered;
       layers_.halves[half][i].object = scale(x, y) * object;

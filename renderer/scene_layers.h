@@ -7,7 +7,7 @@ namespace seamline {
 
 /// How the sums of a scene become layers.
 struct LayerOptions {
-  int filter_levels = 2;  ///< of the bounce filter; 0: as sampled
+  FilterStrength filter = {};
   int threads = 1;
 };
 

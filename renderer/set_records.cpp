@@ -80,12 +80,17 @@ std::string program_hash() {
   return error ? std::string() : sha256_of_file(self);
 }
 
+std::string amount_of_work(const RenderSettings& settings) {
+  return settings.error ? fmt::format("{} error {}", word(settings.estimator), *settings.error)
+                        : fmt::format("{} spp {}", word(settings.estimator), settings.spp);
+}
+
 }  // namespace
 
 InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& settings)
-    : common_(fmt::format("seamline {} {} {} image {} {} spp {} seed {}", program_version(), program_hash(),
-                          RayDevice::instruction_set(), study.width_px, study.height_px, settings.spp,
-                          settings.seed)),
+    : common_(fmt::format("seamline {} {} {} image {} {} {} seed {}", program_version(), program_hash(),
+                          RayDevice::instruction_set(), study.width_px, study.height_px,
+                          amount_of_work(settings), settings.seed)),
       isolation_and_mesh_(
           fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
   for (const SceneDefinition& scene : study.scenes) scenes_[scene.name] = scene_inputs(scene);

@@ -13,6 +13,8 @@ struct RenderSettings {
   int spp = 64;
   std::uint64_t seed = 1;
   MeshDensity mesh = MeshDensity::adaptive;
+  Estimator estimator = Estimator::fast;
+  std::optional<double> error = {};  ///< display units; instead of a number of samples
 };
 
 /// A hash over everything a picture depends on: program, instruction set, scene, the bytes of its files,

@@ -1,5 +1,7 @@
 #include "renderer/stimulus_sampler.h"
 
+#include "renderer/leaving_ray.h"
+
 namespace seamline {
 namespace {
 
@@ -87,13 +89,18 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
   return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler);
 }
 
-RadiancePair StimulusSampler::rest_in_depth(const StimulusSample& sample, int index) const {
-  if (tail_every_ <= 1)
-    return leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler);
+float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index, bool direct,
+                                         StimulusSums& out) const {
+  if (tail_every_ <= 1) {
+    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
+             true, out);
+    return endless;
+  }
   WorldLight light{};
-  add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light, sample.sampler,
-              tail_of(index, tail_every_), light);
-  return {.no = light[1], .with = light[0]};
+  const float reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light,
+                                    sample.sampler, tail_of(index, tail_every_), light);
+  add_rest({.no = light[1], .with = light[0]}, direct, true, out);
+  return reach_m;
 }
 
 void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums& out) const {
@@ -109,15 +116,13 @@ void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums
   }
 }
 
-void StimulusSampler::add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const {
+float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const {
   if (sample.shows == StimulusSample::Shows::object) add_object_part(sample, out);
-  if (sample.shows != StimulusSample::Shows::rest) return;
+  if (sample.shows != StimulusSample::Shows::rest) return endless;
   out.rest += 1.0F;
   const bool bounce = answers_.bounce == Who::depth;
-  if (bounce && answers_.receiver == Who::depth && answers_.real_lit == Who::depth) {
-    add_rest(rest_in_depth(sample, index), true, true, out);
-    return;
-  }
+  if (bounce && answers_.receiver == Who::depth && answers_.real_lit == Who::depth)
+    return add_rest_in_depth(sample, index, true, out);
   if (!direct_from_truth()) {
     const SurfacePoint& receiver = answers_.receiver == Who::depth ? *sample.depth : *sample.real;
     const RealQuestion lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
@@ -125,7 +130,7 @@ void StimulusSampler::add_depth_part(const StimulusSample& sample, int index, St
     add_rest(direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler),
              true, false, out);
   }
-  if (bounce) add_rest(rest_in_depth(sample, index), false, true, out);
+  return bounce ? add_rest_in_depth(sample, index, false, out) : endless;
 }
 
 void add_rest(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out) {

@@ -30,8 +30,9 @@ class StimulusSampler {
   void look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const;
 
   /// Everything that some geometry other than the truth alone has to answer: light on the rest (with the
-  /// number of samples it is over) and on the object. `index` is the sample's number.
-  void add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const;
+  /// number of samples it is over) and on the object. `index` is the sample's number. Returns how far the
+  /// first ray for bounce light got, infinity when it is not known.
+  float add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const;
 
   /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
@@ -48,7 +49,7 @@ class StimulusSampler {
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
   [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
-  [[nodiscard]] RadiancePair rest_in_depth(const StimulusSample& sample, int index) const;
+  float add_rest_in_depth(const StimulusSample& sample, int index, bool direct, StimulusSums& out) const;
   void add_object_part(const StimulusSample& sample, StimulusSums& out) const;
 
   const TruthScene& scene_;

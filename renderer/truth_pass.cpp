@@ -84,13 +84,22 @@ TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry
   return layers;
 }
 
+ByteImage click_map(const TruthScene& scene) {
+  const Camera& camera = scene.camera;
+  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  ByteImage ids{camera.width_px, camera.height_px, 1, {}};
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::optional<SurfacePoint> centre = everything.nearest(centre_ray(camera, x, y));
+      ids.values.push_back(static_cast<std::uint8_t>(centre ? centre->object_index : 0));
+    }
+  return ids;
+}
+
 SceneReference render_reference(const TruthScene& scene, const PassOptions& options) {
   const Camera& camera = scene.camera;
   const Geometry everything = scene.geometry(true, {1, 2, 3});
-  SceneReference reference{
-      Image(camera.width_px, camera.height_px, 3), {camera.width_px, camera.height_px, 1, {}}, 0};
-  reference.object_ids.values.resize(static_cast<std::size_t>(camera.width_px) *
-                                     static_cast<std::size_t>(camera.height_px));
+  SceneReference reference{Image(camera.width_px, camera.height_px, 3), click_map(scene), 0};
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     const std::int64_t before = rays_traced_by_this_thread();
@@ -103,9 +112,6 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
                      : scene.light.environment_radiance;
       }
       reference.radiance.set_rgb(x, y, sum / static_cast<float>(options.spp));
-      const std::optional<SurfacePoint> centre = everything.nearest(centre_ray(camera, x, y));
-      reference.object_ids.values[reference.radiance.index(x, y) / 3] =
-          static_cast<std::uint8_t>(centre ? centre->object_index : 0);
     }
     rays += rays_traced_by_this_thread() - before;
   };

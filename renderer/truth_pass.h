@@ -34,6 +34,9 @@ struct SceneReference {
 };
 [[nodiscard]] SceneReference render_reference(const TruthScene& scene, const PassOptions& options);
 
+/// The click map alone.
+[[nodiscard]] ByteImage click_map(const TruthScene& scene);
+
 /// The camera ray of one sample of a pixel.
 [[nodiscard]] Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler);
 

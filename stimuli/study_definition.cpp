@@ -31,6 +31,16 @@ std::string session_text(const SessionDefinition& session, const ObserverDefinit
 
 }  // namespace
 
+std::string_view word(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::fast:
+      return "fast";
+    case Estimator::path:
+      return "path";
+  }
+  return {};
+}
+
 std::string_view word(MeshDensity density) {
   switch (density) {
     case MeshDensity::adaptive:

@@ -77,6 +77,10 @@ struct ObserverDefinition {
 
 enum class MeshDensity { adaptive, full };
 
+/// How light is computed: `path` traces every path to its end and is the reference; `fast` shares between
+/// stimuli and filters bounce light, with its bias in the reported error.
+enum class Estimator { fast, path };
+
 /// A whole study: everything that decides what people are shown. Defaults are those of DESIGN section 6.
 struct StudyDefinition {
   std::string name;
@@ -96,6 +100,7 @@ struct StudyDefinition {
 };
 
 [[nodiscard]] std::string_view word(MeshDensity density);
+[[nodiscard]] std::string_view word(Estimator estimator);
 
 /// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its
 /// hash is over.

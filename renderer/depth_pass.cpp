@@ -1,0 +1,119 @@
+#include "renderer/depth_pass.h"
+
+#include <atomic>
+
+#include "renderer/parallel.h"
+
+namespace seamline {
+namespace {
+
+void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index, DepthSums& sums,
+                GuideSums* guide) {
+  using Shows = StimulusSample::Shows;
+  StimulusSums asked;
+  const float reach_m = sampler.add_depth_part(sample, index, asked);
+  sums.no += asked.no;
+  sums.with += asked.with;
+  sums.object += asked.object;
+  sums.rest += asked.rest;
+  if (sample.shows == Shows::object) sums.covered += 1.0F;
+  if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
+  if (guide != nullptr && sample.shows == Shows::rest) guide->add(*sample.depth, reach_m);
+}
+
+}  // namespace
+
+DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
+  DepthAnswers out;
+  out.grid = {camera.width_px, camera.height_px};
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  for (auto& half : out.halves) half.resize(pixels);
+  if (answers.bounce == Who::depth) out.guides.resize(pixels);
+  out.spp.resize(static_cast<std::size_t>(out.grid.count()));
+  return out;
+}
+
+void ask_depth(const StimulusSampler& sampler, const std::vector<int>& wanted_spp, int threads,
+               const std::function<void(double)>& progress, DepthAnswers& answers) {
+  std::atomic<std::int64_t> rays = 0;
+  const auto work = [&](int tile) {
+    int& spp = answers.spp[static_cast<std::size_t>(tile)];
+    const int wanted = wanted_spp[static_cast<std::size_t>(tile)];
+    if (wanted <= spp) return;
+    const std::int64_t before = rays_traced_by_this_thread();
+    const TileGrid::Rectangle r = answers.grid.rectangle(tile);
+    std::vector<StimulusSample> samples;
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x) {
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(answers.grid.width_px) +
+            static_cast<std::size_t>(x);
+        samples.clear();
+        sampler.look(x, y, spp, wanted, samples);
+        for (int i = spp; i < wanted; ++i)
+          add_sample(sampler, samples[static_cast<std::size_t>(i - spp)], i,
+                     answers.halves[static_cast<std::size_t>(i % 2)][pixel],
+                     answers.guides.empty() ? nullptr : &answers.guides[pixel]);
+      }
+    spp = wanted;
+    rays += rays_traced_by_this_thread() - before;
+  };
+  const int tiles = answers.grid.count();
+  parallel_for(tiles, threads, work, [&](int finished) {
+    if (progress) progress(static_cast<double>(finished) / tiles);
+  });
+  answers.rays += rays;
+}
+
+namespace {
+
+constexpr int packet = 16;
+
+/// The order in one tile.
+void order_of_tile(const TruthScene& scene, const ObjectTile& object, const TileGrid::Rectangle& r, int spp,
+                   const Geometry& depth, std::uint64_t seed, std::array<std::vector<OrderSums>, 2>& order) {
+  for (auto& half : order) half.resize(tile_pixels);
+  std::array<Ray, packet> rays;
+  std::array<float, packet> real_m, object_m, depth_m;
+  std::array<std::size_t, packet> halves;
+  for (int y = r.top; y < r.bottom; ++y)
+    for (int x = r.left; x < r.right; ++x) {
+      const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+      for (int sample = 0; sample < spp;) {
+        std::size_t count = 0;
+        for (; sample < spp && count < packet; ++sample) {
+          const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + place;
+          if (at >= object.object_m.size() || object.object_m[at] == std::numeric_limits<float>::infinity())
+            continue;
+          rays[count] = camera_ray(scene.camera, x, y, Sampler(seed, x, y, sample));
+          object_m[count] = object.object_m[at];
+          real_m[count] = object.real_m[at];
+          halves[count++] = static_cast<std::size_t>(sample % 2);
+        }
+        depth.distances(std::span<const Ray>(rays.data(), count), std::span(depth_m.data(), count));
+        for (std::size_t i = 0; i < count; ++i) {
+          const bool in_truth = object_m[i] < real_m[i], in_depth = object_m[i] < depth_m[i];
+          OrderSums& sums = order[halves[i]][place];
+          sums.truth_only += in_truth && !in_depth ? 1.0F : 0.0F;
+          sums.depth_only += in_depth && !in_truth ? 1.0F : 0.0F;
+        }
+      }
+    }
+}
+
+}  // namespace
+
+ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index, const Geometry& depth,
+                      std::uint64_t seed, int threads) {
+  const auto& tiles = sums.objects[static_cast<std::size_t>(object_index - 1)];
+  ObjectOrder order(tiles.size());
+  parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {
+    const auto t = static_cast<std::size_t>(tile);
+    if (tiles[t])
+      order_of_tile(scene, *tiles[t], sums.grid.rectangle(tile), sums.spp[t], depth, seed, order[t]);
+  });
+  return order;
+}
+
+}  // namespace seamline

@@ -1,0 +1,43 @@
+#pragma once
+#include "renderer/scene_sums.h"
+#include "renderer/stimulus_sampler.h"
+
+namespace seamline {
+
+/// What the depth mesh answered in one pixel, summed over the samples of one half.
+struct DepthSums {
+  Split no, with;            ///< light on the rest, as far as the depth mesh has a part in it
+  Rgb object = Rgb::Zero();  ///< the same for light on the object
+  float rest = 0;            ///< samples in `no` and `with`
+  float depth_sky = 0;       ///< uncovered samples where the truth has a surface and the depth mesh sky
+  float covered = 0;         ///< samples in `object`
+};
+
+/// The answers of one stimulus, with as many samples in each tile as were asked.
+struct DepthAnswers {
+  TileGrid grid;
+  std::array<std::vector<DepthSums>, 2> halves;
+  std::vector<GuideSums> guides;  ///< of the depth mesh's surfaces; empty when it sends no bounce light
+  std::vector<int> spp;           ///< of each tile, even
+  std::int64_t rays = 0;
+};
+[[nodiscard]] DepthAnswers empty_answers(const Camera& camera, const Answers& answers);
+
+/// Asks the depth mesh until each tile has `wanted_spp[tile]` samples.
+void ask_depth(const StimulusSampler& sampler, const std::vector<int>& wanted_spp, int threads,
+               const std::function<void(double share_done)>& progress, DepthAnswers& answers);
+
+/// Who is in front, truth against depth mesh, in one pixel and half: numbers of samples that one of them
+/// covers with the object and the other does not.
+struct OrderSums {
+  float truth_only = 0;  ///< covered in the truth, uncovered in the depth mesh
+  float depth_only = 0;  ///< the other way round
+};
+
+/// For the tiles an object has (null: the same order everywhere). One ray into the depth mesh a sample; the
+/// rest was kept by the joint pass.
+using ObjectOrder = std::vector<std::array<std::vector<OrderSums>, 2>>;
+[[nodiscard]] ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
+                                    const Geometry& depth, std::uint64_t seed, int threads);
+
+}  // namespace seamline

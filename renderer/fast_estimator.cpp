@@ -1,0 +1,147 @@
+// The fast estimator: one joint pass for all worlds of a scene, bounce light filtered, the depth mesh asked
+// only where and as often as the picture needs it.
+#include "renderer/error_estimate.h"
+#include "renderer/estimator.h"
+#include "renderer/fast_stimulus.h"
+#include "renderer/scene_layers.h"
+#include "renderer/scene_pass.h"
+
+namespace seamline {
+namespace {
+
+constexpr int first_spp = 16, most_spp = 1 << 14;
+constexpr double truth_share = 0.85;  // of the error that the photograph may have
+constexpr int tail_every = 4;
+
+/// From weak to strong; more samples need less of it.
+constexpr std::array<FilterStrength, 6> strengths = {
+    {{0, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 3.0F}, {2, 2.0F}, {3, 2.0F}}};
+constexpr std::size_t first_strength = 4;
+
+class FastEstimator : public SceneEstimator {
+ public:
+  FastEstimator(const TruthScene& scene, const EstimateOptions& options)
+      : scene_(scene), options_(options), joint_(scene), sums_(empty_sums(scene.camera)) {
+    if (scene.light.bounces == 0 && !joint_.worlds.emits()) strength_ = 0;
+  }
+
+  SceneReference reference(const ReportProgress& progress) override {
+    sample(progress);
+    const Camera& camera = scene_.camera;
+    SceneReference out{reference_image(layers_of(1, strengths[strength_])),
+                       {camera.width_px, camera.height_px, 1, {}},
+                       sums_.rays};
+    out.object_ids = click_map(scene_);
+    return out;
+  }
+
+  void take_object(int object_index, const ReportProgress& progress) override {
+    sample(progress);
+    geometry_.reset();
+    geometry_.emplace(object_geometry(scene_, object_index));
+    object_index_ = object_index;
+    truth_ = layers_of(object_index, strengths[strength_]);
+  }
+
+  [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
+  [[nodiscard]] const TruthLayers& truth() const override { return truth_; }
+
+  EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
+                             const ReportProgress& progress) override {
+    FastStimulusOptions options{.seed = options_.seed,
+                                .threads = options_.threads,
+                                .tail_every = tail_every,
+                                .filter = strengths[strength_],
+                                .progress = progress};
+    if (options_.error) options.target = ErrorTarget{*options_.error};
+    const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
+    FastStimulus made = render_fast_stimulus(truth, depth, recipe, options);
+    return {std::move(made.layers), made.error.rmse(), made.error.worst_tile()};
+  }
+
+ private:
+  /// The joint pass: once a scene.
+  void sample(const ReportProgress& progress) {
+    if (sampled_) return;
+    ScenePassOptions options{.seed = options_.seed,
+                             .threads = options_.threads,
+                             .tail_every = tail_every,
+                             .who_is_in_front = options_.who_is_in_front,
+                             .progress = progress};
+    std::vector<int> wanted(sums_.spp.size(), options_.error ? first_spp : std::max(2, options_.spp / 2 * 2));
+    add_samples(scene_, joint_, wanted, options, sums_);
+    error_ = choose_strength();
+    if (options_.error) {
+      const ErrorTarget target{*options_.error * truth_share};
+      while (!target.met_by(error_)) {
+        const std::vector<TileState> tiles = states();
+        wanted = next_samples(tiles, target);
+        if (wanted == sums_.spp) break;
+        add_samples(scene_, joint_, wanted, options, sums_);
+        error_ = choose_strength();
+      }
+    }
+    sampled_ = true;
+  }
+
+  [[nodiscard]] std::vector<TileState> states() const {
+    std::vector<TileState> tiles(error_.tiles.size());
+    const double pixels = static_cast<double>(sums_.grid.width_px) * sums_.grid.height_px;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      const TileGrid::Rectangle r = sums_.grid.rectangle(static_cast<int>(t));
+      tiles[t] = {.noise = error_.tiles[t].noise,
+                  .rest = std::max(0.0, error_.tiles[t].bias),
+                  .spp = sums_.spp[t],
+                  .share = (r.right - r.left) * (r.bottom - r.top) / pixels,
+                  .can_grow = 2 * sums_.spp[t] <= most_spp};
+    }
+    return tiles;
+  }
+
+  /// Takes the strength with the least estimated error, from the present one towards weaker ones.
+  ErrorEstimate choose_strength() {
+    const TruthLayers sampled = layers_of(1, {.levels = 0});
+    ErrorEstimate best = error_with(strength_, sampled);
+    while (strength_ > 0) {
+      ErrorEstimate weaker = error_with(strength_ - 1, sampled);
+      if (weaker.image.total() >= best.image.total()) break;
+      best = std::move(weaker);
+      --strength_;
+    }
+    return best;
+  }
+
+  ErrorEstimate error_with(std::size_t strength, const TruthLayers& sampled) const {
+    const TruthLayers filtered = strength == 0 ? sampled : layers_of(1, strengths[strength]);
+    HalfPictures pictures;
+    for (std::size_t half = 0; half < 2; ++half) {
+      pictures.filtered[half] = half_reference_image(filtered, half);
+      pictures.sampled[half] = half_reference_image(sampled, half);
+    }
+    return estimate_error(pictures, scene_.definition.exposure_ev, options_.threads);
+  }
+
+  [[nodiscard]] TruthLayers layers_of(int object_index, const FilterStrength& strength) const {
+    return truth_layers(sums_, scene_.camera, scene_.light.environment_radiance, object_index,
+                        {.filter = strength, .threads = options_.threads});
+  }
+
+  const TruthScene& scene_;
+  EstimateOptions options_;
+  SceneGeometry joint_;
+  SceneSums sums_;
+  bool sampled_ = false;
+  std::size_t strength_ = first_strength;
+  ErrorEstimate error_;
+  int object_index_ = 0;
+  std::optional<ObjectGeometry> geometry_;
+  TruthLayers truth_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEstimator> make_fast_estimator(const TruthScene& scene, const EstimateOptions& options) {
+  return std::make_unique<FastEstimator>(scene, options);
+}
+
+}  // namespace seamline

@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+
+#include "renderer/depth_pass.h"
+#include "renderer/sampling_rounds.h"
+#include "renderer/scene_layers.h"
+
+namespace seamline {
+
+/// What the fast estimator knows of one object before any stimulus with it.
+struct ObjectTruth {
+  const TruthScene& scene;
+  const SceneSums& sums;
+  const ObjectGeometry& geometry;
+  int object_index;
+  const TruthLayers& layers;   ///< filtered
+  const ErrorEstimate& error;  ///< of the truth's pictures
+};
+
+struct FastStimulusOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  int tail_every = 4;
+  std::optional<ErrorTarget> target = {};  ///< none: as many samples as the truth has
+  FilterStrength filter = {};              ///< for bounce light of the depth mesh
+  std::function<void(double share_done)> progress = {};
+};
+
+struct FastStimulus {
+  StimulusLayers layers;
+  ErrorEstimate error;
+};
+
+/// Renders one stimulus from the truth's sums and what the depth mesh answers. The photograph and what the
+/// truth answers are shared by all widths and artifacts; the depth mesh is asked for a few samples a pixel
+/// first and for more where the picture is not good enough, because the ratio is the same light with and
+/// without the object and needs far fewer samples than the photograph.
+[[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth,
+                                                const Recipe& recipe, const FastStimulusOptions& options);
+
+}  // namespace seamline
