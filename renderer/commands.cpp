@@ -1,5 +1,6 @@
 #include "renderer/commands.h"
 
+#include "renderer/bench_command.h"
 #include "renderer/check_command.h"
 #include "renderer/convergence_command.h"
 #include "renderer/render_command.h"
@@ -12,6 +13,7 @@ void add_renderer_commands(CLI::App& app) {
   add_check_command(app);
   add_convergence_command(app);
   add_workbench_commands(app);
+  add_bench_command(app);
 }
 
 }  // namespace seamline
