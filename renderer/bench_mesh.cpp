@@ -90,7 +90,7 @@ std::vector<Measurement> measure_builds(const std::string& name, const Built& ad
 
 Measurement measure_rays(const std::string& name, const TruthScene& scene, const Geometry& adaptive,
                          const Geometry& full, bool quick) {
-  const RecordedRays rays = record_rays(scene, adaptive, quick ? 12 : 4);
+  const RecordedRays rays = record_rays(scene, adaptive, quick ? 30 : 16);
   const auto trace = [&](const Geometry& geometry) {
     std::optional<SurfacePoint> hit;
     for (const Ray& ray : rays.bounce) hit = geometry.nearest(ray);

@@ -20,8 +20,8 @@ int repeats(const BenchOptions& options) {
   return options.quick ? 3 : 9;
 }
 
-int tile_step(const BenchOptions& options) {
-  return options.quick ? 12 : 3;
+int tile_row_step(const BenchOptions& options) {
+  return options.quick ? 60 : 9;
 }
 
 struct LoadedScene {
@@ -140,7 +140,7 @@ std::vector<Measurement> bench_tracer(const BenchOptions& options) {
     const LoadedScene loaded = load(name);
     const Geometry& truth = loaded.geometry.truth;
     const BareScene bare(truth.parts());
-    const RecordedRays rays = record_rays(loaded.scene, truth, tile_step(options));
+    const RecordedRays rays = record_rays(loaded.scene, truth, tile_row_step(options));
     const auto measure = [&](const std::string& what, std::span<const Ray> some, Question question,
                              const std::function<void()>& ours) {
       measurements.push_back(beside_best_loop(fmt::format("{}, {}", name, what), some, bare,
@@ -169,11 +169,11 @@ std::vector<Measurement> bench_local_scene(const BenchOptions& options) {
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
     const Geometry& truth = loaded.geometry.truth;
-    const RecordedRays truth_rays = record_rays(loaded.scene, truth, tile_step(options));
+    const RecordedRays truth_rays = record_rays(loaded.scene, truth, tile_row_step(options));
     for (const int width_px : widths_px) {
       const DepthMap map = capture_depth(truth, width_px, 0, options.threads);
       const Geometry local(build_depth_mesh(map, {.threads = options.threads}), Rgb::Constant(0.5F));
-      const RecordedRays local_rays = record_rays(loaded.scene, local, tile_step(options));
+      const RecordedRays local_rays = record_rays(loaded.scene, local, tile_row_step(options));
       const auto measure = [&](const char* kind, std::vector<Ray> RecordedRays::*rays, Question in_local,
                                Question in_truth, Coherence coherence, Wanted wanted) {
         const std::vector<Ray>&here = local_rays.*rays, &there = truth_rays.*rays;

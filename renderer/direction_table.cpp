@@ -19,6 +19,9 @@ constexpr std::size_t most_triangles = std::size_t{1} << 21;
 /// Where many thin triangles meet (sheets over depth jumps) walks are long; on the built-in scenes one in
 /// 10,000 is longer than this.
 constexpr int most_steps = 48;
+/// The triangles around the last ray's are in the nearest cache; a few of them are sooner looked at than the
+/// table.
+constexpr int steps_from_guess = 4;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -126,6 +129,24 @@ int farthest_outside(__m128 product, int edges) {
   return static_cast<int>(std::min_element(value.begin(), value.begin() + 3) - value.begin());
 }
 
+/// From a triangle over edges to the one that the direction lies in. `not_found` at a hole, or after so many
+/// triangles.
+CentreHit walk(const std::vector<CentreTriangle>& triangles, std::uint32_t index,
+               const Eigen::Vector3f& direction, int most) {
+  const __m128 x = _mm_set1_ps(direction.x()), y = _mm_set1_ps(direction.y()), z = _mm_set1_ps(direction.z());
+  for (int step = 0; step < most && index != nothing; ++step) {
+    const CentreTriangle& t = triangles[index];
+    const __m128 product =
+        _mm_add_ps(_mm_add_ps(_mm_mul_ps(_mm_load_ps(t.x.data()), x), _mm_mul_ps(_mm_load_ps(t.y.data()), y)),
+                   _mm_mul_ps(_mm_load_ps(t.z.data()), z));
+    // A bit for each edge that the direction is beyond.
+    const int beyond = _mm_movemask_ps(_mm_cmplt_ps(product, _mm_setzero_ps())) & 7;
+    if (beyond == 0) return {index, _mm_cvtss_f32(_mm_shuffle_ps(product, product, 3))};
+    index = t.neighbours[static_cast<std::size_t>(farthest_outside(product, beyond))];
+  }
+  return {.triangle = DirectionTable::not_found};
+}
+
 }  // namespace
 
 std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector3f> vertices_m,
@@ -140,33 +161,13 @@ std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector
 }
 
 CentreHit find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction, std::uint32_t guess) {
-  const __m128 x = _mm_set1_ps(direction.x()), y = _mm_set1_ps(direction.y()), z = _mm_set1_ps(direction.z());
-  const auto products = [&](const CentreTriangle& t) {
-    return _mm_add_ps(
-        _mm_add_ps(_mm_mul_ps(_mm_load_ps(t.x.data()), x), _mm_mul_ps(_mm_load_ps(t.y.data()), y)),
-        _mm_mul_ps(_mm_load_ps(t.z.data()), z));
-  };
-  // A negative lane 0 to 2: outside of that edge.
-  const auto outside = [](__m128 product) {
-    return _mm_movemask_ps(_mm_cmplt_ps(product, _mm_setzero_ps())) & 7;
-  };
-  const auto hit = [](std::uint32_t index, __m128 product) {
-    return CentreHit{index, _mm_cvtss_f32(_mm_shuffle_ps(product, product, 3))};
-  };
-  if (guess != nothing)
-    if (const __m128 product = products(table.triangles[guess]); outside(product) == 0)
-      return hit(guess, product);
-  std::uint32_t index = table.triangle_of_cell[cube::cell_of(direction)];
-  if (index == nothing) return {};
-  for (int step = 0; step < most_steps; ++step) {
-    const CentreTriangle& t = table.triangles[index];
-    const __m128 product = products(t);
-    const int edges = outside(product);
-    if (edges == 0) return hit(index, product);
-    index = t.neighbours[static_cast<std::size_t>(farthest_outside(product, edges))];
-    if (index == nothing) break;
+  if (guess != nothing) {
+    const CentreHit near = walk(table.triangles, guess, direction, steps_from_guess);
+    if (near.triangle != DirectionTable::not_found) return near;
   }
-  return {.triangle = DirectionTable::not_found};
+  const std::uint32_t start = table.triangle_of_cell[cube::cell_of(direction)];
+  if (start == nothing) return {};
+  return walk(table.triangles, start, direction, most_steps);
 }
 
 }  // namespace seamline

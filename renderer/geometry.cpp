@@ -1,14 +1,12 @@
-// With ray_packet.h, the only file that includes Embree, besides the benchmarks.
+// Embree is included by this file, ray_packet.h, ray_device.cpp and the benchmarks (bench_embree.cpp) only.
 #include "renderer/geometry.h"
 
 #include <embree3/rtcore.h>
-#include <immintrin.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 #include "renderer/ray_count.h"
@@ -77,9 +75,20 @@ struct RawHit {
   std::uint32_t triangle, part;
 };
 
+/// Whether shading normals say nothing that the triangles do not: walls, boxes.
+bool is_flat_shaded(const Part& part) {
+  return std::all_of(part.triangles.begin(), part.triangles.end(), [&](const Triangle& t) {
+    const Eigen::Vector3f& corner_m = part.positions_m[t[0]];
+    const Eigen::Vector3f across =
+        (part.positions_m[t[1]] - corner_m).cross(part.positions_m[t[2]] - corner_m).normalized();
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::uint32_t v) { return std::abs(part.normals[v].dot(across)) > 1 - 1e-6F; });
+  });
+}
+
 SurfaceTable surface_table(const Part& part) {
   return {.triangles = part.triangles.data(),
-          .normals = part.normals.empty() ? nullptr : part.normals.data(),
+          .normals = part.normals.empty() || is_flat_shaded(part) ? nullptr : part.normals.data(),
           .albedo = part.albedo,
           .emission = part.emission,
           .object_index = part.object_index};
@@ -113,32 +122,6 @@ void set_surface(const SurfaceTable& surface, const Ray& ray, const RawHit& hit,
 }
 
 }  // namespace
-
-// Sheets over depth jumps are long and thin: cut by more spatial splits than Embree would make of itself,
-// bounce rays in the local scene are up to 1.6 times as fast, for a quarter more memory (`seamline bench
-// --only local`).
-RayDevice::RayDevice()
-    : device_(rtcNewDevice(("isa=" + instruction_set() + ",max_spatial_split_replications=2").c_str())) {
-  if (device_ == nullptr) throw std::runtime_error("Embree could not be started");
-  const auto count = [](void* bytes_in_use, ssize_t bytes, bool) {
-    *static_cast<std::atomic<std::int64_t>*>(bytes_in_use) += bytes;
-    return true;
-  };
-  rtcSetDeviceMemoryMonitorFunction(static_cast<RTCDevice>(device_), count, &memory_bytes_);
-}
-
-RayDevice::~RayDevice() {
-  rtcReleaseDevice(static_cast<RTCDevice>(device_));
-}
-
-RayDevice& RayDevice::instance() {
-  static RayDevice device;
-  return device;
-}
-
-std::string RayDevice::instruction_set() {
-  return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
-}
 
 Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction) {
   const float scale = std::max(point.position_m.cwiseAbs().maxCoeff(), point.distance_m);
@@ -259,11 +242,6 @@ void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m)
 
 std::int64_t rays_traced_by_this_thread() {
   return rays_traced;
-}
-
-void flush_denormals_to_zero() {
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 }
 
 }  // namespace seamline

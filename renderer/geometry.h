@@ -42,7 +42,7 @@ struct SurfacePoint {
 /// What a hit on a part needs to become a SurfacePoint, without a detour over the part.
 struct SurfaceTable {
   const Triangle* triangles = nullptr;
-  const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used
+  const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
   Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
   int object_index = 0;
 };

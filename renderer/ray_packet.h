@@ -7,7 +7,7 @@
 
 #include "renderer/geometry.h"
 
-/// Packets of rays, as Embree wants them: one array for each coordinate. Only `geometry.cpp` includes this.
+/// Packets of rays, as Embree wants them: one array for each coordinate. Only `geometry.cpp` includes it.
 namespace seamline {
 
 /// Rays of a packet: one AVX2 register of each coordinate. Measured on 4, 8 and 16 with `seamline bench

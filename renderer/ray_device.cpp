@@ -1,0 +1,42 @@
+// What all scenes and all workers share: Embree's device and the processor's mode.
+#include <embree3/rtcore.h>
+#include <immintrin.h>
+
+#include <stdexcept>
+
+#include "renderer/geometry.h"
+
+namespace seamline {
+
+// Sheets over depth jumps are long and thin: cut by more spatial splits than Embree would make of itself,
+// bounce rays in the local scene are up to 1.6 times as fast, for a quarter more memory (`seamline bench
+// --only local`).
+RayDevice::RayDevice()
+    : device_(rtcNewDevice(("isa=" + instruction_set() + ",max_spatial_split_replications=2").c_str())) {
+  if (device_ == nullptr) throw std::runtime_error("Embree could not be started");
+  const auto count = [](void* bytes_in_use, ssize_t bytes, bool) {
+    *static_cast<std::atomic<std::int64_t>*>(bytes_in_use) += bytes;
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(static_cast<RTCDevice>(device_), count, &memory_bytes_);
+}
+
+RayDevice::~RayDevice() {
+  rtcReleaseDevice(static_cast<RTCDevice>(device_));
+}
+
+RayDevice& RayDevice::instance() {
+  static RayDevice device;
+  return device;
+}
+
+std::string RayDevice::instruction_set() {
+  return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
+}
+
+void flush_denormals_to_zero() {
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+}
+
+}  // namespace seamline
