@@ -2,14 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <bit>
 
+#include "renderer/estimator.h"
 #include "stimuli/difference.h"
 
 namespace seamline {
 namespace {
 
-constexpr int smallest_reference_spp = 64, largest_reference_spp = 16384;
+constexpr int smallest_reference_spp = 128, largest_reference_spp = 16384;
 constexpr int reference_to_largest_trial = 16;
 constexpr int fewest_trials = 3;
 
@@ -71,9 +73,33 @@ SampleRow measure(const ConvergenceSubject& subject, const Series& series, int s
           .rmse_given = display_rmse(given, reference.picture, subject.exposure_ev(), &reference.off_object)};
 }
 
+/// A whole scene's joint pass is counted, although the other two objects' stimuli would share it in a set.
+Trial render_fast(const ConvergenceSubject& subject, const Geometry& depth, int spp) {
+  const Stopwatch watch;
+  const std::unique_ptr<SceneEstimator> estimator =
+      make_estimator(Estimator::fast, subject.scene,
+                     {.spp = spp,
+                      .seed = subject.study.seed,
+                      .threads = subject.threads,
+                      .who_is_in_front = subject.recipe.answers.occlusion == Who::depth});
+  estimator->take_object(subject.stimulus.object_index, {});
+  Trial trial{.layers = estimator->stimulus(subject.recipe, &depth, {}).layers};
+  trial.seconds = watch.seconds();
+  trial.rays = estimator->truth().rays + trial.layers.rays;
+  return trial;
+}
+
+/// Whether a rendering with twice the samples would take longer than the budget of one.
+bool is_finished(const std::vector<SampleRow>& rows, const Series& series, double longest_s) {
+  const auto of_series = [&](const SampleRow& row) { return row.series == series.name; };
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), of_series);
+  return std::count_if(rows.begin(), rows.end(), of_series) >= fewest_trials &&
+         2 * last->seconds > 1.1 * longest_s;
+}
+
 }  // namespace
 
-std::vector<Series> sample_series(const ConvergenceSubject& subject, PathRuns& runs) {
+std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth, PathRuns& runs) {
   const std::uint64_t seed = subject.study.seed, other_seed = seed + 1;
   return {
       {.name = "path coupled",
@@ -101,6 +127,12 @@ std::vector<Series> sample_series(const ConvergenceSubject& subject, PathRuns& r
          return {join_independent(sums_without, with.layers), with.seconds() + without.seconds(),
                  with.rays + without.rays};
        }},
+      {.name = "fast",
+       .meaning =
+           "the scene's worlds in one joint pass, bounce light filtered; the scene's other two objects "
+           "are rendered along",
+       .render = [&subject, &depth](int spp) { return render_fast(subject, depth, spp); },
+       .fewest_spp = 2},
   };
 }
 
@@ -122,20 +154,14 @@ SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s)
                       .reference_noise = estimated_noise(reference.run.layers, subject.exposure_ev()).value(),
                       .reference_noise_given = noise_given(reference, subject.exposure_ev())};
   const double longest_s = reference.run.seconds() / reference_to_largest_trial;
-  std::vector<Series> open = sample_series(subject, runs);
+  std::vector<Series> open = sample_series(subject, depth, runs);
   for (const Series& series : open) result.meanings.emplace_back(series.name, series.meaning);
-  int trials = 0;
   for (int spp = 1; !open.empty() && spp <= reference_spp; spp *= 2) {
     for (const Series& series : open) {
-      result.rows.push_back(measure(subject, series, spp, reference));
+      if (spp >= series.fewest_spp) result.rows.push_back(measure(subject, series, spp, reference));
       progress.advance(passes_a_trial * spp / static_cast<double>(result.meanings.size()), series.name);
     }
-    ++trials;
-    std::erase_if(open, [&](const Series& series) {
-      for (auto row = result.rows.rbegin(); row != result.rows.rend(); ++row)
-        if (row->series == series.name) return trials >= fewest_trials && 2 * row->seconds > 1.1 * longest_s;
-      return true;
-    });
+    std::erase_if(open, [&](const Series& series) { return is_finished(result.rows, series, longest_s); });
   }
   return result;
 }

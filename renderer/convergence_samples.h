@@ -20,10 +20,12 @@ struct Series {
   std::string name;
   std::string meaning;  ///< one sentence for the table
   std::function<Trial(int spp)> render;
+  int fewest_spp = 1;
 };
 
 /// Every way to render the stimulus that is compared. A new estimator is one more entry here.
-[[nodiscard]] std::vector<Series> sample_series(const ConvergenceSubject& subject, PathRuns& runs);
+[[nodiscard]] std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth,
+                                                PathRuns& runs);
 
 struct SampleRow {
   std::string series;

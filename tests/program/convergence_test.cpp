@@ -58,16 +58,20 @@ TEST(Convergence, SlopesOfSamplesAreNumbers) {
   std::string line;
   std::getline(slopes, line);
   ASSERT_EQ(line, "part,series,of,found,expected,why");
-  int found = 0;
+  int of_path = 0;
   while (std::getline(slopes, line)) {
     const std::size_t expected = line.find(",-0.5,");
     ASSERT_NE(expected, std::string::npos) << line;
-    const double slope = std::stod(line.substr(line.rfind(',', expected - 1) + 1));
+    const std::string found = line.substr(line.rfind(',', expected - 1) + 1);
+    if (found.front() == ',') continue;  // too few errors that are clear of the reference's noise
+    const double slope = std::stod(found);
     EXPECT_TRUE(std::isfinite(slope)) << line;
-    EXPECT_LT(slope, 0) << line;  // more samples, less error
-    ++found;
+    // Without bias, more samples are less error. Seconds are not asked.
+    if (line.find(",path ") == std::string::npos || line.find("in samples") == std::string::npos) continue;
+    EXPECT_LT(slope, 0) << line;
+    ++of_path;
   }
-  EXPECT_GE(found, 3 * 4);
+  EXPECT_EQ(of_path, 3 * 2);
   EXPECT_FALSE(fs::exists(folder / "mesh.csv"));
 }
 
