@@ -18,7 +18,8 @@ void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, in
   sums.rest += asked.rest;
   if (sample.shows == Shows::object) sums.covered += 1.0F;
   if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
-  if (guide != nullptr && sample.shows == Shows::rest) guide->add(*sample.depth, reach_m);
+  if (const SurfacePoint* receiver = sampler.receiver(sample); guide != nullptr && receiver != nullptr)
+    guide->add(*receiver, reach_m);
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);
-  if (answers.bounce == Who::depth) out.guides.resize(pixels);
+  if (asks_depth_for_rest(answers)) out.guides.resize(pixels);
   out.spp.resize(static_cast<std::size_t>(out.grid.count()));
   return out;
 }

@@ -6,7 +6,8 @@ namespace seamline {
 
 /// What the depth mesh answered in one pixel, summed over the samples of one half.
 struct DepthSums {
-  Split no, with;            ///< light on the rest, as far as the depth mesh has a part in it
+  Split no, with;            ///< light on the rest as far as the depth mesh has a part in it; its sky
+                             ///< is in `bounce`, with what may be filtered
   Rgb object = Rgb::Zero();  ///< the same for light on the object
   float rest = 0;            ///< samples in `no` and `with`
   float depth_sky = 0;       ///< uncovered samples where the truth has a surface and the depth mesh sky
@@ -17,7 +18,7 @@ struct DepthSums {
 struct DepthAnswers {
   TileGrid grid;
   std::array<std::vector<DepthSums>, 2> halves;
-  std::vector<GuideSums> guides;  ///< of the depth mesh's surfaces; empty when it sends no bounce light
+  std::vector<GuideSums> guides;  ///< of the surfaces that light is asked for; empty when none is
   std::vector<int> spp;           ///< of each tile, even
   std::int64_t rays = 0;
 };

@@ -10,13 +10,15 @@ namespace seamline {
 namespace {
 
 constexpr int first_spp = 16, most_spp = 1 << 14;
-constexpr double truth_share = 0.85;  // of the error that the photograph may have
+constexpr double truth_share = 0.94;  // of the error that the photograph may have
 constexpr int tail_every = 4;
 
 /// From weak to strong; more samples need less of it.
 constexpr std::array<FilterStrength, 6> strengths = {
     {{0, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 3.0F}, {2, 2.0F}, {3, 2.0F}}};
 constexpr std::size_t first_strength = 4;
+/// Of the light that only decides a ratio: few samples, filtered more.
+constexpr FilterStrength ratio_strength = {3, 2.0F};
 
 class FastEstimator : public SceneEstimator {
  public:
@@ -51,7 +53,7 @@ class FastEstimator : public SceneEstimator {
     FastStimulusOptions options{.seed = options_.seed,
                                 .threads = options_.threads,
                                 .tail_every = tail_every,
-                                .filter = strengths[strength_],
+                                .filter = ratio_strength,
                                 .progress = progress};
     if (options_.error) options.target = ErrorTarget{*options_.error};
     const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
@@ -74,6 +76,14 @@ class FastEstimator : public SceneEstimator {
     if (options_.error) {
       const ErrorTarget target{*options_.error * truth_share};
       while (!target.met_by(error_)) {
+        if (getenv("DBG")) {
+          long n = 0;
+          for (int v : sums_.spp) n += v;
+          fprintf(stderr,
+                  "truth avg spp %.1f rays %.1fM est %.5f noise %.5f bias2 %.2e worst %.4f strength %zu\n",
+                  double(n) / sums_.spp.size(), sums_.rays / 1e6, error_.rmse(), sqrt(error_.image.noise),
+                  error_.image.bias, error_.worst_tile(), strength_);
+        }
         const std::vector<TileState> tiles = states();
         wanted = next_samples(tiles, target);
         if (wanted == sums_.spp) break;
@@ -93,7 +103,7 @@ class FastEstimator : public SceneEstimator {
                   .rest = std::max(0.0, error_.tiles[t].bias),
                   .spp = sums_.spp[t],
                   .share = (r.right - r.left) * (r.bottom - r.top) / pixels,
-                  .can_grow = 2 * sums_.spp[t] <= most_spp};
+                  .most_spp = most_spp};
     }
     return tiles;
   }

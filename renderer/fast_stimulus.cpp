@@ -1,6 +1,7 @@
 #include "renderer/fast_stimulus.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/composite.h"
 #include "renderer/parallel.h"
@@ -113,14 +114,18 @@ class Assembly {
     const Rgb background = share * no.total();
     rest *= share;
     const float to_rest = rest / in.depth.rest;
-    const bool direct_from_truth = answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
     Split depth_no = to_rest * in.depth.no, depth_with = to_rest * in.depth.with;
     if (texel != nullptr) filtered_bounce(*texel, *surface, half, rest, depth_no, depth_with);
-    no = {direct_from_truth ? Rgb(share * no.direct) : depth_no.direct,
-          answers_.bounce == Who::truth ? Rgb(share * no.bounce) : depth_no.bounce};
-    with = {direct_from_truth ? Rgb(share * with.direct) : depth_with.direct,
-            answers_.bounce == Who::truth ? Rgb(share * with.bounce) : depth_with.bounce};
+    no = join(share * no, depth_no);
+    with = join(share * with, depth_with);
     set_rest(rest, background, no, with, out);
+  }
+
+  /// Light of which the truth answers one part and the depth mesh the other.
+  [[nodiscard]] Split join(const Split& truth, const Split& depth) const {
+    const bool direct_from_truth = answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
+    if (answers_.bounce == Who::truth) return {depth.total(), truth.bounce};  // the sky is in depth.bounce
+    return direct_from_truth ? Split{truth.direct, depth.bounce} : depth;
   }
 
   static void filtered_bounce(const BounceTexel& texel, const Surface& surface, std::size_t half, float rest,
@@ -168,10 +173,22 @@ class StimulusRounds {
       ask_depth(sampler_, wanted, options_.threads, round == 0 ? options_.progress : nullptr, depth_);
       out.layers = layers(options_.filter);
       out.error = error_of(out.layers);
+      if (getenv("DBG")) {
+        long n = 0;
+        for (size_t t = 0; t < depth_.spp.size(); ++t) {
+          n += depth_.spp[t];
+        }
+        fprintf(
+            stderr,
+            "round %d avg spp %.1f rays %.1fM est %.5f noise %.5f bias2 %.2e worst %.4f truth %.5f/%.4f\n",
+            round, double(n) / depth_.spp.size(), depth_.rays / 1e6, out.error.rmse(),
+            sqrt(out.error.image.noise), out.error.image.bias, out.error.worst_tile(), truth_.error.rmse(),
+            truth_.error.worst_tile());
+      }
       if (!options_.target || options_.target->met_by(out.error)) return out;
       const std::vector<TileState> tiles = states(out.error);
-      if (std::none_of(tiles.begin(), tiles.end(), [](const TileState& t) { return t.can_grow; })) return out;
       wanted = next_samples(tiles, *options_.target);
+      if (wanted == depth_.spp) return out;
     }
   }
 
@@ -202,7 +219,7 @@ class StimulusRounds {
                   .rest = photograph + std::max(0.0, error.tiles[t].bias),
                   .spp = depth_.spp[t],
                   .share = (r.right - r.left) * (r.bottom - r.top) / pixels,
-                  .can_grow = depth_.spp[t] > 0 && 2 * depth_.spp[t] <= truth_.sums.spp[t]};
+                  .most_spp = depth_.spp[t] > 0 ? truth_.sums.spp[t] : 0};
     }
     return tiles;
   }
@@ -242,6 +259,7 @@ class StimulusRounds {
         const std::size_t i = truth.index(x, y);
         const float samples = depth_.halves[0][i].rest + depth_.halves[1][i].rest;
         surfaces[i] = surface_of(depth_.guides[i], samples, truth_.scene.camera, x, y);
+        surfaces[i].inverse_reach = std::max(surfaces[i].inverse_reach, truth_reach(i));
         guides[i] = {surfaces[i].normal, surfaces[i].distance_m};
         if (samples <= 0.0F) continue;
         for (std::size_t half = 0; half < 2; ++half) {
@@ -252,6 +270,13 @@ class StimulusRounds {
         }
       }
     });
+  }
+
+  /// Creases of the truth, in 1/m: the depth mesh has them where it has any.
+  [[nodiscard]] float truth_reach(std::size_t pixel) const {
+    const auto k = static_cast<std::size_t>(truth_.object_index);
+    const float samples = truth_.sums.halves[0][pixel].surfaces[k] + truth_.sums.halves[1][pixel].surfaces[k];
+    return samples > 0.0F ? truth_.sums.guides[k - 1][pixel].inverse_reach / samples : 0.0F;
   }
 
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own.

@@ -1,39 +1,83 @@
 #include "renderer/sampling_rounds.h"
 
 #include <algorithm>
-#include <numeric>
+#include <queue>
 
 namespace seamline {
+namespace {
+
+/// Powers of two and one and a half times them, so that points stay well distributed.
+int next_step(int spp) {
+  int power = 2;
+  while (2 * power <= spp) power *= 2;
+  return spp < power + power / 2 && power >= 4 ? power + power / 2 : 2 * power;
+}
+
+struct Step {
+  double gain_per_sample = 0;
+  std::size_t tile = 0;
+  bool operator<(const Step& other) const {
+    return gain_per_sample != other.gain_per_sample ? gain_per_sample < other.gain_per_sample
+                                                    : tile > other.tile;
+  }
+};
+
+class Planner {
+ public:
+  Planner(const std::vector<TileState>& tiles, const ErrorTarget& target)
+      : tiles_(tiles), square_(target.rmse * target.rmse) {
+    for (const TileState& tile : tiles) {
+      wanted_.push_back(tile.spp);
+      expected_ += tile.share * (tile.noise + tile.rest);
+      had_ += tile.spp;
+    }
+  }
+
+  std::vector<int> plan() {
+    for (std::size_t i = 0; i < tiles_.size(); ++i)
+      while (noise(i) + tiles_[i].rest > 9 * square_ && can_grow(i)) grow(i);
+    std::priority_queue<Step> steps;
+    for (std::size_t i = 0; i < tiles_.size(); ++i) push(i, steps);
+    while (!steps.empty() && (expected_ > square_ || added_ < had_ / 16)) {
+      const std::size_t i = steps.top().tile;
+      steps.pop();
+      grow(i);
+      push(i, steps);
+    }
+    return wanted_;
+  }
+
+ private:
+  [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
+  [[nodiscard]] double noise_with(std::size_t i, int spp) const {
+    return tiles_[i].spp > 0 ? tiles_[i].noise * tiles_[i].spp / spp : 0.0;
+  }
+  [[nodiscard]] bool can_grow(std::size_t i) const {
+    return tiles_[i].noise > 0 && next_step(wanted_[i]) <= std::min(tiles_[i].most_spp, 4 * tiles_[i].spp);
+  }
+  void grow(std::size_t i) {
+    const int next = next_step(wanted_[i]);
+    expected_ -= tiles_[i].share * (noise(i) - noise_with(i, next));
+    added_ += next - wanted_[i];
+    wanted_[i] = next;
+  }
+  void push(std::size_t i, std::priority_queue<Step>& steps) const {
+    if (!can_grow(i)) return;
+    const int next = next_step(wanted_[i]);
+    steps.push({(noise(i) - noise_with(i, next)) / (next - wanted_[i]), i});
+  }
+
+  const std::vector<TileState>& tiles_;
+  const double square_;
+  std::vector<int> wanted_;
+  double expected_ = 0;
+  long had_ = 0, added_ = 0;
+};
+
+}  // namespace
 
 std::vector<int> next_samples(const std::vector<TileState>& tiles, const ErrorTarget& target) {
-  std::vector<int> wanted(tiles.size());
-  std::vector<std::size_t> order;
-  double expected = 0;
-  const double wanted_square = target.rmse * target.rmse;
-  const auto grow = [&](std::size_t i) {
-    wanted[i] = 2 * tiles[i].spp;
-    expected -= tiles[i].share * 0.5 * tiles[i].noise;
-  };
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    wanted[i] = tiles[i].spp;
-    expected += tiles[i].share * (tiles[i].noise + tiles[i].rest);
-  }
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    if (!tiles[i].can_grow) continue;
-    if (tiles[i].noise + tiles[i].rest > 9 * wanted_square)
-      grow(i);
-    else
-      order.push_back(i);
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tiles[a].noise * tiles[b].spp > tiles[b].noise * tiles[a].spp;
-  });
-  const std::size_t at_least = order.size() / 10;
-  for (std::size_t i = 0; i < order.size() && (expected > wanted_square || i < at_least); ++i) {
-    if (expected <= wanted_square && !(tiles[order[i]].noise > 0)) break;
-    grow(order[i]);
-  }
-  return wanted;
+  return Planner(tiles, target).plan();
 }
 
 }  // namespace seamline

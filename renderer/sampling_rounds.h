@@ -17,15 +17,16 @@ struct ErrorTarget {
 struct TileState {
   double noise = 0;  ///< squared
   double rest = 0;   ///< squared: bias, and noise that sampling here does not touch
-  int spp = 0;
+  int spp = 0;       ///< even
   double share = 0;  ///< of the picture
-  bool can_grow = true;
+  int most_spp = 0;  ///< the tile never gets more
 };
 
-/// Which tiles to double: those that gain most for a sample, until the target is expected to be met (samples
-/// double, so that their points stay well distributed; noise is expected to halve), and every tile that is
-/// over three times the target. Returns the new number of samples of each tile. At least a tenth of the tiles
-/// that can grow do, so that there are few rounds.
+/// The number of samples each tile should have next: steps go to the tiles that gain most for a sample, until
+/// the target is expected to be met (noise is taken to fall like 1 / samples), over the image and in every
+/// tile; none gets more than four times what it has, because estimates from few samples are rough. At least a
+/// sixteenth of the samples is added, so that there are few rounds. Equal to what the tiles have when no tile
+/// can grow.
 [[nodiscard]] std::vector<int> next_samples(const std::vector<TileState>& tiles, const ErrorTarget& target);
 
 }  // namespace seamline

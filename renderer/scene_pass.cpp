@@ -38,9 +38,22 @@ class TileSampler {
       rays[i] = camera_ray(scene_.camera, x, y, Sampler(options_.seed, x, y, from + static_cast<int>(i)));
     const std::span<const Ray> asked(rays.data(), count);
     geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count));
-    for (std::size_t k = 0; k < 3; ++k)
-      geometry_.alone[k].nearest_from_centre(asked, std::span(objects_[k].data(), count));
+    find_objects(asked);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
+  }
+
+  /// Most packets meet no object: one question for all three.
+  void find_objects(std::span<const Ray> rays) {
+    const std::span any(objects_[0].data(), rays.size());
+    geometry_.objects.nearest_from_centre(rays, any);
+    const bool none = std::none_of(any.begin(), any.end(), [](const auto& hit) { return hit.has_value(); });
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::span hits(objects_[k].data(), rays.size());
+      if (none)
+        std::fill(hits.begin(), hits.end(), std::nullopt);
+      else
+        geometry_.alone[k].nearest_from_centre(rays, hits);
+    }
   }
 
   /// The nearest surface of sample `i` when `left_out` (0 to 3, 0: none) is not there.
@@ -59,13 +72,13 @@ class TileSampler {
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const auto half = static_cast<std::size_t>(sample % 2);
     const Sampler sampler(options_.seed, x, y, sample);
-    const Tail tail = tail_of(sample, options_.tail_every);
+    const PathPlan plan = path_plan(sample, options_.tail_every);
     WorldSums& world = sums_.halves[half][pixel];
     const SurfacePoint* front = seen_without(i, 0);
     const int object = front == nullptr ? 0 : front->object_index;
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
-      const Shaded seen = shade(set, *front, sampler, tail);
+      const Shaded seen = shade(set, *front, sampler, plan);
       for (int v = 0; v <= 3; ++v)
         if (object == 0 || v != object) see(world, v, seen, pixel, *front);
       if (object != 0) {
@@ -74,19 +87,19 @@ class TileSampler {
         own.object += seen.light[0];
         own.covered += 1.0F;
         there.guides[place].add(*front, seen.reach_m);
-        add_behind(world, own, object, pixel, i, sampler, tail);
+        add_behind(world, own, object, pixel, i, sampler, plan);
       }
     }
-    if (options_.who_is_in_front) add_order(place, sample, half, i, object, sampler, tail);
+    if (options_.who_is_in_front) add_order(place, sample, half, i, object, sampler, plan);
   }
 
   /// What an object in front covers.
   void add_behind(WorldSums& world, ObjectSums& own, int object, std::size_t pixel, std::size_t i,
-                  const Sampler& sampler, const Tail& tail) {
+                  const Sampler& sampler, const PathPlan& plan) {
     const SurfacePoint* behind = seen_without(i, object);
     if (behind == nullptr) return;
     const WorldSet set = only_world(object) | (options_.who_is_in_front ? only_world(0) : 0);
-    const Shaded seen = shade(set, *behind, sampler, tail);
+    const Shaded seen = shade(set, *behind, sampler, plan);
     see(world, object, seen, pixel, *behind);
     own.behind += seen.light[static_cast<std::size_t>(object)];
     own.behind_with += seen.light[0];
@@ -95,7 +108,7 @@ class TileSampler {
 
   /// Who is in front of whom, and the light of an object that something covers.
   void add_order(std::size_t place, int sample, std::size_t half, std::size_t i, int front_object,
-                 const Sampler& sampler, const Tail& tail) {
+                 const Sampler& sampler, const PathPlan& plan) {
     for (int k = 1; k <= 3; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (!hit) continue;
@@ -107,7 +120,7 @@ class TileSampler {
       if (real != nullptr) there.real_m[at] = real->distance_m;
       if (k == front_object) continue;
       ObjectSums& own = there.halves[half][place];
-      own.hidden += shade(only_world(0), *hit, sampler, tail).light[0];
+      own.hidden += shade(only_world(0), *hit, sampler, plan).light[0];
       own.hidden_samples += 1.0F;
     }
   }
@@ -116,9 +129,9 @@ class TileSampler {
     WorldLight light = {};
     float reach_m = 0;
   };
-  Shaded shade(WorldSet set, const SurfacePoint& point, const Sampler& sampler, const Tail& tail) const {
+  Shaded shade(WorldSet set, const SurfacePoint& point, const Sampler& sampler, const PathPlan& plan) const {
     Shaded shaded;
-    shaded.reach_m = add_leaving(geometry_.worlds, set, point, scene_.light, sampler, tail, shaded.light);
+    shaded.reach_m = add_leaving(geometry_.worlds, set, point, scene_.light, sampler, plan, shaded.light);
     return shaded;
   }
 

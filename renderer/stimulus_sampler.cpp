@@ -98,7 +98,7 @@ float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index
   }
   WorldLight light{};
   const float reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light,
-                                    sample.sampler, tail_of(index, tail_every_), light);
+                                    sample.sampler, path_plan(index, tail_every_, direct), light);
   add_rest({.no = light[1], .with = light[0]}, direct, true, out);
   return reach_m;
 }
@@ -127,8 +127,11 @@ float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, S
     const SurfacePoint& receiver = answers_.receiver == Who::depth ? *sample.depth : *sample.real;
     const RealQuestion lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real};
-    add_rest(direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler),
-             true, false, out);
+    RadiancePair pair =
+        direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler);
+    if (tail_every_ <= 1)
+      pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
+    add_rest(pair, true, true, out);
   }
   return bounce ? add_rest_in_depth(sample, index, false, out) : endless;
 }

@@ -21,8 +21,9 @@ struct StimulusSample {
 /// estimators.
 class StimulusSampler {
  public:
-  /// `depth` may be null when the recipe asks nothing of the depth mesh. `tail_every` above 1: bounce light
-  /// on real surfaces is traced thriftily (see Tail).
+  /// `depth` may be null when the recipe asks nothing of the depth mesh. `tail_every` above 1:
+  /// bounce light on real surfaces is traced thriftily (see PathPlan), and sky light that the depth mesh has
+  /// a part in joins it, because it may be filtered with it.
   StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
                   const Recipe& recipe, std::uint64_t seed, int tail_every = 1);
 
@@ -41,6 +42,11 @@ class StimulusSampler {
   /// Whether sun and sky on the rest are the truth's own.
   [[nodiscard]] bool direct_from_truth() const {
     return answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
+  }
+  /// The surface whose light on the rest is asked for; null when the sample shows none.
+  [[nodiscard]] const SurfacePoint* receiver(const StimulusSample& sample) const {
+    if (sample.shows != StimulusSample::Shows::rest) return nullptr;
+    return answers_.receiver == Who::depth || answers_.bounce == Who::depth ? &*sample.depth : &*sample.real;
   }
   [[nodiscard]] const Recipe& recipe() const { return recipe_; }
   [[nodiscard]] const TruthScene& scene() const { return scene_; }

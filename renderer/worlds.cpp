@@ -21,30 +21,32 @@ namespace {
 /// One path through several worlds at once.
 class Path {
  public:
-  Path(const Worlds& worlds, const Light& light, const Sampler& sampler, const Tail& tail, WorldLight& out)
-      : worlds_(worlds), light_(light), sampler_(sampler), tail_(tail), emits_(worlds.emits()), out_(out) {}
+  Path(const Worlds& worlds, const Light& light, const Sampler& sampler, const PathPlan& plan,
+       WorldLight& out)
+      : worlds_(worlds), light_(light), sampler_(sampler), plan_(plan), emits_(worlds.emits()), out_(out) {}
 
   /// Light scattered by the path's vertex number `vertex` and all later ones.
   void scatter(WorldSet set, const SurfacePoint& point, Rgb throughput, int vertex) {
     throughput *= point.albedo;
     add_suns(set, point, throughput, vertex);
     if (vertex == 1) {  // the tail begins
-      if (!tail_.traced) return;
-      throughput *= tail_.weight;
+      if (!plan_.has_tail) return;
+      throughput *= plan_.tail_weight;
     }
     const Eigen::Vector3f direction =
         cosine_direction(point.normal, sampler_.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return;
     const Ray ray = leaving_ray(point, direction, light_.sky_distance_m);
     const Rgb sky = throughput * light_.environment_radiance;
+    const bool sky_is_direct = vertex == 0 && !plan_.sky_joins_bounce;
     if (vertex >= light_.bounces && !emits_) {
-      add(worlds_.reached(ray, set), vertex == 0, sky);
+      add(worlds_.reached(ray, set), sky_is_direct, sky);
       return;
     }
     worlds_.nearest(ray, set, [&](WorldSet subset, const std::optional<SurfacePoint>& hit) {
       if (vertex == 0 && hit) reach_m_ = std::min(reach_m_, hit->distance_m);
       if (!hit) {
-        add(subset, vertex == 0, sky);
+        add(subset, sky_is_direct, sky);
         return;
       }
       if (emits_) add(subset, false, throughput * hit->emission);
@@ -76,7 +78,7 @@ class Path {
   const Worlds& worlds_;
   const Light& light_;
   const Sampler& sampler_;
-  const Tail& tail_;
+  const PathPlan& plan_;
   const bool emits_;
   WorldLight& out_;
   float reach_m_ = endless;
@@ -85,10 +87,10 @@ class Path {
 }  // namespace
 
 float add_leaving(const Worlds& worlds, WorldSet set, const SurfacePoint& point, const Light& light,
-                  const Sampler& sampler, const Tail& tail, WorldLight& out) {
+                  const Sampler& sampler, const PathPlan& plan, WorldLight& out) {
   for (unsigned left = set; left != 0; left &= left - 1)
     out[static_cast<std::size_t>(std::countr_zero(left))].direct += point.emission;
-  Path path(worlds, light, sampler, tail, out);
+  Path path(worlds, light, sampler, plan, out);
   path.scatter(set, point, Rgb::Ones(), 0);
   return path.reach_m();
 }

@@ -61,21 +61,22 @@ struct Worlds {
 /// Light in each world.
 using WorldLight = std::array<Split, 4>;
 
-/// What comes after the sun at a path's second surface. To save rays without bias only every few samples
-/// trace it, and then it counts as many times.
-struct Tail {
-  bool traced = true;
-  float weight = 1.0F;
+/// How one path is traced. Its tail is what comes after the sun at its second surface: to save rays without
+/// bias only every few samples trace it, and then it counts as many times.
+struct PathPlan {
+  bool has_tail = true;
+  float tail_weight = 1.0F;
+  bool sky_joins_bounce = false;  ///< the sky at the first surface is added to the light that may be filtered
 };
-/// Every `every`-th sample of each half has a tail.
-[[nodiscard]] inline Tail tail_of(int sample, int every) {
-  return {(sample / 2) % every == 0, static_cast<float>(every)};
+/// Every `tail_every`-th sample of each half has a tail.
+[[nodiscard]] inline PathPlan path_plan(int sample, int tail_every, bool sky_joins_bounce = false) {
+  return {(sample / 2) % tail_every == 0, static_cast<float>(tail_every), sky_joins_bounce};
 }
 
 /// Adds to `out` the radiance that `point`, seen in all worlds of `set`, sends to the camera. The point's own
 /// emission counts as direct light, so that no filter of bounce light touches it. One sample. Returns how
 /// far its first ray got, infinity for the sky.
 float add_leaving(const Worlds& worlds, WorldSet set, const SurfacePoint& point, const Light& light,
-                 const Sampler& sampler, const Tail& tail, WorldLight& out);
+                  const Sampler& sampler, const PathPlan& plan, WorldLight& out);
 
 }  // namespace seamline
