@@ -121,7 +121,8 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
         }
       }
       out.picture.set_rgb(
-          x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
+          x, y,
+          (pixel.sky + rest + pixel.object.total() + pixel.from_reference) / static_cast<float>(samples));
       out.tiny_denominators.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
     }
   return out;
@@ -151,9 +152,9 @@ LayerImages layer_images(const StimulusLayers& layers) {
   for (int y = 0; y < layers.height_px; ++y)
     for (int x = 0; x < layers.width_px; ++x) {
       const StimulusSums& pixel = sums[images.with.index(x, y) / 3];
-      images.with.set_rgb(x, y, (pixel.with.total() + pixel.object) * scale);
+      images.with.set_rgb(x, y, (pixel.with.total() + pixel.object.total()) * scale);
       images.without.set_rgb(x, y, pixel.no.total() * scale);
-      images.object.set_rgb(x, y, pixel.object * scale);
+      images.object.set_rgb(x, y, pixel.object.total() * scale);
     }
   return images;
 }

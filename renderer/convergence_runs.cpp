@@ -97,7 +97,7 @@ StimulusLayers half_of(const StimulusLayers& layers, std::size_t half) {
 Image off_object_mask(const PathRun& run) {
   Image mask(run.matte.width_px, run.matte.height_px, 1);
   for (std::size_t i = 0; i < mask.values.size(); ++i) {
-    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.layers, i).object > 0.0F).any();
+    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.layers, i).object.total() > 0.0F).any();
     mask.values[i] = covered ? 0.0F : 1.0F;
   }
   return mask;

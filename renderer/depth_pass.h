@@ -6,12 +6,12 @@ namespace seamline {
 
 /// What the depth mesh answered in one pixel, summed over the samples of one half.
 struct DepthSums {
-  Split no, with;            ///< light on the rest as far as the depth mesh has a part in it; its sky
-                             ///< is in `bounce`, with what may be filtered
-  Rgb object = Rgb::Zero();  ///< the same for light on the object
-  float rest = 0;            ///< samples in `no` and `with`
-  float depth_sky = 0;       ///< uncovered samples where the truth has a surface and the depth mesh sky
-  float covered = 0;         ///< samples in `object`
+  Split no, with;       ///< light on the rest as far as the depth mesh has a part in it; its sky
+                        ///< is in `bounce`, with what may be filtered
+  Split object;         ///< light on the object, as far as the depth mesh answers it
+  float rest = 0;       ///< samples in `no` and `with`
+  float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
+  float covered = 0;    ///< samples in `object`
 };
 
 /// The answers of one stimulus, with as many samples in each tile as were asked.

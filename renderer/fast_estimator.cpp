@@ -53,7 +53,8 @@ class FastEstimator : public SceneEstimator {
     FastStimulusOptions options{.seed = options_.seed,
                                 .threads = options_.threads,
                                 .tail_every = tail_every,
-                                .filter = ratio_strength,
+                                .filter = strengths[strength_],
+                                .ratio_filter = ratio_strength,
                                 .progress = progress};
     if (options_.error) options.target = ErrorTarget{*options_.error};
     const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
@@ -76,14 +77,6 @@ class FastEstimator : public SceneEstimator {
     if (options_.error) {
       const ErrorTarget target{*options_.error * truth_share};
       while (!target.met_by(error_)) {
-        if (getenv("DBG")) {
-          long n = 0;
-          for (int v : sums_.spp) n += v;
-          fprintf(stderr,
-                  "truth avg spp %.1f rays %.1fM est %.5f noise %.5f bias2 %.2e worst %.4f strength %zu\n",
-                  double(n) / sums_.spp.size(), sums_.rays / 1e6, error_.rmse(), sqrt(error_.image.noise),
-                  error_.image.bias, error_.worst_tile(), strength_);
-        }
         const std::vector<TileState> tiles = states();
         wanted = next_samples(tiles, target);
         if (wanted == sums_.spp) break;

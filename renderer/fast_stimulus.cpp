@@ -17,21 +17,32 @@ class Assembly {
            const ObjectOrder& order)
       : truth_(truth), recipe_(recipe), answers_(recipe.answers), depth_(depth), order_(order) {}
 
-  /// `texels` and `surfaces` hold the depth mesh's filtered bounce light, or are empty.
-  void pixel(int x, int y, std::size_t half, const BounceTexel* texel, const Surface* surface,
+  /// Bounce light after filtering, row by row; empty where nothing was filtered.
+  struct Filtered {
+    std::vector<Surface> surfaces;
+    std::vector<BounceTexel> texels;
+    [[nodiscard]] const Surface* surface(std::size_t i) const {
+      return surfaces.empty() ? nullptr : &surfaces[i];
+    }
+    [[nodiscard]] const BounceTexel* texel(std::size_t i) const {
+      return texels.empty() ? nullptr : &texels[i];
+    }
+  };
+
+  void pixel(int x, int y, std::size_t half, const Filtered& rest, const Filtered& object,
              StimulusSums& out) const {
     const Pixel in = gather(x, y, half);
-    if (recipe_.keep == Keep::object_layer) {
+    const std::size_t i = truth_.layers.index(x, y);
+    if (recipe_.keep == Keep::object_layer)
       out.from_reference = in.truth.sky + in.truth.with.total() + in.uncovers * in.truth.object.total();
-      out.object = object_light(in, (1.0F - in.uncovers) * in.truth.covered);
-      return;
-    }
-    if (recipe_.keep == Keep::rest_layer) {
+    if (recipe_.keep == Keep::rest_layer)
       out.from_reference = in.truth.object.total() + in.covers * Rgb(in.truth.with.total() + in.truth.sky);
-    } else {
-      out.object = object_light(in, (1.0F - in.uncovers) * in.truth.covered) + hidden_light(in);
-    }
-    add_rest_of(in, texel, surface, half, out);
+    else
+      out.object =
+          object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half);
+    if (recipe_.keep == Keep::object_layer) return;
+    if (recipe_.keep == Keep::everything) out.object += hidden_light(in);
+    add_rest_of(in, rest.texel(i), rest.surface(i), half, out);
   }
 
  private:
@@ -66,27 +77,27 @@ class Assembly {
     return in;
   }
 
-  /// Light of `covered` samples of the object.
-  [[nodiscard]] Rgb object_light(const Pixel& in, float covered) const {
-    if (covered <= 0.0F) return Rgb::Zero();
-    const bool lit_by_truth = answers_.object_lit == Who::truth,
-               bounced_by_truth = answers_.bounce == Who::truth;
-    Rgb light = Rgb::Zero();
-    if (in.truth.covered > 0.0F) {
-      if (lit_by_truth) light += in.truth.object.direct * (covered / in.truth.covered);
-      if (bounced_by_truth) light += in.truth.object.bounce * (covered / in.truth.covered);
-    }
-    if (lit_by_truth && bounced_by_truth) return light;
-    if (in.depth.covered > 0.0F) return light + in.depth.object * (covered / in.depth.covered);
-    return in.truth.object.total() * (covered / std::max(in.truth.covered, 1e-30F));  // no sample fell on it
+  /// Light of `covered` samples of the object. `filtered` holds its bounce light in the depth mesh, or is
+  /// null.
+  [[nodiscard]] Split object_light(const Pixel& in, float covered, const BounceTexel* filtered,
+                                   const Surface* surface, std::size_t half) const {
+    if (covered <= 0.0F) return {};
+    const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
+    if (answers_.object_lit == Who::truth && answers_.bounce == Who::truth) return truth;
+    if (in.depth.covered <= 0.0F) return truth;  // no sample fell on it
+    Split depth = covered / in.depth.covered * in.depth.object;
+    if (filtered != nullptr && filtered->no_samples[half] > 0.0F)
+      depth.bounce = filtered->no[half] * surface->albedo * (covered / filtered->no_samples[half]);
+    return {answers_.object_lit == Who::truth ? truth.direct : depth.direct,
+            answers_.bounce == Who::truth ? truth.bounce : depth.bounce};
   }
 
   /// Light of the object where the truth hides it and the depth mesh does not.
-  [[nodiscard]] Rgb hidden_light(const Pixel& in) const {
-    if (in.newly_covered <= 0.0F) return Rgb::Zero();
+  [[nodiscard]] Split hidden_light(const Pixel& in) const {
+    if (in.newly_covered <= 0.0F) return {};
     if (answers_.object_lit == Who::depth && in.depth.covered > 0.0F)
-      return in.depth.object * (in.newly_covered / in.depth.covered);
-    return in.own.hidden.total() * (in.newly_covered / std::max(in.own.hidden_samples, 1.0F));
+      return in.newly_covered / in.depth.covered * in.depth.object;
+    return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
   }
 
   void add_rest_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,
@@ -171,20 +182,8 @@ class StimulusRounds {
     std::vector<int> wanted = first_samples();
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, options_.threads, round == 0 ? options_.progress : nullptr, depth_);
-      out.layers = layers(options_.filter);
+      out.layers = layers(true);
       out.error = error_of(out.layers);
-      if (getenv("DBG")) {
-        long n = 0;
-        for (size_t t = 0; t < depth_.spp.size(); ++t) {
-          n += depth_.spp[t];
-        }
-        fprintf(
-            stderr,
-            "round %d avg spp %.1f rays %.1fM est %.5f noise %.5f bias2 %.2e worst %.4f truth %.5f/%.4f\n",
-            round, double(n) / depth_.spp.size(), depth_.rays / 1e6, out.error.rmse(),
-            sqrt(out.error.image.noise), out.error.image.bias, out.error.worst_tile(), truth_.error.rmse(),
-            truth_.error.worst_tile());
-      }
       if (!options_.target || options_.target->met_by(out.error)) return out;
       const std::vector<TileState> tiles = states(out.error);
       wanted = next_samples(tiles, *options_.target);
@@ -195,17 +194,27 @@ class StimulusRounds {
  private:
   /// Whether the depth mesh has anything to say about the light in a tile.
   [[nodiscard]] bool concerns(std::size_t tile) const {
+    return lights_object(tile) ||
+           (recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers));
+  }
+
+  /// Whether the depth mesh decides how an object in the tile is lit.
+  [[nodiscard]] bool lights_object(std::size_t tile) const {
     const Answers& answers = recipe_.answers;
-    if (recipe_.keep != Keep::object_layer && asks_depth_for_rest(answers)) return true;
+    if (recipe_.keep == Keep::rest_layer) return false;
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
     return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile] != nullptr;
   }
 
+  /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
+  /// not give it away.
   [[nodiscard]] std::vector<int> first_samples() const {
     constexpr int pilot = 4;
     std::vector<int> wanted(truth_.sums.spp.size());
     for (std::size_t t = 0; t < wanted.size(); ++t)
-      if (concerns(t)) wanted[t] = options_.target ? std::min(pilot, truth_.sums.spp[t]) : truth_.sums.spp[t];
+      if (concerns(t))
+        wanted[t] =
+            options_.target && !lights_object(t) ? std::min(pilot, truth_.sums.spp[t]) : truth_.sums.spp[t];
     return wanted;
   }
 
@@ -219,55 +228,79 @@ class StimulusRounds {
                   .rest = photograph + std::max(0.0, error.tiles[t].bias),
                   .spp = depth_.spp[t],
                   .share = (r.right - r.left) * (r.bottom - r.top) / pixels,
-                  .most_spp = depth_.spp[t] > 0 ? truth_.sums.spp[t] : 0};
+                  .most_spp = depth_.spp[t] > 0 ? 4 * truth_.sums.spp[t] : 0};
     }
     return tiles;
   }
 
-  [[nodiscard]] StimulusLayers layers(const FilterStrength& filter) const {
+  [[nodiscard]] StimulusLayers layers(bool filtered) const {
     const TruthLayers& truth = truth_.layers;
     StimulusLayers out{.width_px = truth.width_px, .height_px = truth.height_px, .spp = truth.spp};
     for (auto& half : out.halves) half.resize(truth.guides.size());
     out.guides = truth.guides;
     out.depth_lights_rest = depth_lights_rest(recipe_.answers);
     out.rays = depth_.rays;
-    std::vector<Surface> surfaces;
-    std::vector<BounceTexel> texels;
+    Assembly::Filtered rest, object;
     if (!depth_.guides.empty()) {
-      collect_bounce(surfaces, texels, out.guides);
-      filter_bounce(surfaces, truth.width_px, filter, options_.threads, texels);
+      collect_rest(rest, out.guides);
+      filter_bounce(rest.surfaces, truth.width_px, filtered ? options_.ratio_filter : FilterStrength{0, 1.0F},
+                    options_.threads, rest.texels);
+    }
+    if (filtered && recipe_.answers.bounce == Who::depth && recipe_.keep != Keep::rest_layer) {
+      collect_object(object);
+      filter_bounce(object.surfaces, truth.width_px, options_.filter, options_.threads, object.texels);
     }
     const Assembly assembly(truth_, recipe_, depth_, order_);
     parallel_for(truth.height_px, options_.threads, [&](int y) {
-      for (int x = 0; x < truth.width_px; ++x) {
-        const std::size_t i = truth.index(x, y);
+      for (int x = 0; x < truth.width_px; ++x)
         for (std::size_t half = 0; half < 2; ++half)
-          assembly.pixel(x, y, half, texels.empty() ? nullptr : &texels[i],
-                         texels.empty() ? nullptr : &surfaces[i], out.halves[half][i]);
-      }
+          assembly.pixel(x, y, half, rest, object, out.halves[half][truth.index(x, y)]);
     });
     return out;
   }
 
-  void collect_bounce(std::vector<Surface>& surfaces, std::vector<BounceTexel>& texels,
-                      std::vector<Guide>& guides) const {
-    const TruthLayers& truth = truth_.layers;
-    surfaces.resize(truth.guides.size());
-    texels.resize(truth.guides.size());
-    parallel_for(truth.height_px, options_.threads, [&](int y) {
-      for (int x = 0; x < truth.width_px; ++x) {
-        const std::size_t i = truth.index(x, y);
-        const float samples = depth_.halves[0][i].rest + depth_.halves[1][i].rest;
-        surfaces[i] = surface_of(depth_.guides[i], samples, truth_.scene.camera, x, y);
-        surfaces[i].inverse_reach = std::max(surfaces[i].inverse_reach, truth_reach(i));
-        guides[i] = {surfaces[i].normal, surfaces[i].distance_m};
-        if (samples <= 0.0F) continue;
-        for (std::size_t half = 0; half < 2; ++half) {
-          const DepthSums& sums = depth_.halves[half][i];
-          texels[i].no[half] = sums.no.bounce / surfaces[i].albedo;
-          texels[i].change[half] = (sums.with.bounce - sums.no.bounce) / surfaces[i].albedo;
-          texels[i].no_samples[half] = texels[i].change_samples[half] = sums.rest;
-        }
+  template <class Work>
+  void each_pixel(const Work& work) const {
+    parallel_for(truth_.layers.height_px, options_.threads, [&](int y) {
+      for (int x = 0; x < truth_.layers.width_px; ++x) work(x, y, truth_.layers.index(x, y));
+    });
+  }
+
+  void collect_rest(Assembly::Filtered& rest, std::vector<Guide>& guides) const {
+    rest.surfaces.resize(guides.size());
+    rest.texels.resize(guides.size());
+    each_pixel([&](int x, int y, std::size_t i) {
+      const float samples = depth_.halves[0][i].rest + depth_.halves[1][i].rest;
+      Surface& surface = rest.surfaces[i];
+      surface = surface_of(depth_.guides[i], samples, truth_.scene.camera, x, y);
+      surface.inverse_reach = std::max(surface.inverse_reach, truth_reach(i));
+      guides[i] = {surface.normal, surface.distance_m};
+      if (samples <= 0.0F) return;
+      for (std::size_t half = 0; half < 2; ++half) {
+        const DepthSums& sums = depth_.halves[half][i];
+        BounceTexel& texel = rest.texels[i];
+        texel.no[half] = sums.no.bounce / surface.albedo;
+        texel.change[half] = (sums.with.bounce - sums.no.bounce) / surface.albedo;
+        texel.no_samples[half] = texel.change_samples[half] = sums.rest;
+      }
+    });
+  }
+
+  void collect_object(Assembly::Filtered& object) const {
+    object.surfaces.resize(truth_.layers.guides.size());
+    object.texels.resize(truth_.layers.guides.size());
+    const auto& tiles = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    each_pixel([&](int x, int y, std::size_t i) {
+      const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.tile_of(x, y))].get();
+      if (tile == nullptr) return;
+      const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+      const float covered = tile->halves[0][place].covered + tile->halves[1][place].covered;
+      if (covered <= 0.0F) return;
+      object.surfaces[i] = surface_of(tile->guides[place], covered, truth_.scene.camera, x, y);
+      for (std::size_t half = 0; half < 2; ++half) {
+        const DepthSums& sums = depth_.halves[half][i];
+        object.texels[i].no[half] = sums.object.bounce / object.surfaces[i].albedo;
+        object.texels[i].no_samples[half] = sums.covered;
       }
     });
   }
@@ -283,10 +316,10 @@ class StimulusRounds {
   [[nodiscard]] ErrorEstimate error_of(const StimulusLayers& made) const {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half) pictures.filtered[half] = compose_half(made, half).picture;
-    if (depth_.guides.empty() || options_.filter.levels == 0) {
+    if (depth_.guides.empty() && recipe_.answers.bounce == Who::truth) {
       pictures.sampled = pictures.filtered;
     } else {
-      const StimulusLayers sampled = layers({.levels = 0});
+      const StimulusLayers sampled = layers(false);
       for (std::size_t half = 0; half < 2; ++half)
         pictures.sampled[half] = compose_half(sampled, half).picture;
     }

@@ -22,7 +22,8 @@ struct FastStimulusOptions {
   int threads = 1;
   int tail_every = 4;
   std::optional<ErrorTarget> target = {};  ///< none: as many samples as the truth has
-  FilterStrength filter = {};              ///< for bounce light of the depth mesh
+  FilterStrength filter = {};              ///< of bounce light on the object
+  FilterStrength ratio_filter = {};        ///< of light that only decides a ratio
   std::function<void(double share_done)> progress = {};
 };
 

@@ -59,7 +59,7 @@ struct StimulusSums {
   Rgb background = Rgb::Zero();      ///< sum_unc B_s elsewhere
   Split no;                          ///< sum_unc L_no
   Split with;                        ///< sum_unc L_with
-  Rgb object = Rgb::Zero();          ///< sum_cov L_obj
+  Split object;                      ///< sum_cov L_obj
   Rgb from_reference = Rgb::Zero();  ///< samples that `mask` takes from the reference
   float rest = 0;                    ///< number of samples in `background`, `no` and `with`
 

@@ -1,6 +1,7 @@
 #include "renderer/sampling_rounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 namespace seamline {
@@ -38,7 +39,8 @@ class Planner {
       while (noise(i) + tiles_[i].rest > 9 * square_ && can_grow(i)) grow(i);
     std::priority_queue<Step> steps;
     for (std::size_t i = 0; i < tiles_.size(); ++i) push(i, steps);
-    while (!steps.empty() && (expected_ > square_ || added_ < had_ / 16)) {
+    const bool not_yet = expected_ > square_;
+    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) {
       const std::size_t i = steps.top().tile;
       steps.pop();
       grow(i);
@@ -50,7 +52,8 @@ class Planner {
  private:
   [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
   [[nodiscard]] double noise_with(std::size_t i, int spp) const {
-    return tiles_[i].spp > 0 ? tiles_[i].noise * tiles_[i].spp / spp : 0.0;
+    return tiles_[i].spp > 0 ? tiles_[i].noise * std::pow(static_cast<double>(tiles_[i].spp) / spp, 1.1)
+                             : 0.0;
   }
   [[nodiscard]] bool can_grow(std::size_t i) const {
     return tiles_[i].noise > 0 && next_step(wanted_[i]) <= std::min(tiles_[i].most_spp, 4 * tiles_[i].spp);

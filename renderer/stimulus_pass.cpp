@@ -73,8 +73,8 @@ class PixelRenderer {
   }
 
   void add_object(const Split& light, StimulusSums& out) const {
-    if (answers_.object_lit == Who::truth) out.object += light.direct;
-    if (answers_.bounce == Who::truth) out.object += light.bounce;
+    if (answers_.object_lit == Who::truth) out.object.direct += light.direct;
+    if (answers_.bounce == Who::truth) out.object.bounce += light.bounce;
   }
 
   /// The same, for one sample that the truth pass sorted differently.

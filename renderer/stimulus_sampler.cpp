@@ -106,13 +106,13 @@ float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index
 void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums& out) const {
   if (answers_.bounce == Who::depth) {
     const Split light = object_light(sample, answers_.object_lit, Who::depth);
-    if (answers_.object_lit == Who::depth) out.object += light.direct;
-    out.object += light.bounce;
+    if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
+    out.object.bounce += light.bounce;
   } else if (answers_.object_lit == Who::depth) {
     // Sun and sky only: bounce light of the truth is in the truth's sums already.
-    out.object += leaving_object(ask(Who::depth, sample, *sample.object), {nullptr, nullptr},
-                                 geometry_.object, *sample.object, scene_.light, sample.sampler)
-                      .direct;
+    out.object.direct += leaving_object(ask(Who::depth, sample, *sample.object), {nullptr, nullptr},
+                                        geometry_.object, *sample.object, scene_.light, sample.sampler)
+                             .direct;
   }
 }
 
