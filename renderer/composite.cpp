@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/parallel.h"
 #include "renderer/pocket_filter.h"
 #include "stimuli/difference.h"
 
@@ -87,56 +88,80 @@ RatioOutcome ratio_of(const FilteredLight& light, float median, float believed) 
   return outcome;
 }
 
+/// What all pixels of a picture have in common, and its poorly lit ones.
+struct PictureLight {
+  float median = 0, darkness = 0;
+  std::vector<bool> pockets;            ///< empty: none is looked for
+  std::vector<FilteredLight> filtered;  ///< of the pockets
+};
+
+PictureLight picture_light(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples) {
+  PictureLight light{.median = median_denominator(sums), .darkness = 0, .pockets = {}, .filtered = {}};
+  if (!layers.depth_lights_rest) return light;
+  light.darkness = usual_darkness(sums);
+  light.pockets = find_pockets(sums, light.median, samples);
+  light.filtered = filter_pockets(sums, light.pockets, layers.guides, layers.width_px, layers.height_px);
+  return light;
+}
+
+/// One pixel's light off the object, in sums of samples.
+Rgb rest_of_pixel(const StimulusSums& pixel, std::size_t i, const PictureLight& picture,
+                  Compositing compositing, Rgb& ratio, TinyDenominators& tiny) {
+  if (pixel.rest <= 0) return pixel.background;
+  const float per_sample = 1.0F / pixel.rest;
+  const bool pocket = !picture.pockets.empty() && picture.pockets[i];
+  const FilteredLight light =
+      pocket ? picture.filtered[i]
+             : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};
+  const float believed =
+      picture.pockets.empty() ? 1.0F : belief(light.no, pixel.background * per_sample, picture.darkness);
+  const RatioOutcome outcome = ratio_of(light, picture.median, believed);
+  ratio = outcome.ratio;
+  if (compositing == Compositing::additive) return pixel.background + pixel.with.total() - pixel.no.total();
+  tiny.floored_pixels += outcome.floored ? 1 : 0;
+  tiny.clamped_pixels += outcome.clamped ? 1 : 0;
+  tiny.sealed_pixels += outcome.sealed ? 1 : 0;
+  return pixel.background * outcome.ratio;
+}
+
 Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples,
-                       Compositing compositing) {
-  const int width_px = layers.width_px, height_px = layers.height_px;
-  Composite out{Image(width_px, height_px, 3), Image(width_px, height_px, 3, 1.0F), {}};
-  const float median = median_denominator(sums);
-  const float darkness = usual_darkness(sums);
-  const std::vector<bool> pockets =
-      layers.depth_lights_rest ? find_pockets(sums, median, samples) : std::vector<bool>(sums.size(), false);
-  const std::vector<FilteredLight> filtered =
-      filter_pockets(sums, pockets, layers.guides, width_px, height_px);
-  for (int y = 0; y < height_px; ++y)
-    for (int x = 0; x < width_px; ++x) {
+                       Compositing compositing, int threads) {
+  Composite out{
+      Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3, 1.0F), {}};
+  const PictureLight light = picture_light(sums, layers, samples);
+  std::vector<TinyDenominators> tiny(static_cast<std::size_t>(layers.height_px));
+  parallel_for(layers.height_px, threads, [&](int y) {
+    TinyDenominators& row = tiny[static_cast<std::size_t>(y)];
+    for (int x = 0; x < layers.width_px; ++x) {
       const std::size_t i = out.picture.index(x, y) / 3;
       const StimulusSums& pixel = sums[i];
-      Rgb rest = pixel.background;
-      if (pixel.rest > 0) {
-        const float per_sample = 1.0F / pixel.rest;
-        const FilteredLight light =
-            pockets[i] ? filtered[i]
-                       : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};
-        const float believed =
-            layers.depth_lights_rest ? belief(light.no, pixel.background * per_sample, darkness) : 1.0F;
-        const RatioOutcome outcome = ratio_of(light, median, believed);
-        out.ratio.set_rgb(x, y, outcome.ratio);
-        if (compositing == Compositing::ratio) {
-          rest *= outcome.ratio;
-          out.tiny_denominators.floored_pixels += outcome.floored ? 1 : 0;
-          out.tiny_denominators.clamped_pixels += outcome.clamped ? 1 : 0;
-          out.tiny_denominators.sealed_pixels += outcome.sealed ? 1 : 0;
-        } else {
-          rest += pixel.with.total() - pixel.no.total();
-        }
-      }
+      Rgb ratio = Rgb::Ones();
+      const Rgb rest = rest_of_pixel(pixel, i, light, compositing, ratio, row);
+      out.ratio.set_rgb(x, y, ratio);
       out.picture.set_rgb(
           x, y,
           (pixel.sky + rest + pixel.object.total() + pixel.from_reference) / static_cast<float>(samples));
-      out.tiny_denominators.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
+      row.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
     }
+  });
+  for (const TinyDenominators& row : tiny) {
+    out.tiny_denominators.floored_pixels += row.floored_pixels;
+    out.tiny_denominators.clamped_pixels += row.clamped_pixels;
+    out.tiny_denominators.sealed_pixels += row.sealed_pixels;
+    out.tiny_denominators.not_finite_pixels += row.not_finite_pixels;
+  }
   return out;
 }
 
 }  // namespace
 
-Composite compose(const StimulusLayers& layers, Compositing compositing) {
-  return compose_sums(sum_halves(layers), layers, layers.spp, compositing);
+Composite compose(const StimulusLayers& layers, Compositing compositing, int threads) {
+  return compose_sums(sum_halves(layers), layers, layers.spp, compositing, threads);
 }
 
-Composite compose_half(const StimulusLayers& layers, std::size_t half) {
+Composite compose_half(const StimulusLayers& layers, std::size_t half, int threads) {
   const int samples = (layers.spp + 1 - static_cast<int>(half)) / 2;
-  return compose_sums(layers.halves[half], layers, samples, Compositing::ratio);
+  return compose_sums(layers.halves[half], layers, samples, Compositing::ratio, threads);
 }
 
 std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev) {

@@ -28,10 +28,11 @@ struct Composite {
 /// filtered: with and without share their noise there, and the division cancels it. And where the depth mesh
 /// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
 /// 1 in proportion: sheets have sealed that surface in.
-[[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio);
+[[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio,
+                                int threads = 1);
 
 /// The same from one half of the samples only (0 or 1): what errors are estimated from.
-[[nodiscard]] Composite compose_half(const StimulusLayers& layers, std::size_t half);
+[[nodiscard]] Composite compose_half(const StimulusLayers& layers, std::size_t half, int threads = 1);
 
 /// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root
 /// mean square in display units (0 to 1). None when there is only one sample a pixel.

@@ -70,7 +70,12 @@ class FastEstimator : public SceneEstimator {
                              .threads = options_.threads,
                              .tail_every = tail_every,
                              .who_is_in_front = options_.who_is_in_front,
-                             .progress = progress};
+                             .progress = {}};
+    // Rounds are not known beforehand: each takes half of what is left of the progress bar.
+    double done = 0, part = options_.error ? 0.5 : 1.0;
+    options.progress = [&](double share) {
+      if (progress) progress(done + part * share);
+    };
     std::vector<int> wanted(sums_.spp.size(), options_.error ? first_spp : std::max(2, options_.spp / 2 * 2));
     add_samples(scene_, joint_, wanted, options, sums_);
     error_ = choose_strength();
@@ -80,6 +85,8 @@ class FastEstimator : public SceneEstimator {
         const std::vector<TileState> tiles = states();
         wanted = next_samples(tiles, target);
         if (wanted == sums_.spp) break;
+        done += part;
+        part *= 0.5;
         add_samples(scene_, joint_, wanted, options, sums_);
         error_ = choose_strength();
       }

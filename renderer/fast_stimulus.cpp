@@ -315,13 +315,14 @@ class StimulusRounds {
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own.
   [[nodiscard]] ErrorEstimate error_of(const StimulusLayers& made) const {
     HalfPictures pictures;
-    for (std::size_t half = 0; half < 2; ++half) pictures.filtered[half] = compose_half(made, half).picture;
+    for (std::size_t half = 0; half < 2; ++half)
+      pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
     if (depth_.guides.empty() && recipe_.answers.bounce == Who::truth) {
       pictures.sampled = pictures.filtered;
     } else {
       const StimulusLayers sampled = layers(false);
       for (std::size_t half = 0; half < 2; ++half)
-        pictures.sampled[half] = compose_half(sampled, half).picture;
+        pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     }
     ErrorEstimate error = estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads);
     error.image.bias = std::max(0.0, error.image.bias) + std::max(0.0, truth_.error.image.bias);

@@ -36,7 +36,8 @@ class PathEstimator : public SceneEstimator {
     if (out.layers.spp < 2) return out;
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = pictures.sampled[half] = compose_half(out.layers, half).picture;
+      pictures.filtered[half] = pictures.sampled[half] =
+          compose_half(out.layers, half, options_.threads).picture;
     const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, options_.threads);
     out.rmse = error.rmse();
     out.worst_tile = error.worst_tile();

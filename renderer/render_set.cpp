@@ -120,8 +120,12 @@ class SetRenderer {
     return found->second % request_.shard_count == request_.shard - 1;
   }
 
-  // Weights of the progress bar, in passes over the picture.
-  static constexpr double reference_work = 1, truth_work = 1.5, mesh_work = 0.2, stimulus_work = 2;
+  // Weights of the progress bar: the fast estimator does most of its work once a scene.
+  [[nodiscard]] bool is_fast() const { return settings_.estimator == Estimator::fast; }
+  [[nodiscard]] double reference_work() const { return is_fast() ? 20 : 1; }
+  [[nodiscard]] double truth_work() const { return is_fast() ? 0.3 : 1.5; }
+  [[nodiscard]] double mesh_work() const { return is_fast() ? 0.5 : 0.2; }
+  [[nodiscard]] double stimulus_work() const { return is_fast() ? 1 : 2; }
 
   [[nodiscard]] double total_work() const {
     std::set<std::string> scenes, objects, widths;
@@ -131,9 +135,10 @@ class SetRenderer {
       widths.insert(fmt::format("{}{}{}", work.stimulus.scene, work.stimulus.object,
                                 work.stimulus.condition.depth_width_px));
     }
-    return static_cast<double>(scenes.size()) * reference_work +
-           static_cast<double>(objects.size()) * truth_work + static_cast<double>(widths.size()) * mesh_work +
-           static_cast<double>(pending_.size()) * stimulus_work;
+    return static_cast<double>(scenes.size()) * reference_work() +
+           static_cast<double>(objects.size()) * truth_work() +
+           static_cast<double>(widths.size()) * mesh_work() +
+           static_cast<double>(pending_.size()) * stimulus_work();
   }
 
   ReportProgress report(double work, const std::string& what) {
@@ -193,7 +198,7 @@ class SetRenderer {
     const std::string inputs = hashes_.of_reference(name);
     if (records_.finished_reference(name, inputs)) return;
     const Clock::time_point start = Clock::now();
-    const SceneReference reference = estimator.reference(report(reference_work, name + " reference"));
+    const SceneReference reference = estimator.reference(report(reference_work(), name + " reference"));
     ManifestReference record{.scene = name,
                              .image = "references/" + name + ".png",
                              .object_ids = "references/" + name + "-ids.png",
@@ -217,7 +222,7 @@ class SetRenderer {
     const std::string what = scene.definition.name + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     const Clock::time_point start = Clock::now();
-    estimator.take_object(object_index, report(truth_work, what));
+    estimator.take_object(object_index, report(truth_work(), what));
     timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start),
                  estimator.truth().rays);
     for (const auto& [width_px, works] : by_width) render_width(scene, estimator, works);
@@ -242,7 +247,7 @@ class SetRenderer {
       mesh_record = {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error};
       depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
     }
-    progress_->advance(mesh_work, "depth mesh");
+    progress_->advance(mesh_work(), "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
                              condition.depth_width_px),
                  seconds_since(start), 0);
@@ -255,9 +260,9 @@ class SetRenderer {
     const Clock::time_point start = Clock::now();
     const std::string id = stimulus_id(work.stimulus);
     const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
-    const EstimatedStimulus made = estimator.stimulus(how, depth, report(stimulus_work, id));
+    const EstimatedStimulus made = estimator.stimulus(how, depth, report(stimulus_work(), id));
     const StimulusLayers& layers = made.layers;
-    const Composite composite = compose(layers);
+    const Composite composite = compose(layers, Compositing::ratio, threads_);
     const double exposure_ev = scene.definition.exposure_ev;
     ManifestStimulus record{.id = id,
                             .stimulus = work.stimulus,

@@ -1,0 +1,97 @@
+#include "renderer/error_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/bounce_filter.h"
+#include "renderer/sampling_rounds.h"
+#include "stimuli/support/random.h"
+
+namespace seamline {
+namespace {
+
+/// A grey picture with planted noise in each half, filtered and as sampled, and a planted common bias.
+HalfPictures planted(double noise, double sampled_noise, double bias) {
+  Random random(3);
+  HalfPictures pictures;
+  for (std::size_t half = 0; half < 2; ++half) {
+    pictures.filtered[half] = Image(128, 96, 3);
+    pictures.sampled[half] = Image(128, 96, 3);
+    for (std::size_t i = 0; i < pictures.filtered[half].values.size(); ++i) {
+      const double own = random.normal(), more = random.normal();
+      pictures.filtered[half].values[i] = static_cast<float>(0.3 + bias + noise * own);
+      pictures.sampled[half].values[i] = static_cast<float>(0.3 + noise * own + sampled_noise * more);
+    }
+  }
+  return pictures;
+}
+
+constexpr double slope = 0.8906;  // of the sRGB curve at 0.3
+
+TEST(ErrorEstimate, FindsPlantedNoiseAndBias) {
+  const ErrorEstimate estimate = estimate_error(planted(0.01, 0.05, 0.004), 0.0, 2);
+  EXPECT_NEAR(std::sqrt(estimate.image.noise), slope * 0.01 / std::sqrt(2.0), 2e-4);
+  EXPECT_NEAR(std::sqrt(estimate.image.bias), slope * 0.004, 1e-3);
+  EXPECT_EQ(estimate.tiles.size(), 12U);
+  EXPECT_GE(estimate.worst_tile(), estimate.rmse());
+}
+
+TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
+  const ErrorEstimate estimate = estimate_error(planted(0.01, 0.05, 0.0), 0.0, 1);
+  EXPECT_NEAR(estimate.image.bias, 0.0, 4 * 0.05 * 0.05 / std::sqrt(128.0 * 96 * 3));
+}
+
+TEST(SamplingRounds, GrowsUntilTheTargetIsExpectedAndNotBeyondTheLimit) {
+  std::vector<TileState> tiles(10, {.noise = 4e-4, .spp = 16, .share = 0.1, .most_spp = 1024});
+  tiles[3].most_spp = 16;
+  tiles[7].noise = 4e-2;
+  const std::vector<int> wanted = next_samples(tiles, {.rmse = 0.02});
+  EXPECT_EQ(wanted[3], 16);
+  EXPECT_EQ(wanted[7], 64);
+  for (const int spp : wanted) EXPECT_TRUE(spp >= 16 && spp <= 64 && spp % 2 == 0);
+  for (TileState& tile : tiles) tile.noise = 1e-5;
+  EXPECT_EQ(next_samples(tiles, {.rmse = 0.02}), std::vector<int>(10, 16));
+}
+
+/// A floor with a wall: left half of the picture and right half, seen from 2 m.
+std::vector<Surface> floor_and_wall(int width_px, int height_px) {
+  std::vector<Surface> surfaces;
+  for (int y = 0; y < height_px; ++y)
+    for (int x = 0; x < width_px; ++x)
+      surfaces.push_back({.normal = x < width_px / 2 ? Eigen::Vector3f::UnitY() : Eigen::Vector3f::UnitX(),
+                          .position_m = {x < width_px / 2 ? 0.01F * static_cast<float>(x) : 0.0F,
+                                         x < width_px / 2 ? 0.0F : 0.01F * static_cast<float>(x),
+                                         0.01F * static_cast<float>(y)},
+                          .distance_m = 2.0F});
+  return surfaces;
+}
+
+TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
+  const int width_px = 32, height_px = 32;
+  std::vector<BounceTexel> texels(static_cast<std::size_t>(width_px * height_px));
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t half = 0; half < 2; ++half) {
+      texels[i].no[half] = Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
+      texels[i].no_samples[half] = 4.0F;
+    }
+  filter_bounce(floor_and_wall(width_px, height_px), width_px, {.levels = 3}, 2, texels);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    ASSERT_NEAR(texels[i].no[1][0] / texels[i].no_samples[1],
+                static_cast<int>(i) % width_px < width_px / 2 ? 2.0F : 0.5F, 1e-5F);
+}
+
+TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
+  const int width_px = 32, height_px = 32;
+  std::vector<Surface> surfaces = floor_and_wall(width_px, height_px);
+  for (Surface& surface : surfaces) surface.inverse_reach = 1000.0F;  // a crease: 1 mm
+  std::vector<BounceTexel> texels(surfaces.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].no_samples = {1.0F, 1.0F};
+  texels[8 * 32 + 8].no[0] = Rgb::Constant(1.0F);
+  filter_bounce(surfaces, width_px, {.levels = 2, .reach_divisor = 2.0F}, 1, texels);
+  EXPECT_EQ(texels[8 * 32 + 9].no[0][0], 0.0F);
+  EXPECT_NEAR(texels[8 * 32 + 8].no[0][0] / texels[8 * 32 + 8].no_samples[0], 1.0F, 1e-6F);
+}
+
+}  // namespace
+}  // namespace seamline

@@ -1,0 +1,107 @@
+// The fast estimator against the unbiased one, on small pictures of the built-in scenes.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "renderer/capture.h"
+#include "renderer/estimator.h"
+#include "stimuli/difference.h"
+#include "stimuli/study_file.h"
+
+namespace seamline {
+namespace {
+
+constexpr int picture_width_px = 192, picture_height_px = 108;
+
+StudyDefinition paper_study() {
+  return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "depth_resolution.toml");
+}
+
+/// The truth and the depth mesh of one scene's middle object.
+struct Subject {
+  explicit Subject(const SceneDefinition& definition)
+      : scene(load_truth_scene(definition, picture_width_px, picture_height_px)),
+        depth(build_depth_mesh(capture_depth(scene.geometry_without(2), 256, 0, 2), {}),
+              Rgb::Constant(static_cast<float>(definition.albedo))) {}
+
+  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator(Estimator kind, EstimateOptions options) const {
+    options.who_is_in_front = true;
+    auto made = make_estimator(kind, scene, options);
+    made->take_object(2, {});
+    return made;
+  }
+  [[nodiscard]] double exposure_ev() const { return scene.definition.exposure_ev; }
+
+  TruthScene scene;
+  Geometry depth;
+};
+
+class EveryScene : public testing::TestWithParam<int> {
+ protected:
+  Subject subject{paper_study().scenes[static_cast<std::size_t>(GetParam())]};
+};
+
+constexpr std::array artifacts = {Artifact::receiver, Artifact::shadow, Artifact::occlusion,
+                                  Artifact::overlap,  Artifact::bounce, Artifact::all,
+                                  Artifact::none};
+
+TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
+  const auto fast = subject.estimator(Estimator::fast, {.spp = 16, .seed = 1, .threads = 2});
+  const auto path = subject.estimator(Estimator::path, {.spp = 16, .seed = 7, .threads = 2});
+  for (const Isolation isolation : {Isolation::query, Isolation::mask})
+    for (const Artifact artifact : artifacts) {
+      const Recipe how = recipe(artifact, isolation);
+      const EstimatedStimulus a = fast->stimulus(how, &subject.depth, {});
+      const EstimatedStimulus b = path->stimulus(how, &subject.depth, {});
+      const double difference =
+          display_rmse(compose(a.layers).picture, compose(b.layers).picture, subject.exposure_ev());
+      EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact) << " " << word(isolation);
+      EXPECT_LT(*a.rmse, 1.05 * *b.rmse) << word(artifact) << " " << word(isolation);
+    }
+}
+
+TEST_P(EveryScene, NothingAskedOfTheDepthMeshIsTheReference) {
+  const auto fast = subject.estimator(Estimator::fast, {.spp = 8, .seed = 1, .threads = 2});
+  const Image none =
+      compose(fast->stimulus(recipe(Artifact::none, Isolation::query), nullptr, {}).layers).picture;
+  const Image reference = reference_image(fast->truth());
+  int others = 0;  // the ratio is clamped to 4, which few samples can pass
+  for (std::size_t i = 0; i < none.values.size(); ++i)
+    others += std::abs(none.values[i] - reference.values[i]) > 1e-4F * (1.0F + reference.values[i]) ? 1 : 0;
+  EXPECT_LE(others, static_cast<int>(none.values.size()) / 1000);
+}
+
+TEST_P(EveryScene, SameBytesForAnyNumberOfThreads) {
+  std::map<int, Image> pictures;
+  for (const int threads : {1, 2, 3}) {
+    const auto fast = subject.estimator(Estimator::fast, {.error = 0.03, .seed = 1, .threads = threads});
+    pictures[threads] =
+        compose(fast->stimulus(recipe(Artifact::all, Isolation::query), &subject.depth, {}).layers).picture;
+  }
+  EXPECT_EQ(pictures[1].values, pictures[2].values);
+  EXPECT_EQ(pictures[1].values, pictures[3].values);
+}
+
+TEST_P(EveryScene, SamplesUntilTheErrorIsBelowWhatWasAsked) {
+  const double asked = 0.015;
+  const auto fast = subject.estimator(Estimator::fast, {.error = asked, .seed = 1, .threads = 2});
+  const auto path = subject.estimator(Estimator::path, {.spp = 64, .seed = 7, .threads = 2});
+  for (const Artifact artifact :
+       {Artifact::receiver, Artifact::shadow, Artifact::occlusion, Artifact::overlap}) {
+    const Recipe how = recipe(artifact, Isolation::query);
+    const EstimatedStimulus made = fast->stimulus(how, &subject.depth, {});
+    EXPECT_LE(*made.rmse, asked) << word(artifact);
+    EXPECT_LE(*made.worst_tile, 3 * asked) << word(artifact);
+    const EstimatedStimulus reference = path->stimulus(how, &subject.depth, {});
+    const double difference =
+        display_rmse(compose(made.layers).picture, compose(reference.layers).picture, subject.exposure_ev());
+    EXPECT_LT(difference, 1.1 * std::hypot(asked, *reference.rmse)) << word(artifact);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values(0, 1, 2), [](const auto& scene) {
+  return paper_study().scenes[static_cast<std::size_t>(scene.param)].name;
+});
+
+}  // namespace
+}  // namespace seamline
