@@ -1,6 +1,6 @@
 #include "renderer/depth_pass.h"
 
-#include <atomic>
+#include <mutex>
 
 #include "renderer/parallel.h"
 
@@ -37,12 +37,13 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
 
 void ask_depth(const StimulusSampler& sampler, const std::vector<int>& wanted_spp, int threads,
                const std::function<void(double)>& progress, DepthAnswers& answers) {
-  std::atomic<std::int64_t> rays = 0;
+  std::mutex counting;
   const auto work = [&](int tile) {
     int& spp = answers.spp[static_cast<std::size_t>(tile)];
     const int wanted = wanted_spp[static_cast<std::size_t>(tile)];
     if (wanted <= spp) return;
     const std::int64_t before = rays_traced_by_this_thread();
+    const OmittedRays omitted_before = omitted_rays;
     const TileGrid::Rectangle r = answers.grid.rectangle(tile);
     std::vector<StimulusSample> samples;
     for (int y = r.top; y < r.bottom; ++y)
@@ -58,13 +59,14 @@ void ask_depth(const StimulusSampler& sampler, const std::vector<int>& wanted_sp
                      answers.guides.empty() ? nullptr : &answers.guides[pixel]);
       }
     spp = wanted;
-    rays += rays_traced_by_this_thread() - before;
+    const std::lock_guard lock(counting);
+    answers.rays += rays_traced_by_this_thread() - before;
+    answers.omitted += omitted_rays - omitted_before;
   };
   const int tiles = answers.grid.count();
   parallel_for(tiles, threads, work, [&](int finished) {
     if (progress) progress(static_cast<double>(finished) / tiles);
   });
-  answers.rays += rays;
 }
 
 namespace {

@@ -21,6 +21,7 @@ struct DepthAnswers {
   std::vector<GuideSums> guides;  ///< of the surfaces that light is asked for; empty when none is
   std::vector<int> spp;           ///< of each tile, even
   std::int64_t rays = 0;
+  OmittedRays omitted;
 };
 [[nodiscard]] DepthAnswers empty_answers(const Camera& camera, const Answers& answers);
 

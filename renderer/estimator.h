@@ -5,6 +5,7 @@
 
 #include "renderer/answers.h"
 #include "renderer/composite.h"
+#include "renderer/omissions.h"
 #include "renderer/truth_pass.h"
 #include "stimuli/study_definition.h"
 
@@ -17,6 +18,7 @@ struct EstimateOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
+  Omissions omit = {};           ///< what the fast estimator leaves out
 };
 
 /// What an estimator made of one stimulus.
@@ -45,6 +47,8 @@ class SceneEstimator {
   /// A stimulus of the object taken. `depth` may be null when the recipe asks nothing of the depth mesh.
   [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                                                    const ReportProgress& progress) = 0;
+  /// What was left out so far; nothing by an estimator that leaves nothing out.
+  [[nodiscard]] virtual Savings savings() const { return {}; }
 };
 
 [[nodiscard]] std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,

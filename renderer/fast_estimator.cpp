@@ -3,6 +3,7 @@
 #include "renderer/error_estimate.h"
 #include "renderer/estimator.h"
 #include "renderer/fast_stimulus.h"
+#include "renderer/needed_light.h"
 #include "renderer/scene_layers.h"
 #include "renderer/scene_pass.h"
 
@@ -23,8 +24,12 @@ constexpr FilterStrength ratio_strength = {3, 2.0F};
 class FastEstimator : public SceneEstimator {
  public:
   FastEstimator(const TruthScene& scene, const EstimateOptions& options)
-      : scene_(scene), options_(options), joint_(scene), sums_(empty_sums(scene.camera)) {
-    if (scene.light.bounces == 0 && !joint_.worlds.emits()) strength_ = 0;
+      : scene_(with_needed_light(scene, options)),
+        options_(options),
+        joint_(scene_),
+        sums_(empty_sums(scene.camera)) {
+    options_.who_is_in_front = options.who_is_in_front || !options.omit.who_is_in_front;
+    if (!options.omit.bounce_filter || (scene_.light.bounces == 0 && !joint_.worlds.emits())) strength_ = 0;
   }
 
   SceneReference reference(const ReportProgress& progress) override {
@@ -52,23 +57,55 @@ class FastEstimator : public SceneEstimator {
                              const ReportProgress& progress) override {
     FastStimulusOptions options{.seed = options_.seed,
                                 .threads = options_.threads,
-                                .tail_every = tail_every,
+                                .tail_every = tail_every_of(options_),
+                                .omit = options_.omit,
                                 .filter = strengths[strength_],
-                                .ratio_filter = ratio_strength,
+                                .ratio_filter = options_.omit.bounce_filter ? ratio_strength : strengths[0],
                                 .progress = progress};
     if (options_.error) options.target = ErrorTarget{*options_.error};
     const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, options);
+    add(made.saved);
     return {std::move(made.layers), made.error.rmse(), made.error.worst_tile()};
   }
 
+  [[nodiscard]] Savings savings() const override {
+    Savings all = saved_;
+    all.omitted += sums_.omitted;
+    all.joint_rays = sums_.rays;
+    if (options_.who_is_in_front) return all;
+    for (const auto& object : sums_.objects)
+      for (std::size_t t = 0; t < object.size(); ++t)
+        if (object[t])  // two distances a sample
+          all.order_bytes += static_cast<std::int64_t>(2 * sizeof(float) * tile_pixels) * sums_.spp[t];
+    return all;
+  }
+
  private:
+  static TruthScene with_needed_light(TruthScene scene, const EstimateOptions& options) {
+    scene.light = needed_light(scene, options.omit, options.error);
+    return scene;
+  }
+  static int tail_every_of(const EstimateOptions& options) {
+    return options.omit.path_tails ? tail_every : 1;
+  }
+
+  void add(const Savings& stimulus) {
+    saved_.omitted += stimulus.omitted;
+    saved_.depth_rays += stimulus.depth_rays;
+    saved_.stimuli += stimulus.stimuli;
+    saved_.ratio_samples += stimulus.ratio_samples;
+    saved_.ratio_rays += stimulus.ratio_rays;
+    saved_.untouched_tiles += stimulus.untouched_tiles;
+    saved_.untouched_rays += stimulus.untouched_rays;
+  }
+
   /// The joint pass: once a scene.
   void sample(const ReportProgress& progress) {
     if (sampled_) return;
     ScenePassOptions options{.seed = options_.seed,
                              .threads = options_.threads,
-                             .tail_every = tail_every,
+                             .tail_every = tail_every_of(options_),
                              .who_is_in_front = options_.who_is_in_front,
                              .progress = {}};
     // Rounds are not known beforehand: each takes half of what is left of the progress bar.
@@ -136,7 +173,7 @@ class FastEstimator : public SceneEstimator {
                         {.filter = strength, .threads = options_.threads});
   }
 
-  const TruthScene& scene_;
+  const TruthScene scene_;  ///< with the light that is needed
   EstimateOptions options_;
   SceneGeometry joint_;
   SceneSums sums_;
@@ -146,6 +183,7 @@ class FastEstimator : public SceneEstimator {
   int object_index_ = 0;
   std::optional<ObjectGeometry> geometry_;
   TruthLayers truth_;
+  Savings saved_;  ///< by stimuli
 };
 
 }  // namespace

@@ -170,7 +170,7 @@ class StimulusRounds {
       : truth_(truth),
         recipe_(recipe),
         options_(options),
-        sampler_(truth.scene, truth.geometry, depth, recipe, options.seed, options.tail_every),
+        sampler_(truth.scene, truth.geometry, depth, recipe, options.seed, {true, options.tail_every}),
         depth_(empty_answers(truth.scene.camera, recipe.answers)) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;
     if (order_differs)
@@ -184,11 +184,14 @@ class StimulusRounds {
       ask_depth(sampler_, wanted, options_.threads, round == 0 ? options_.progress : nullptr, depth_);
       out.layers = layers(true);
       out.error = error_of(out.layers);
-      if (!options_.target || options_.target->met_by(out.error)) return out;
+      if (!options_.target || options_.target->met_by(out.error)) break;
       const std::vector<TileState> tiles = states(out.error);
       wanted = next_samples(tiles, *options_.target);
-      if (wanted == depth_.spp) return out;
+      if (wanted == depth_.spp) break;
     }
+    out.saved = savings();
+    if (!options_.omit.untouched_tiles) out.layers = with_untouched_tiles();
+    return out;
   }
 
  private:
@@ -203,18 +206,57 @@ class StimulusRounds {
     const Answers& answers = recipe_.answers;
     if (recipe_.keep == Keep::rest_layer) return false;
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
-    return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile] != nullptr;
+    const auto& object = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
+    if (object == nullptr || answers.occlusion == Who::depth) return object != nullptr;
+    const auto covers = [](const ObjectSums& sums) { return sums.covered > 0.0F; };
+    return std::any_of(object->halves[0].begin(), object->halves[0].end(), covers) ||
+           std::any_of(object->halves[1].begin(), object->halves[1].end(), covers);
   }
 
+  static constexpr int pilot = 4;
   /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
   /// not give it away.
+  [[nodiscard]] int first_samples_of(std::size_t tile) const {
+    const int all = truth_.sums.spp[tile];
+    return options_.target && options_.omit.ratio_samples && !lights_object(tile) ? std::min(pilot, all)
+                                                                                  : all;
+  }
+
+  /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
+  /// They are asked last, so that they do not change how the other tiles are sampled.
+  StimulusLayers with_untouched_tiles() {
+    std::vector<int> wanted = depth_.spp;
+    for (std::size_t t = 0; t < wanted.size(); ++t)
+      if (wanted[t] == 0) wanted[t] = first_samples_of(t);
+    ask_depth(sampler_, wanted, options_.threads, nullptr, depth_);
+    return layers(true);
+  }
+
+  [[nodiscard]] Savings savings() const {
+    Savings saved{.omitted = depth_.omitted, .depth_rays = depth_.rays, .stimuli = 1};
+    std::int64_t asked = 0;
+    for (std::size_t t = 0; t < depth_.spp.size(); ++t) {
+      const TileGrid::Rectangle r = depth_.grid.rectangle(static_cast<int>(t));
+      const std::int64_t pixels = std::int64_t{r.right - r.left} * (r.bottom - r.top);
+      asked += pixels * depth_.spp[t];
+      if (depth_.spp[t] > 0) {
+        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[t] - depth_.spp[t]);
+      } else if (options_.omit.untouched_tiles) {
+        constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
+        ++saved.untouched_tiles;
+        saved.untouched_rays += geometries * pixels * first_samples_of(t);
+      }
+    }
+    if (asked > 0)
+      saved.ratio_rays = static_cast<double>(saved.ratio_samples) * static_cast<double>(depth_.rays) /
+                         static_cast<double>(asked);
+    return saved;
+  }
+
   [[nodiscard]] std::vector<int> first_samples() const {
-    constexpr int pilot = 4;
     std::vector<int> wanted(truth_.sums.spp.size());
     for (std::size_t t = 0; t < wanted.size(); ++t)
-      if (concerns(t))
-        wanted[t] =
-            options_.target && !lights_object(t) ? std::min(pilot, truth_.sums.spp[t]) : truth_.sums.spp[t];
+      if (concerns(t)) wanted[t] = first_samples_of(t);
     return wanted;
   }
 

@@ -21,6 +21,7 @@ struct FastStimulusOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   int tail_every = 4;
+  Omissions omit = {};
   std::optional<ErrorTarget> target = {};  ///< none: as many samples as the truth has
   FilterStrength filter = {};              ///< of bounce light on the object
   FilterStrength ratio_filter = {};        ///< of light that only decides a ratio
@@ -30,6 +31,7 @@ struct FastStimulusOptions {
 struct FastStimulus {
   StimulusLayers layers;
   ErrorEstimate error;
+  Savings saved;  ///< what concerns this stimulus alone
 };
 
 /// Renders one stimulus from the truth's sums and what the depth mesh answers. The photograph and what the

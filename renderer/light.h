@@ -22,6 +22,7 @@ struct Light {
   float sky_distance_m = std::numeric_limits<float>::infinity();
   int bounces = 4;                 ///< further diffuse scatterings after the first
   bool ambient_occlusion = false;  ///< no sun, no bounce
+  bool skips_sky = false;          ///< no ray is traced only for the environment, whose radiance is 0
 };
 
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.

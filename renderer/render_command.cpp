@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <set>
 
+#include "renderer/explain.h"
 #include "renderer/render_set.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
@@ -17,7 +20,8 @@ struct RenderOptions {
   std::string study, set, only, mesh, shard, estimator = "fast";
   double error = 0;
   int threads = 0, spp = 0;
-  bool dry_run = false, layers = false, contact_sheet = false;
+  std::vector<std::string> no_omit;
+  bool dry_run = false, explain = false, layers = false, contact_sheet = false;
 };
 
 void parse_shard(const std::string& text, RenderRequest& request) {
@@ -34,6 +38,16 @@ void parse_shard(const std::string& text, RenderRequest& request) {
     throw input_error({.field = "--shard", .wanted = "I/N with I from 1 to N", .found = "\"" + text + "\""});
 }
 
+/// The plan, for the scenes that have a stimulus asked for.
+void print_plan(StudyDefinition study, const RenderRequest& request) {
+  std::set<std::string> scenes;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), request.only)) scenes.insert(stimulus.scene);
+  std::erase_if(study.scenes, [&](const SceneDefinition& scene) { return !scenes.contains(scene.name); });
+  fmt::print("{}", explain(study, render_plan(study, lights_of(study), render_settings(study, request))));
+  std::fflush(stdout);
+}
+
 void run_render(const RenderOptions& options) {
   const StudyDefinition study = read_study(options.study);
   if (options.dry_run) {
@@ -42,9 +56,10 @@ void run_render(const RenderOptions& options) {
         fmt::print("{}\n", id);
     return;
   }
-  if (options.set.empty())
-    throw input_error(
-        {.field = "--out", .wanted = "a folder for the set (or --dry-run)", .found = "nothing"});
+  if (options.set.empty() && !options.explain)
+    throw input_error({.field = "--out",
+                       .wanted = "a folder for the set (or --dry-run, or --explain)",
+                       .found = "nothing"});
   RenderRequest request{.set_folder = options.set,
                         .only = options.only,
                         .threads = options.threads,
@@ -56,9 +71,14 @@ void run_render(const RenderOptions& options) {
   if (!options.mesh.empty())
     request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
   parse_shard(options.shard, request);
+  request.omit = omissions_without(options.no_omit);
+  if (options.explain) print_plan(study, request);
+  if (options.set.empty()) return;
   const RenderSummary summary = render_set(study, request);
   fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered,
              summary.already_finished, duration_text(summary.seconds));
+  if (options.explain)
+    for (const auto& [scene, savings] : summary.savings) fmt::print("{}", explain_savings(scene, savings));
 }
 
 void run_verify(const std::string& set) {
@@ -114,6 +134,13 @@ void add_render_command(CLI::App& app) {
   render->add_flag("--layers", options->layers, "also write float EXR layers");
   render->add_flag("--contact-sheet", options->contact_sheet,
                    "also write one contact sheet for each artifact");
+  render->add_flag("--explain", options->explain,
+                   "print what is computed, what is left out and why; with --out also what that saved");
+  render
+      ->add_option("--no-omit", options->no_omit,
+                   "turn off an omission that --explain names; may be given several times")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 

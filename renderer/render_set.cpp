@@ -9,8 +9,8 @@
 #include "renderer/composite.h"
 #include "renderer/contact_sheet.h"
 #include "renderer/estimator.h"
-#include "renderer/left_out.h"
 #include "renderer/parallel.h"
+#include "renderer/render_plan.h"
 #include "renderer/set_layers.h"
 #include "renderer/timings.h"
 #include "stimuli/difference.h"
@@ -42,8 +42,7 @@ class SetRenderer {
   SetRenderer(const StudyDefinition& study, const RenderRequest& request)
       : study_(study),
         request_(request),
-        settings_{request.spp.value_or(study.samples_per_pixel), study.seed,
-                  request.mesh.value_or(study.mesh), request.estimator, request.error},
+        settings_(render_settings(study, request)),
         hashes_(study, settings_),
         records_(request.set_folder),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
@@ -150,8 +149,11 @@ class SetRenderer {
   }
 
   [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
-    EstimateOptions options{
-        .spp = settings_.spp, .error = settings_.error, .seed = settings_.seed, .threads = threads_};
+    EstimateOptions options{.spp = settings_.spp,
+                            .error = settings_.error,
+                            .seed = settings_.seed,
+                            .threads = threads_,
+                            .omit = settings_.omit};
     for (const Artifact artifact : scene.definition.artifacts)
       options.who_is_in_front =
           options.who_is_in_front || recipe(artifact, study_.isolation).answers.occlusion == Who::depth;
@@ -180,6 +182,7 @@ class SetRenderer {
                                                 definition.objects[i - 1].name),
                            .wanted = "an object that covers at least one pixel of the picture",
                            .found = "none"});
+    lights_.emplace(definition.name, light_facts(scene));
     scenes_.emplace(definition.name, std::move(scene));
   }
 
@@ -190,6 +193,7 @@ class SetRenderer {
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
     finish_reference(scene, *estimator);
     for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
+    summary_.savings.emplace_back(definition.name, estimator->savings());
     scenes_.erase(found);
   }
 
@@ -287,13 +291,12 @@ class SetRenderer {
     ++summary_.rendered;
   }
 
-  [[nodiscard]] Manifest manifest() const {
+  [[nodiscard]] Manifest manifest() {
     Manifest out;
     out.study_name = study_.name;
     out.study_hash = study_hash(study_);
     out.program_version = program_version();
     out.instruction_set = RayDevice::instruction_set();
-    out.left_out = what_is_left_out(study_);
     out.width_px = study_.width_px;
     out.height_px = study_.height_px;
     std::set<std::string> scenes;
@@ -306,7 +309,20 @@ class SetRenderer {
       if (const auto reference = records_.finished_reference(scene.name, hashes_.of_reference(scene.name));
           reference && scenes.contains(scene.name))
         out.references.push_back(*reference);
+    out.left_out = sentences(plan_of(scenes));
     return out;
+  }
+
+  /// The plan for the scenes that the set has; those finished earlier are loaded for it.
+  [[nodiscard]] RenderPlan plan_of(const std::set<std::string>& scenes) {
+    std::map<std::string, LightFacts> lights;
+    for (const SceneDefinition& scene : study_.scenes) {
+      if (!scenes.contains(scene.name)) continue;
+      if (!lights_.contains(scene.name))
+        lights_.emplace(scene.name, light_facts(load_truth_scene(scene, study_.width_px, study_.height_px)));
+      lights.emplace(scene.name, lights_.at(scene.name));
+    }
+    return render_plan(study_, lights, settings_);
   }
 
   const StudyDefinition& study_;
@@ -321,11 +337,21 @@ class SetRenderer {
   std::map<std::string, int> objects_;  ///< in study order, for sharing out
   std::size_t earlier_stimuli_ = 0;
   std::map<std::string, TruthScene> scenes_;
+  std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
   std::optional<Progress> progress_;
   RenderSummary summary_;
 };
 
 }  // namespace
+
+RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
+  return {.spp = request.spp.value_or(study.samples_per_pixel),
+          .seed = study.seed,
+          .mesh = request.mesh.value_or(study.mesh),
+          .estimator = request.estimator,
+          .error = request.error,
+          .omit = request.omit};
+}
 
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
   const RenderSummary summary = SetRenderer(study, request).run();

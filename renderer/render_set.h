@@ -15,6 +15,7 @@ struct RenderRequest {
   std::optional<int> spp = {};       ///< overrides the study's samples_per_pixel
   std::optional<double> error = {};  ///< instead: sample until the estimated error is below (display units)
   Estimator estimator = Estimator::fast;
+  Omissions omit = {};                   ///< what the fast estimator leaves out
   std::optional<MeshDensity> mesh = {};  ///< overrides the study's mesh
   int shard = 1, shard_count = 1;        ///< this process renders every shard_count-th object of a scene
   bool layers = false;                   ///< also write the float EXR layers of every stimulus
@@ -25,7 +26,11 @@ struct RenderSummary {
   int rendered = 0;
   int already_finished = 0;
   double seconds = 0;
+  std::vector<std::pair<std::string, Savings>> savings;  ///< of each scene rendered
 };
+
+/// The study's own settings with what was asked for.
+[[nodiscard]] RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request);
 
 /// Renders a study into a set: references, stimuli, manifest. Stimuli that are finished already are kept.
 /// Throws InputError for wrong input and Interrupted when the person stopped it; what was finished stays and

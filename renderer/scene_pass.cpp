@@ -1,6 +1,6 @@
 #include "renderer/scene_pass.h"
 
-#include <atomic>
+#include <mutex>
 
 #include "renderer/parallel.h"
 
@@ -99,7 +99,9 @@ class TileSampler {
     const SurfacePoint* behind = seen_without(i, object);
     if (behind == nullptr) return;
     const WorldSet set = only_world(object) | (options_.who_is_in_front ? only_world(0) : 0);
-    const Shaded seen = shade(set, *behind, sampler, plan);
+    PathPlan own_reach = plan;  // what else is kept must not change what guides the filter
+    own_reach.reach_of = only_world(object);
+    const Shaded seen = shade(set, *behind, sampler, own_reach);
     see(world, object, seen, pixel, *behind);
     own.behind += seen.light[static_cast<std::size_t>(object)];
     own.behind_with += seen.light[0];
@@ -191,21 +193,23 @@ SceneSums empty_sums(const Camera& camera) {
 
 void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
                  const ScenePassOptions& options, SceneSums& sums) {
-  std::atomic<std::int64_t> rays = 0;
+  std::mutex counting;
   const int tiles = sums.grid.count();
   const auto work = [&](int tile) {
     int& spp = sums.spp[static_cast<std::size_t>(tile)];
     const int wanted = wanted_spp[static_cast<std::size_t>(tile)];
     if (wanted <= spp) return;
     const std::int64_t before = rays_traced_by_this_thread();
+    const OmittedRays omitted_before = omitted_rays;
     TileSampler(scene, geometry, options, sums, tile).add(spp, wanted);
     spp = wanted;
-    rays += rays_traced_by_this_thread() - before;
+    const std::lock_guard lock(counting);
+    sums.rays += rays_traced_by_this_thread() - before;
+    sums.omitted += omitted_rays - omitted_before;
   };
   parallel_for(tiles, options.threads, work, [&](int finished) {
     if (options.progress) options.progress(static_cast<double>(finished) / tiles);
   });
-  sums.rays += rays;
 }
 
 }  // namespace seamline

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/omissions.h"
 #include "renderer/tiles.h"
 #include "renderer/worlds.h"
 
@@ -14,7 +15,8 @@ struct GuideSums {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   Rgb albedo = Rgb::Zero();
   float distance_m = 0;
-  float inverse_reach = 0;  ///< 1 / how far gather rays get: large in creases, where bounce light changes fast
+  float inverse_reach =
+      0;  ///< 1 / how far gather rays get: large in creases, where bounce light changes fast
 
   void add(const SurfacePoint& point, float reach_m) {
     inverse_reach += 1.0F / (reach_m + 1e-3F * point.distance_m);
@@ -59,6 +61,7 @@ struct SceneSums {
   std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
   std::vector<int> spp;                                             ///< of each tile, even
   std::int64_t rays = 0;
+  OmittedRays omitted;
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width_px) +

@@ -81,8 +81,9 @@ std::string program_hash() {
 }
 
 std::string amount_of_work(const RenderSettings& settings) {
-  return settings.error ? fmt::format("{} error {}", word(settings.estimator), *settings.error)
-                        : fmt::format("{} spp {}", word(settings.estimator), settings.spp);
+  const std::string amount =
+      settings.error ? fmt::format("error {}", *settings.error) : fmt::format("spp {}", settings.spp);
+  return fmt::format("{} {} not omitting [{}]", word(settings.estimator), amount, turned_off(settings.omit));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/omissions.h"
 #include "stimuli/manifest.h"
 
 namespace seamline {
@@ -15,6 +16,7 @@ struct RenderSettings {
   MeshDensity mesh = MeshDensity::adaptive;
   Estimator estimator = Estimator::fast;
   std::optional<double> error = {};  ///< display units; instead of a number of samples
+  Omissions omit = {};
 };
 
 /// A hash over everything a picture depends on: program, instruction set, scene, the bytes of its files,

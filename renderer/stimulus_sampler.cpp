@@ -15,7 +15,7 @@ bool covers(const StimulusSample& sample, const std::optional<SurfacePoint>& rea
 
 StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry,
                                  const Geometry* depth, const Recipe& recipe, std::uint64_t seed,
-                                 int tail_every)
+                                 const BounceSampling& bounce)
     : scene_(scene),
       geometry_(geometry),
       depth_(recipe.answers.needs_depth() ? depth : nullptr),
@@ -23,7 +23,7 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       answers_(recipe.answers),
       depth_worlds_{depth_, &geometry.object, {}, 1},
       seed_(seed),
-      tail_every_(tail_every) {}
+      bounce_(bounce) {}
 
 void StimulusSampler::look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const {
   std::array<Ray, packet> rays;
@@ -91,14 +91,14 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
 
 float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index, bool direct,
                                          StimulusSums& out) const {
-  if (tail_every_ <= 1) {
+  if (!bounce_.may_filter) {
     add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
              true, out);
     return endless;
   }
   WorldLight light{};
   const float reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light,
-                                    sample.sampler, path_plan(index, tail_every_, direct), light);
+                                    sample.sampler, path_plan(index, bounce_.tail_every, direct), light);
   add_rest({.no = light[1], .with = light[0]}, direct, true, out);
   return reach_m;
 }
@@ -129,7 +129,7 @@ float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, S
                                                              : RealQuestion{&geometry_.truth, &*sample.real};
     RadiancePair pair =
         direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler);
-    if (tail_every_ <= 1)
+    if (!bounce_.may_filter)
       pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
     add_rest(pair, true, true, out);
   }

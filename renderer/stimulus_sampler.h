@@ -17,15 +17,20 @@ struct StimulusSample {
   enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
 };
 
+/// How a sampler asks for bounce light on real surfaces. When it may be filtered, sky light that the depth
+/// mesh has a part in joins it, because it may be filtered with it. `tail_every`: see PathPlan; only then.
+struct BounceSampling {
+  bool may_filter = false;
+  int tail_every = 1;
+};
+
 /// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
 /// estimators.
 class StimulusSampler {
  public:
-  /// `depth` may be null when the recipe asks nothing of the depth mesh. `tail_every` above 1:
-  /// bounce light on real surfaces is traced thriftily (see PathPlan), and sky light that the depth mesh has
-  /// a part in joins it, because it may be filtered with it.
+  /// `depth` may be null when the recipe asks nothing of the depth mesh.
   StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
-                  const Recipe& recipe, std::uint64_t seed, int tail_every = 1);
+                  const Recipe& recipe, std::uint64_t seed, const BounceSampling& bounce = {});
 
   /// The samples [from, to) of a pixel.
   void look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const;
@@ -65,7 +70,7 @@ class StimulusSampler {
   const Answers& answers_;
   Worlds depth_worlds_;
   std::uint64_t seed_;
-  int tail_every_;
+  BounceSampling bounce_;
 };
 
 /// Adds light on the rest: its direct part, its bounce part, or both.

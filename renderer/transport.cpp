@@ -1,9 +1,16 @@
 #include "renderer/transport.h"
 
 #include "renderer/leaving_ray.h"
+#include "renderer/omissions.h"
 
 namespace seamline {
 namespace {
+
+/// Whether a ray that only looks for the sky is left out, because there is no light in it.
+bool leaves_out_sky(const Light& light) {
+  if (light.skips_sky) ++omitted_rays.dark_sky_rays;
+  return light.skips_sky;
+}
 
 /// What a path meets: real things, and the virtual object when it is there.
 struct World {
@@ -40,6 +47,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
         cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return sum;
     const Ray ray = leaving_ray(point, direction, light.sky_distance_m);
+    if (vertex >= light.bounces && !world.emits() && leaves_out_sky(light)) return sum;
     if (vertex >= light.bounces && !world.emits())
       return world.occluded(ray) ? sum : Rgb(sum + throughput * light.environment_radiance);
     const std::optional<SurfacePoint> hit = world.nearest(ray);
@@ -88,7 +96,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     Ray ray = leaving_ray(point, direction, light.sky_distance_m);
     const Rgb sky = throughput * light.environment_radiance;
     if (vertex >= light.bounces && !emits) {
-      if (real.occluded(ray)) return pair;
+      if (leaves_out_sky(light) || real.occluded(ray)) return pair;
       no += sky;
       if (object == nullptr || !object->occluded(ray)) with_object += sky;
       return pair;
@@ -155,7 +163,9 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   const bool bounces_matter =
       bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());
   if (!bounces_matter) {
-    if (!object.occluded(ray) && reaches_past(lit_past, direction, light.sky_distance_m)) out.direct += sky;
+    if (!leaves_out_sky(light) && !object.occluded(ray) &&
+        reaches_past(lit_past, direction, light.sky_distance_m))
+      out.direct += sky;
     return out;
   }
   const bool same = lit_past.geometry == bounced_by.geometry && lit_past.start == bounced_by.start;
@@ -190,7 +200,7 @@ RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, 
       add(to_sun, albedo * sun.irradiance_w_m2 * (inverse_pi * cosine), endless, &Split::direct);
   }
   const Eigen::Vector3f direction = cosine_direction(receiver.normal, sampler.point(dimension::direction(0)));
-  if (above_horizon(receiver, direction))
+  if (above_horizon(receiver, direction) && !leaves_out_sky(light))
     add(direction, albedo * light.environment_radiance, light.sky_distance_m, &Split::bounce);
   return pair;
 }

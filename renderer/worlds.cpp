@@ -1,6 +1,7 @@
 #include "renderer/worlds.h"
 
 #include "renderer/leaving_ray.h"
+#include "renderer/omissions.h"
 
 namespace seamline {
 
@@ -29,10 +30,24 @@ class Path {
   void scatter(WorldSet set, const SurfacePoint& point, Rgb throughput, int vertex) {
     throughput *= point.albedo;
     add_suns(set, point, throughput, vertex);
-    if (vertex == 1) {  // the tail begins
-      if (!plan_.has_tail) return;
-      throughput *= plan_.tail_weight;
+    if (vertex != 1) {
+      go_on(set, point, throughput, vertex);
+    } else if (plan_.has_tail) {
+      const std::int64_t before = rays_traced_by_this_thread();
+      go_on(set, point, throughput * plan_.tail_weight, vertex);
+      omitted_rays.tail_rays += rays_traced_by_this_thread() - before;
+      ++omitted_rays.tails_traced;
+    } else {
+      ++omitted_rays.tails_left_out;
     }
+  }
+
+  /// How far the first ray got; the nearest where worlds differ.
+  [[nodiscard]] float reach_m() const { return reach_m_; }
+
+ private:
+  /// The ray that leaves a vertex, and what it meets.
+  void go_on(WorldSet set, const SurfacePoint& point, const Rgb& throughput, int vertex) {
     const Eigen::Vector3f direction =
         cosine_direction(point.normal, sampler_.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return;
@@ -40,11 +55,16 @@ class Path {
     const Rgb sky = throughput * light_.environment_radiance;
     const bool sky_is_direct = vertex == 0 && !plan_.sky_joins_bounce;
     if (vertex >= light_.bounces && !emits_) {
+      if (light_.skips_sky) {
+        ++omitted_rays.dark_sky_rays;
+        return;
+      }
       add(worlds_.reached(ray, set), sky_is_direct, sky);
       return;
     }
     worlds_.nearest(ray, set, [&](WorldSet subset, const std::optional<SurfacePoint>& hit) {
-      if (vertex == 0 && hit) reach_m_ = std::min(reach_m_, hit->distance_m);
+      if (vertex == 0 && hit && (subset & plan_.reach_of) != 0)
+        reach_m_ = std::min(reach_m_, hit->distance_m);
       if (!hit) {
         add(subset, sky_is_direct, sky);
         return;
@@ -54,10 +74,6 @@ class Path {
     });
   }
 
-  /// How far the first ray got; the nearest where worlds differ.
-  [[nodiscard]] float reach_m() const { return reach_m_; }
-
- private:
   void add_suns(WorldSet set, const SurfacePoint& point, const Rgb& throughput, int vertex) {
     for (const Sun& sun : light_.suns) {
       const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler_.point(dimension::sun(vertex)));

@@ -67,10 +67,13 @@ struct PathPlan {
   bool has_tail = true;
   float tail_weight = 1.0F;
   bool sky_joins_bounce = false;  ///< the sky at the first surface is added to the light that may be filtered
+  WorldSet reach_of = 0xFF;       ///< the worlds whose first hit counts as how far the first ray got
 };
 /// Every `tail_every`-th sample of each half has a tail.
 [[nodiscard]] inline PathPlan path_plan(int sample, int tail_every, bool sky_joins_bounce = false) {
-  return {(sample / 2) % tail_every == 0, static_cast<float>(tail_every), sky_joins_bounce};
+  return {.has_tail = (sample / 2) % tail_every == 0,
+          .tail_weight = static_cast<float>(tail_every),
+          .sky_joins_bounce = sky_joins_bounce};
 }
 
 /// Adds to `out` the radiance that `point`, seen in all worlds of `set`, sends to the camera. The point's own
