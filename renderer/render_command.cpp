@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/render_set.h"
+#include "renderer/true_error_set.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
@@ -17,6 +18,8 @@ struct RenderOptions {
   std::string study, set, only, mesh, shard, estimator = "fast";
   double error = 0;
   int threads = 0, spp = 0;
+  std::string true_error;
+  int true_error_spp = 64;
   bool dry_run = false, layers = false, contact_sheet = false;
 };
 
@@ -59,6 +62,13 @@ void run_render(const RenderOptions& options) {
   const RenderSummary summary = render_set(study, request);
   fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered,
              summary.already_finished, duration_text(summary.seconds));
+  std::fflush(stdout);
+  if (!options.true_error.empty())
+    measure_true_errors(study, {.set_folder = options.set,
+                                .pattern = options.true_error,
+                                .spp = options.true_error_spp,
+                                .threads = options.threads,
+                                .mesh = request.mesh});
 }
 
 void run_verify(const std::string& set) {
@@ -114,6 +124,14 @@ void add_render_command(CLI::App& app) {
   render->add_flag("--layers", options->layers, "also write float EXR layers");
   render->add_flag("--contact-sheet", options->contact_sheet,
                    "also write one contact sheet for each artifact");
+  CLI::Option* true_error =
+      render->add_option("--true-error", options->true_error,
+                         "then measure the true error of the stimuli whose id matches, against the path "
+                         "estimator with another seed; takes about as long as rendering them by it");
+  render->add_option("--true-error-spp", options->true_error_spp, "samples per pixel of these references")
+      ->check(CLI::Range(2, 65536))
+      ->capture_default_str()
+      ->needs(true_error);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 
