@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/errors_page.h"
 #include "renderer/render_set.h"
 #include "renderer/true_error_set.h"
 #include "stimuli/study_file.h"
@@ -69,6 +70,7 @@ void run_render(const RenderOptions& options) {
                                 .spp = options.true_error_spp,
                                 .threads = options.threads,
                                 .mesh = request.mesh});
+  write_errors_page(options.set);
 }
 
 void run_verify(const std::string& set) {
