@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/html.h"
 #include "analysis/report_text.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/html.h"
 
 namespace seamline {
 

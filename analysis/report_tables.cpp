@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "analysis/html.h"
 #include "analysis/report_html.h"
 #include "analysis/threshold_rows.h"
+#include "stimuli/support/html.h"
 
 namespace seamline {
 

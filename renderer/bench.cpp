@@ -25,7 +25,10 @@ std::span<const Benchmark> benchmarks() {
       Benchmark{"local", "rays in the local scene beside the same kind of rays in the truth scene",
                 bench_local_scene},
       Benchmark{"mesh", "the adaptive depth mesh beside full density", bench_mesh},
-      // Whole pictures and the whole set belong here.
+      Benchmark{"picture", "one composite on a given background: fast beside path at equal error",
+                bench_picture},
+      Benchmark{"set", "the whole isolated set at one 8-bit step; takes minutes, only when named", bench_set,
+                true},
   };
   return all;
 }

@@ -16,11 +16,11 @@ struct Wanted {
 
 /// One line of `seamline bench`.
 struct Measurement {
-  std::string what;              ///< e.g. "bedroom, bounce rays"
-  std::string unit;              ///< of `found` and `beside`, e.g. "Mrays/s"
-  double found = 0;              ///< Seamline's
-  std::optional<double> beside;  ///< what it is measured against, in the same run
-  std::optional<double> ratio;   ///< found / beside: the median over interleaved repeats
+  std::string what;                   ///< e.g. "bedroom, bounce rays"
+  std::string unit;                   ///< of `found` and `beside`, e.g. "Mrays/s"
+  double found = 0;                   ///< Seamline's
+  std::optional<double> beside = {};  ///< what it is measured against, in the same run
+  std::optional<double> ratio = {};   ///< found / beside: the median over interleaved repeats
   Wanted wanted = {};
 };
 
@@ -37,6 +37,7 @@ struct Benchmark {
   std::string_view name;     ///< as `--only` takes it
   std::string_view explain;  ///< one sentence: what is measured against what
   std::function<std::vector<Measurement>(const BenchOptions&)> run;
+  bool only_when_named = false;  ///< takes minutes: left out unless `--only` asks for it
 };
 
 /// All of them, in the order they are run in.
@@ -46,5 +47,7 @@ struct Benchmark {
 [[nodiscard]] std::vector<Measurement> bench_tracer(const BenchOptions& options);
 [[nodiscard]] std::vector<Measurement> bench_local_scene(const BenchOptions& options);
 [[nodiscard]] std::vector<Measurement> bench_mesh(const BenchOptions& options);
+[[nodiscard]] std::vector<Measurement> bench_picture(const BenchOptions& options);
+[[nodiscard]] std::vector<Measurement> bench_set(const BenchOptions& options);
 
 }  // namespace seamline

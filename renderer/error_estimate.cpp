@@ -7,13 +7,6 @@
 namespace seamline {
 namespace {
 
-/// Slope of the sRGB curve; 0 where display white is passed.
-float display_slope(float linear) {
-  if (linear >= 1.0F) return 0.0F;
-  if (linear <= 0.0031308F) return 12.92F;
-  return 1.055F / 2.4F * std::pow(linear, 1.0F / 2.4F - 1.0F);
-}
-
 SquaredError tile_error(const HalfPictures& pictures, const TileGrid::Rectangle& tile, float gain) {
   SquaredError sum;
   for (int y = tile.top; y < tile.bottom; ++y)
@@ -33,6 +26,12 @@ SquaredError tile_error(const HalfPictures& pictures, const TileGrid::Rectangle&
 }
 
 }  // namespace
+
+float display_slope(float linear) {
+  if (linear >= 1.0F) return 0.0F;
+  if (linear <= 0.0031308F) return 12.92F;
+  return 1.055F / 2.4F * std::pow(linear, 1.0F / 2.4F - 1.0F);
+}
 
 double ErrorEstimate::rmse() const {
   return std::sqrt(image.total());

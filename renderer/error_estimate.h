@@ -32,4 +32,7 @@ struct HalfPictures {
 };
 [[nodiscard]] ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads);
 
+/// Slope of the sRGB curve; 0 where display white is reached.
+[[nodiscard]] float display_slope(float linear);
+
 }  // namespace seamline

@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <set>
 
+#include "renderer/errors_page.h"
 #include "renderer/explain.h"
 #include "renderer/render_set.h"
+#include "renderer/true_error_set.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
@@ -22,6 +24,8 @@ struct RenderOptions {
   int threads = 0, spp = 0;
   std::vector<std::string> no_omit;
   bool dry_run = false, explain = false, layers = false, contact_sheet = false;
+  std::string true_error;
+  int true_error_spp = 64;
 };
 
 void parse_shard(const std::string& text, RenderRequest& request) {
@@ -79,6 +83,14 @@ void run_render(const RenderOptions& options) {
              summary.already_finished, duration_text(summary.seconds));
   if (options.explain)
     for (const auto& [scene, savings] : summary.savings) fmt::print("{}", explain_savings(scene, savings));
+  std::fflush(stdout);
+  if (!options.true_error.empty())
+    measure_true_errors(study, {.set_folder = options.set,
+                                .pattern = options.true_error,
+                                .spp = options.true_error_spp,
+                                .threads = options.threads,
+                                .mesh = request.mesh});
+  write_errors_page(options.set);
 }
 
 void run_verify(const std::string& set) {
@@ -141,6 +153,14 @@ void add_render_command(CLI::App& app) {
                    "turn off an omission that --explain names; may be given several times")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  CLI::Option* true_error =
+      render->add_option("--true-error", options->true_error,
+                         "then measure the true error of the stimuli whose id matches, against the path "
+                         "estimator with another seed; takes about as long as rendering them by it");
+  render->add_option("--true-error-spp", options->true_error_spp, "samples per pixel of these references")
+      ->check(CLI::Range(2, 65536))
+      ->capture_default_str()
+      ->needs(true_error);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 

@@ -287,7 +287,7 @@ class SetRenderer {
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, depth,
                    {estimator.truth(), layers, composite});
     records_.finish(record, work.inputs);
-    timings_.add(id, seconds_since(start), layers.rays);
+    timings_.add(id, seconds_since(start), layers.rays, made.worst_tile);
     ++summary_.rendered;
   }
 

@@ -25,8 +25,10 @@ void Timings::write(double total_seconds) const {
   json["threads"] = threads_;
   json["machine"] = processor_name();
   if (!pieces_.empty()) json["seconds"] = total_seconds;
-  for (const Piece& piece : pieces_)
-    json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
+  for (const Piece& piece : pieces_) {
+    Json& line = json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
+    if (piece.worst_tile) line["worst_tile"] = *piece.worst_tile;
+  }
   write_file_atomically(path_, json.dump(1) + "\n");
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace seamline {
 
-/// `SET/timings.json`: how long each piece of a set took, on which machine. Not part of the manifest, because
-/// it differs from run to run.
+/// `SET/timings.json`: how long each piece of a set took, on which machine, and a stimulus' estimated error
+/// in its worst tile. Not part of the manifest, because it differs from run to run.
 class Timings {
  public:
   /// A shard writes `timings-IofN.json` of its own, because shards run at once.
@@ -16,8 +17,9 @@ class Timings {
                                              : "timings-" + std::to_string(shard) + "of" +
                                                    std::to_string(shard_count) + ".json")),
         threads_(threads) {}
-  void add(const std::string& piece, double seconds, std::int64_t rays) {
-    pieces_.push_back({piece, seconds, rays});
+  void add(const std::string& piece, double seconds, std::int64_t rays,
+           std::optional<double> worst_tile = {}) {
+    pieces_.push_back({piece, seconds, rays, worst_tile});
   }
   /// Adds this run's pieces to those of earlier runs, newer ones replacing older.
   void write(double total_seconds) const;
@@ -27,6 +29,7 @@ class Timings {
     std::string name;
     double seconds;
     std::int64_t rays;
+    std::optional<double> worst_tile;
   };
   std::filesystem::path path_;
   int threads_;

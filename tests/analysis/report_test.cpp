@@ -6,7 +6,7 @@
 
 #include "analysis/analysis.h"
 #include "analysis/figures.h"
-#include "analysis/html.h"
+#include "stimuli/support/html.h"
 #include "analysis/report_html.h"
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"

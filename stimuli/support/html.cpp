@@ -1,4 +1,4 @@
-#include "analysis/html.h"
+#include "stimuli/support/html.h"
 
 namespace seamline {
 
