@@ -12,13 +12,13 @@ namespace seamline {
 namespace {
 
 constexpr double wanted_relative_rmse = 0.034;  // of the background's mean radiance
-constexpr int most_spp = 256;
 
 /// What pictures are measured against, and where.
 struct GivenBackground {
   StimulusLayers layers;     ///< of the reference; its background is the one given
   ReferenceHalves halves;    ///< the composite from each half of the samples, on that background
   Image mask;                ///< lit pixels off the object
+  int most_spp = 256;        ///< where looking for the wanted error ends
   double mean_radiance = 0;  ///< of the background there
 
   [[nodiscard]] double relative_rmse(const StimulusLayers& trial) const {
@@ -65,7 +65,7 @@ using Render = std::function<StimulusLayers(int spp, double& seconds)>;
 
 Reached reach(const GivenBackground& given, int fewest_spp, const Render& render) {
   Reached reached;
-  for (int spp = fewest_spp; spp <= most_spp; spp *= 2) {
+  for (int spp = fewest_spp; spp <= given.most_spp; spp *= 2) {
     reached.spp = spp;
     const StimulusLayers layers = render(spp, reached.seconds);
     const Stopwatch watch;
@@ -122,9 +122,10 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
   const Geometry depth =
       subject_geometry(subject, subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance));
   const double mesh_seconds = mesh_watch.seconds();
-  const GivenBackground given =
+  GivenBackground given =
       given_background(render_path(subject, subject.recipe, subject.geometry, depth,
                                    subject.pass(options.quick ? 16 : 128, subject.study.seed + 1000)));
+  if (options.quick) given.most_spp = 8;
   const Reached fast = reach_fast(subject, depth, given), path = reach_path(subject, depth, given);
   return {{.what = "depth capture, mesh and hierarchy", .unit = "s", .found = mesh_seconds},
           {.what = reached_text("fast", fast),
