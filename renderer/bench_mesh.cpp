@@ -95,7 +95,7 @@ Measurement measure_rays(const std::string& name, const TruthScene& scene, const
     std::optional<SurfacePoint> hit;
     for (const Ray& ray : rays.bounce) hit = geometry.nearest(ray);
   };
-  const Timings timings =
+  const InterleavedTimes timings =
       time_interleaved(quick ? 3 : 5, Clock::processor,
                        std::array<std::function<void()>, 2>{[&] { trace(adaptive); }, [&] { trace(full); }});
   const double million = 1e-6 * static_cast<double>(rays.bounce.size());

@@ -20,11 +20,11 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-double Timings::median_s(std::size_t work) const {
+double InterleavedTimes::median_s(std::size_t work) const {
   return median(seconds[work]);
 }
 
-double Timings::median_ratio(std::size_t work, std::size_t other) const {
+double InterleavedTimes::median_ratio(std::size_t work, std::size_t other) const {
   std::vector<double> ratios;
   for (std::size_t repeat = 0; repeat < seconds[work].size(); ++repeat)
     ratios.push_back(seconds[work][repeat] / seconds[other][repeat]);
@@ -37,9 +37,9 @@ double time_once(Clock clock, const std::function<void()>& work) {
   return now_s(clock) - start_s;
 }
 
-Timings time_interleaved(int repeats, Clock clock, std::span<const std::function<void()>> works) {
+InterleavedTimes time_interleaved(int repeats, Clock clock, std::span<const std::function<void()>> works) {
   for (const auto& work : works) work();
-  Timings timings;
+  InterleavedTimes timings;
   timings.seconds.resize(works.size());
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (std::size_t i = 0; i < works.size(); ++i) timings.seconds[i].push_back(time_once(clock, works[i]));

@@ -6,7 +6,7 @@
 namespace seamline {
 
 /// Seconds of work done in turns, so that what else the machine does falls on all alike.
-struct Timings {
+struct InterleavedTimes {
   std::vector<std::vector<double>> seconds;  ///< of each work, in each repeat
 
   [[nodiscard]] double median_s(std::size_t work) const;
@@ -19,8 +19,8 @@ struct Timings {
 enum class Clock { processor, wall };
 
 /// Runs each work once unmeasured, then all of them in turn, `repeats` times.
-[[nodiscard]] Timings time_interleaved(int repeats, Clock clock,
-                                       std::span<const std::function<void()>> works);
+[[nodiscard]] InterleavedTimes time_interleaved(int repeats, Clock clock,
+                                                std::span<const std::function<void()>> works);
 
 /// Seconds of one run.
 [[nodiscard]] double time_once(Clock clock, const std::function<void()>& work);

@@ -91,7 +91,7 @@ Measurement beside_best_loop(const std::string& what, std::span<const Ray> rays,
       else
         bare.occluded(loop.packet_size, loop.coherence, rays, distance_m);
     });
-  const Timings timings = time_interleaved(repeats, Clock::processor, works);
+  const InterleavedTimes timings = time_interleaved(repeats, Clock::processor, works);
   std::size_t best = 1;
   for (std::size_t i = 2; i < works.size(); ++i)
     if (timings.median_s(i) < timings.median_s(best)) best = i;
@@ -177,7 +177,7 @@ std::vector<Measurement> bench_local_scene(const BenchOptions& options) {
       const auto measure = [&](const char* kind, std::vector<Ray> RecordedRays::*rays, Question in_local,
                                Question in_truth, Coherence coherence, Wanted wanted) {
         const std::vector<Ray>&here = local_rays.*rays, &there = truth_rays.*rays;
-        const Timings timings = time_interleaved(
+        const InterleavedTimes timings = time_interleaved(
             repeats(options), Clock::processor,
             std::array<std::function<void()>, 2>{[&] { ask(local, in_local, coherence, here); },
                                                  [&] { ask(truth, in_truth, coherence, there); }});

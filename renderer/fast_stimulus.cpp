@@ -187,7 +187,10 @@ class StimulusRounds {
       if (!options_.target || options_.target->met_by(out.error)) break;
       const std::vector<TileState> tiles = states(out.error);
       wanted = next_samples(tiles, *options_.target);
-      if (wanted == depth_.spp) break;
+      if (wanted == depth_.spp) {
+        out.error = error_of(out.layers, LookForBias::always);
+        break;
+      }
     }
     out.saved = savings();
     if (!options_.omit.untouched_tiles) out.layers = with_untouched_tiles();
@@ -354,18 +357,26 @@ class StimulusRounds {
     return samples > 0.0F ? truth_.sums.guides[k - 1][pixel].inverse_reach / samples : 0.0F;
   }
 
-  /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own.
-  [[nodiscard]] ErrorEstimate error_of(const StimulusLayers& made) const {
+  /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own, which is
+  /// only worth looking for when the noise is low enough.
+  enum class LookForBias { when_noise_is_low, always };
+  [[nodiscard]] ErrorEstimate error_of(const StimulusLayers& made,
+                                       LookForBias look = LookForBias::when_noise_is_low) const {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
-    if (depth_.guides.empty() && recipe_.answers.bounce == Who::truth) {
-      pictures.sampled = pictures.filtered;
-    } else {
-      const StimulusLayers sampled = layers(false);
-      for (std::size_t half = 0; half < 2; ++half)
-        pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
-    }
+    pictures.sampled = pictures.filtered;
+    const ErrorEstimate noise = with_bias_of_truth(pictures);
+    const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
+    const bool too_noisy = options_.target && !options_.target->met_by(noise);
+    if (!filtered || (too_noisy && look == LookForBias::when_noise_is_low)) return noise;
+    const StimulusLayers sampled = layers(false);
+    for (std::size_t half = 0; half < 2; ++half)
+      pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
+    return with_bias_of_truth(pictures);
+  }
+
+  [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
     ErrorEstimate error = estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads);
     error.image.bias = std::max(0.0, error.image.bias) + std::max(0.0, truth_.error.image.bias);
     for (std::size_t t = 0; t < error.tiles.size(); ++t)
