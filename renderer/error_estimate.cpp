@@ -34,13 +34,13 @@ float display_slope(float linear) {
 }
 
 double ErrorEstimate::rmse() const {
-  return std::sqrt(image.total());
+  return std::sqrt(image.total() + rounding_square);
 }
 
 double ErrorEstimate::worst_tile() const {
   double worst = 0;
   for (const SquaredError& tile : tiles) worst = std::max(worst, tile.total());
-  return std::sqrt(worst);
+  return std::sqrt(worst + rounding_square);
 }
 
 ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {

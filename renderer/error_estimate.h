@@ -16,10 +16,13 @@ struct SquaredError {
   [[nodiscard]] double total() const { return noise + (bias > 0 ? bias : 0); }
 };
 
+/// What rounding to 8 bits adds to a squared error: people see rounded pictures.
+inline constexpr double rounding_square = 1.0 / (12.0 * 255.0 * 255.0);
+
 struct ErrorEstimate {
   SquaredError image;
   std::vector<SquaredError> tiles;
-  [[nodiscard]] double rmse() const;        ///< over the image, noise and bias
+  [[nodiscard]] double rmse() const;        ///< over the image: noise, bias and rounding
   [[nodiscard]] double worst_tile() const;  ///< the largest of any tile
 };
 

@@ -133,7 +133,7 @@ void add_render_command(CLI::App& app) {
           ->add_option("--error", options->error,
                        "instead of a number of samples: sample until each picture's estimated error is below "
                        "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile")
-          ->check(CLI::Range(1e-4, 1.0));
+          ->check(CLI::Range(0.002, 1.0));
   error->excludes("--spp");
   render
       ->add_option("--estimator", options->estimator,

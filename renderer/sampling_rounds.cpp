@@ -26,7 +26,9 @@ struct Step {
 class Planner {
  public:
   Planner(const std::vector<TileState>& tiles, const ErrorTarget& target)
-      : tiles_(tiles), square_(target.rmse * target.rmse) {
+      : tiles_(tiles),
+        target_square_(target.rmse * target.rmse),
+        square_(target.rmse * target.rmse - rounding_square) {
     for (const TileState& tile : tiles) {
       wanted_.push_back(tile.spp);
       expected_ += tile.share * (tile.noise + tile.rest);
@@ -36,7 +38,7 @@ class Planner {
 
   std::vector<int> plan() {
     for (std::size_t i = 0; i < tiles_.size(); ++i)
-      while (noise(i) + tiles_[i].rest > 9 * square_ && can_grow(i)) grow(i);
+      while (noise(i) + tiles_[i].rest + rounding_square > 9 * target_square_ && can_grow(i)) grow(i);
     std::priority_queue<Step> steps;
     for (std::size_t i = 0; i < tiles_.size(); ++i) push(i, steps);
     const bool not_yet = expected_ > square_;
@@ -71,7 +73,8 @@ class Planner {
   }
 
   const std::vector<TileState>& tiles_;
-  const double square_;
+  const double target_square_;
+  const double square_;  ///< what noise and bias may be
   std::vector<int> wanted_;
   double expected_ = 0;
   long had_ = 0, added_ = 0;
