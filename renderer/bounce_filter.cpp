@@ -43,8 +43,7 @@ Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, i
   surface.inverse_reach = sums.inverse_reach / samples;
   const float length = sums.normal.norm();
   if (length > 0.0F) surface.normal = sums.normal / length;
-  surface.position_m =
-      camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) * surface.distance_m;
+  surface.position_m = camera.centre_direction(x, y) * surface.distance_m;
   surface.albedo = (sums.albedo / samples).max(1e-4F);
   return surface;
 }

@@ -34,8 +34,8 @@ struct FilterStrength {
   float reach_divisor = 2.0F;
 };
 
-/// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with a
-/// cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the
+/// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with
+/// a cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the
 /// pixel's tangent plane and with the distance along it, never with colour. Row by row, `texels` in place.
 void filter_bounce(const std::vector<Surface>& surfaces, int width_px, const FilterStrength& strength,
                    int threads, std::vector<BounceTexel>& texels);

@@ -18,6 +18,10 @@ struct Camera {
                                 (0.5F * static_cast<float>(height_px) - y) * scale, -1.0F);
     return (axes * local).normalized();
   }
+  /// Unit direction through the centre of a pixel.
+  [[nodiscard]] Eigen::Vector3f centre_direction(int x, int y) const {
+    return direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+  }
 };
 
 }  // namespace seamline

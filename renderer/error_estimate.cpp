@@ -52,10 +52,8 @@ ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, i
   parallel_for(grid.count(), threads, [&](int tile) {
     estimate.tiles[static_cast<std::size_t>(tile)] = tile_error(pictures, grid.rectangle(tile), gain);
   });
-  const double pixels = static_cast<double>(grid.width_px) * grid.height_px;
   for (int tile = 0; tile < grid.count(); ++tile) {
-    const TileGrid::Rectangle r = grid.rectangle(tile);
-    const double share = (r.right - r.left) * (r.bottom - r.top) / pixels;
+    const double share = grid.share(tile);
     estimate.image.noise += share * estimate.tiles[static_cast<std::size_t>(tile)].noise;
     estimate.image.bias += share * estimate.tiles[static_cast<std::size_t>(tile)].bias;
   }

@@ -38,6 +38,38 @@ std::string block(const SetErrors& errors, Artifact artifact, const char* what, 
   return lines.empty() ? "" : fmt::format("{} << EOD\n{}EOD\n", block_name(artifact, what), lines);
 }
 
+/// Smallest and largest of what is drawn, a third beyond both.
+struct Range {
+  double from = 1.0 / 255, to = 1.0 / 255;
+  void add(double value) {
+    if (!(value > 0)) return;
+    from = std::min(from, value / 1.33);
+    to = std::max(to, value * 1.33);
+  }
+};
+
+/// Labels that a narrow range of a logarithmic axis still has some of.
+std::string ticks() {
+  std::string list;
+  for (const char* decade : {"1e-4", "1e-3", "1e-2", "1e-1", "1", "10", "100", "1000"})
+    for (const char* step : {"1", "2", "3", "5"})
+      list += fmt::format("{}{}*{}", list.empty() ? "" : ", ", step, decade);
+  return "(" + list + ")";
+}
+
+/// Both axes: seconds and errors of every stimulus.
+std::string axes(const SetErrors& errors) {
+  Range seconds{1e30, 0}, error;
+  error.add(1.0 / 255);
+  for (const StimulusErrorRow& row : errors.rows) {
+    seconds.add(row.seconds.value_or(0));
+    error.add(row.estimated.value_or(0));
+    if (row.measured) error.add(row.measured->rmse);
+  }
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\n", seconds.from,
+                     seconds.to, error.from, error.to, ticks(), ticks());
+}
+
 std::string script(const SetErrors& errors) {
   std::string data, plots;
   std::size_t index = 0;
@@ -63,11 +95,10 @@ std::string script(const SetErrors& errors) {
   return fmt::format(
       "{}set logscale xy\nset border 3 linecolor '{}'\nset tics nomirror textcolor '{}'\nset grid linecolor "
       "'#dddddd' linetype 1 linewidth 0.5\nset key outside right top\nset xlabel 'seconds of the stimulus'\n"
-      "set ylabel 'RMSE (display units)'\nset format y '%g'\nset format x '%g'\nset offsets graph 0.05, "
-      "graph "
-      "0.05, graph 0.05, graph 0.05\nplot {}1.0/255 with lines dashtype 3 linecolor '{}' title 'one 8-bit "
+      "set ylabel 'RMSE (display units)'\nset format y '%g'\nset format x '%g'\n{}plot {}1.0/255 with lines "
+      "dashtype 3 linecolor '{}' title 'one 8-bit "
       "step'\n",
-      data, plot_ink, plot_ink, plots, plot_ink);
+      data, plot_ink, plot_ink, axes(errors), plots, plot_ink);
 }
 
 }  // namespace

@@ -133,15 +133,12 @@ class FastEstimator : public SceneEstimator {
 
   [[nodiscard]] std::vector<TileState> states() const {
     std::vector<TileState> tiles(error_.tiles.size());
-    const double pixels = static_cast<double>(sums_.grid.width_px) * sums_.grid.height_px;
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-      const TileGrid::Rectangle r = sums_.grid.rectangle(static_cast<int>(t));
+    for (std::size_t t = 0; t < tiles.size(); ++t)
       tiles[t] = {.noise = error_.tiles[t].noise,
                   .rest = std::max(0.0, error_.tiles[t].bias),
                   .spp = sums_.spp[t],
-                  .share = (r.right - r.left) * (r.bottom - r.top) / pixels,
+                  .share = sums_.grid.share(static_cast<int>(t)),
                   .most_spp = most_spp};
-    }
     return tiles;
   }
 

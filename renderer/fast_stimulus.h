@@ -2,20 +2,11 @@
 #include <optional>
 
 #include "renderer/depth_pass.h"
+#include "renderer/object_truth.h"
 #include "renderer/sampling_rounds.h"
 #include "renderer/scene_layers.h"
 
 namespace seamline {
-
-/// What the fast estimator knows of one object before any stimulus with it.
-struct ObjectTruth {
-  const TruthScene& scene;
-  const SceneSums& sums;
-  const ObjectGeometry& geometry;
-  int object_index;
-  const TruthLayers& layers;   ///< filtered
-  const ErrorEstimate& error;  ///< of the truth's pictures
-};
 
 struct FastStimulusOptions {
   std::uint64_t seed = 1;

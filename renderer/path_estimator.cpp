@@ -16,13 +16,13 @@ class PathEstimator : public SceneEstimator {
       : scene_(scene), options_(options), spp_(options.spp) {}
 
   SceneReference reference(const ReportProgress& progress) override {
-    if (options_.error) find_spp();
+    if (options_.error) find_spp(progress);
     return render_reference(scene_, pass(progress));
   }
 
   void take_object(int object_index, const ReportProgress& progress) override {
     geometry_.reset();
-    if (options_.error && !found_spp_) find_spp();
+    if (options_.error && !found_spp_) find_spp(progress);
     geometry_.emplace(object_geometry(scene_, object_index));
     truth_ = render_truth(scene_, *geometry_, pass(progress));
   }
@@ -51,11 +51,11 @@ class PathEstimator : public SceneEstimator {
 
   /// Doubles the samples of the first object's truth until its picture is good enough; all pictures of the
   /// scene are then rendered with as many.
-  void find_spp() {
+  void find_spp(const ReportProgress& progress) {
     const ErrorTarget target{*options_.error * truth_share};
     const ObjectGeometry geometry = object_geometry(scene_, 1);
     for (spp_ = first_spp; spp_ < most_spp; spp_ *= 2) {
-      const TruthLayers truth = render_truth(scene_, geometry, pass({}));
+      const TruthLayers truth = render_truth(scene_, geometry, pass(progress));
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
         pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);

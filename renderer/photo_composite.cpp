@@ -42,9 +42,7 @@ StimulusLayers render_onto_photograph(const Image& photograph, const Geometry& d
             add_sample(depth, object, light, camera_ray(camera, x, y, sampler), sampler, photograph.rgb(x, y),
                        layers.halves[static_cast<std::size_t>(i % 2)][pixel]);
           }
-          const auto seen =
-              depth.nearest({Eigen::Vector3f::Zero(),
-                             camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)});
+          const auto seen = depth.nearest(centre_ray(camera, x, y));
           if (seen) layers.guides[pixel] = {seen->geometric_normal, seen->distance_m};
         }
       },

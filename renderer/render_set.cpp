@@ -12,6 +12,7 @@
 #include "renderer/parallel.h"
 #include "renderer/render_plan.h"
 #include "renderer/set_layers.h"
+#include "renderer/set_work.h"
 #include "renderer/timings.h"
 #include "stimuli/difference.h"
 #include "stimuli/support/assets.h"
@@ -30,11 +31,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-struct Pending {
-  Stimulus stimulus;
-  std::string inputs;
-};
-
 /// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
 /// object, width.
 class SetRenderer {
@@ -51,11 +47,12 @@ class SetRenderer {
   RenderSummary run() {
     const Clock::time_point start = Clock::now();
     check_existing_set();
-    find_pending();
+    work_ = find_work(study_, request_, hashes_, records_);
+    summary_.already_finished = work_.already_finished;
     for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
-    progress_.emplace("rendering " + study_.name, total_work());
+    progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
     for (const SceneDefinition& scene : study_.scenes) render_scene(scene);
     progress_.reset();
     write_set();
@@ -93,53 +90,6 @@ class SetRenderer {
           earlier_stimuli_, written.stimuli.size());
   }
 
-  void find_pending() {
-    for (const Stimulus& stimulus : list_stimuli(study_)) {
-      if (!matches_pattern(stimulus_id(stimulus), request_.only)) continue;
-      selected_scenes_.insert(stimulus.scene);
-      if (!in_this_shard(stimulus)) continue;
-      const std::string inputs = hashes_.of_stimulus(stimulus);
-      if (records_.finished(stimulus_id(stimulus), inputs) &&
-          !(request_.layers && !has_layers(request_.set_folder, stimulus, inputs)))
-        ++summary_.already_finished;
-      else
-        pending_.push_back({stimulus, inputs});
-    }
-    if (selected_scenes_.empty())
-      throw input_error({.file = study_.file.string(),
-                         .field = "--only",
-                         .wanted = "a pattern that matches a stimulus id",
-                         .found = "\"" + request_.only + "\""});
-  }
-
-  /// Shards share out the virtual objects of all scenes, because stimuli of one object share its truth.
-  bool in_this_shard(const Stimulus& stimulus) {
-    const auto [found, added] =
-        objects_.emplace(stimulus.scene + "/" + stimulus.object, static_cast<int>(objects_.size()));
-    return found->second % request_.shard_count == request_.shard - 1;
-  }
-
-  // Weights of the progress bar: the fast estimator does most of its work once a scene.
-  [[nodiscard]] bool is_fast() const { return settings_.estimator == Estimator::fast; }
-  [[nodiscard]] double reference_work() const { return is_fast() ? 20 : 1; }
-  [[nodiscard]] double truth_work() const { return is_fast() ? 0.3 : 1.5; }
-  [[nodiscard]] double mesh_work() const { return is_fast() ? 0.5 : 0.2; }
-  [[nodiscard]] double stimulus_work() const { return is_fast() ? 1 : 2; }
-
-  [[nodiscard]] double total_work() const {
-    std::set<std::string> scenes, objects, widths;
-    for (const Pending& work : pending_) {
-      scenes.insert(work.stimulus.scene);
-      objects.insert(work.stimulus.scene + work.stimulus.object);
-      widths.insert(fmt::format("{}{}{}", work.stimulus.scene, work.stimulus.object,
-                                work.stimulus.condition.depth_width_px));
-    }
-    return static_cast<double>(scenes.size()) * reference_work() +
-           static_cast<double>(objects.size()) * truth_work() +
-           static_cast<double>(widths.size()) * mesh_work() +
-           static_cast<double>(pending_.size()) * stimulus_work();
-  }
-
   ReportProgress report(double work, const std::string& what) {
     return [this, work, what, last = 0.0](double share) mutable {
       if (share < last) last = share;  // a further round over the same picture
@@ -160,16 +110,10 @@ class SetRenderer {
     return make_estimator(settings_.estimator, scene, options);
   }
 
-  [[nodiscard]] bool is_pending(const std::string& scene) const {
-    for (const Pending& work : pending_)
-      if (work.stimulus.scene == scene) return true;
-    return false;
-  }
-
   /// Every wrong input is found before the first long computation.
   void load_and_check(const SceneDefinition& definition) {
-    if (!selected_scenes_.contains(definition.name)) return;
-    if (!is_pending(definition.name) &&
+    if (!work_.selected_scenes.contains(definition.name)) return;
+    if (!work_.is_pending(definition.name) &&
         records_.finished_reference(definition.name, hashes_.of_reference(definition.name)))
       return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
@@ -202,7 +146,7 @@ class SetRenderer {
     const std::string inputs = hashes_.of_reference(name);
     if (records_.finished_reference(name, inputs)) return;
     const Clock::time_point start = Clock::now();
-    const SceneReference reference = estimator.reference(report(reference_work(), name + " reference"));
+    const SceneReference reference = estimator.reference(report(weights_.reference, name + " reference"));
     ManifestReference record{.scene = name,
                              .image = "references/" + name + ".png",
                              .object_ids = "references/" + name + "-ids.png",
@@ -218,28 +162,29 @@ class SetRenderer {
   }
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
-    std::map<int, std::vector<Pending>> by_width;
-    for (const Pending& work : pending_)
+    std::map<int, std::vector<PendingStimulus>> by_width;
+    for (const PendingStimulus& work : work_.pending)
       if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
         by_width[work.stimulus.condition.depth_width_px].push_back(work);
     if (by_width.empty()) return;
     const std::string what = scene.definition.name + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     const Clock::time_point start = Clock::now();
-    estimator.take_object(object_index, report(truth_work(), what));
+    estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start),
                  estimator.truth().rays);
     for (const auto& [width_px, works] : by_width) render_width(scene, estimator, works);
   }
 
   /// All artifacts of one depth map share its mesh.
-  void render_width(const TruthScene& scene, SceneEstimator& estimator, const std::vector<Pending>& works) {
+  void render_width(const TruthScene& scene, SceneEstimator& estimator,
+                    const std::vector<PendingStimulus>& works) {
     const Condition& condition = works.front().stimulus.condition;
     const Clock::time_point start = Clock::now();
     MeshRecord mesh_record;
     std::optional<Geometry> depth;
     bool needed = request_.layers;
-    for (const Pending& work : works)
+    for (const PendingStimulus& work : works)
       needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
     if (needed) {
       const DepthMesh mesh = build_depth_mesh(
@@ -251,20 +196,20 @@ class SetRenderer {
       mesh_record = {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error};
       depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
     }
-    progress_->advance(mesh_work(), "depth mesh");
+    progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
                              condition.depth_width_px),
                  seconds_since(start), 0);
-    for (const Pending& work : works)
+    for (const PendingStimulus& work : works)
       render_one(scene, estimator, depth ? &*depth : nullptr, mesh_record, work);
   }
 
   void render_one(const TruthScene& scene, SceneEstimator& estimator, const Geometry* depth,
-                  const MeshRecord& mesh, const Pending& work) {
+                  const MeshRecord& mesh, const PendingStimulus& work) {
     const Clock::time_point start = Clock::now();
     const std::string id = stimulus_id(work.stimulus);
     const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
-    const EstimatedStimulus made = estimator.stimulus(how, depth, report(stimulus_work(), id));
+    const EstimatedStimulus made = estimator.stimulus(how, depth, report(weights_.stimulus, id));
     const StimulusLayers& layers = made.layers;
     const Composite composite = compose(layers, Compositing::ratio, threads_);
     const double exposure_ev = scene.definition.exposure_ev;
@@ -332,9 +277,8 @@ class SetRenderer {
   SetRecords records_;
   int threads_;
   Timings timings_;
-  std::vector<Pending> pending_;
-  std::set<std::string> selected_scenes_;
-  std::map<std::string, int> objects_;  ///< in study order, for sharing out
+  SetWork work_;
+  const WorkWeights weights_ = work_weights(settings_.estimator);
   std::size_t earlier_stimuli_ = 0;
   std::map<std::string, TruthScene> scenes_;
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far

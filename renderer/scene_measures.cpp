@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include "renderer/camera_ray.h"
 
 namespace seamline {
 namespace {
@@ -32,8 +33,7 @@ class ObjectMeter {
                                  static_cast<std::size_t>(camera.height_px));
     for (int y = 0; y < camera.height_px; ++y)
       for (int x = 0; x < camera.width_px; ++x) {
-        const Ray ray{Eigen::Vector3f::Zero(),
-                      camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
+        const Ray ray = centre_ray(camera, x, y);
         silhouette[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) +
                    static_cast<std::size_t>(x)] = look(ray);
       }

@@ -1,5 +1,6 @@
 #include "renderer/set_layers.h"
 
+#include "renderer/camera_ray.h"
 #include "stimuli/support/atomic_file.h"
 
 namespace seamline {
@@ -8,11 +9,6 @@ namespace {
 
 fs::path layer_folder(const fs::path& set_folder, const Stimulus& stimulus) {
   return set_folder / "layers" / stimulus_id(stimulus);
-}
-
-Ray centre_ray(const Camera& camera, int x, int y) {
-  return {Eigen::Vector3f::Zero(),
-          camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
 }
 
 Image difference(const Image& a, const Image& b) {

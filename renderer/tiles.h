@@ -21,6 +21,14 @@ struct TileGrid {
     const int left = tile % columns() * side_px, top = tile / columns() * side_px;
     return {left, top, std::min(left + side_px, width_px), std::min(top + side_px, height_px)};
   }
+  [[nodiscard]] int pixels(int tile) const {
+    const Rectangle r = rectangle(tile);
+    return (r.right - r.left) * (r.bottom - r.top);
+  }
+  /// The tile's share of the picture.
+  [[nodiscard]] double share(int tile) const {
+    return pixels(tile) / (static_cast<double>(width_px) * height_px);
+  }
   /// Place of a pixel inside its tile.
   [[nodiscard]] static int place(int x, int y) { return (y % side_px) * side_px + x % side_px; }
 };

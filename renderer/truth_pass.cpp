@@ -37,21 +37,10 @@ std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide&
   return static_cast<std::uint8_t>(object ? object->object_index : (real ? real->object_index : 0));
 }
 
-Ray centre_ray(const Camera& camera, int x, int y) {
-  return {Eigen::Vector3f::Zero(),
-          camera.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)};
-}
-
 }  // namespace
 
 ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
   return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};
-}
-
-Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler) {
-  const Eigen::Array2f jitter = sampler.point(dimension::pixel);
-  return {Eigen::Vector3f::Zero(),
-          camera.direction(static_cast<float>(x) + jitter[0], static_cast<float>(y) + jitter[1])};
 }
 
 TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,

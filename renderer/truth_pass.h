@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "renderer/camera_ray.h"
 #include "renderer/layers.h"
 #include "renderer/truth_scene.h"
 
@@ -36,8 +37,5 @@ struct SceneReference {
 
 /// The click map alone.
 [[nodiscard]] ByteImage click_map(const TruthScene& scene);
-
-/// The camera ray of one sample of a pixel.
-[[nodiscard]] Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler);
 
 }  // namespace seamline

@@ -1,0 +1,27 @@
+#pragma once
+#include "renderer/bounce_filter.h"
+#include "renderer/depth_pass.h"
+#include "renderer/object_truth.h"
+
+namespace seamline {
+
+/// What a stimulus is put together from.
+struct StimulusParts {
+  const ObjectTruth& truth;
+  const Recipe& recipe;
+  const DepthAnswers& depth;
+  const ObjectOrder& order;  ///< empty: truth and depth mesh agree on who is in front
+};
+
+/// How light that the depth mesh answers is filtered.
+struct DepthFilters {
+  FilterStrength ratio = {};   ///< light that only decides a ratio
+  FilterStrength object = {};  ///< bounce light on the object
+};
+
+/// Puts a stimulus together from the truth's sums and the depth mesh's answers, pixel by pixel: DESIGN
+/// section 3's formula with sums of samples that truth and depth mesh sort alike.
+[[nodiscard]] StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters,
+                                               int threads);
+
+}  // namespace seamline
