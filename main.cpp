@@ -11,6 +11,7 @@
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/interrupt.h"
+#include "stimuli/support/memory.h"
 #include "study/commands.h"
 
 namespace {
@@ -31,6 +32,7 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  seamline::keep_freed_memory();
   CLI::App app{
       "Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
       "seamline"};

@@ -86,8 +86,8 @@ void ratio_of_pixels(benchmark::State& state) {
   StimulusLayers layers{.width_px = 128, .height_px = 128, .spp = 2};
   StimulusSums sums;
   sums.background = Rgb::Constant(0.5F);
-  sums.no.direct = Rgb::Constant(0.4F);
-  sums.with.direct = Rgb::Constant(0.3F);
+  sums.no = Rgb::Constant(0.4F);
+  sums.with = Rgb::Constant(0.3F);
   sums.rest = 1;
   for (auto& half : layers.halves) half.assign(128 * 128, sums);
   layers.guides.resize(128 * 128);

@@ -48,37 +48,48 @@ Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, i
   return surface;
 }
 
-void filter_bounce(const std::vector<Surface>& surfaces, int width_px, const FilterStrength& strength,
-                   int threads, std::vector<BounceTexel>& texels) {
-  const int height_px = static_cast<int>(surfaces.size()) / std::max(width_px, 1);
+void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
+                   int threads, std::vector<BounceTexel>& texels, const TileSet& where) {
   const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width_px) +
+           static_cast<std::size_t>(x);
   };
-  std::vector<BounceTexel> filtered(strength.levels > 0 ? texels.size() : 0);
+  std::vector<BounceTexel> filtered;
+  if (strength.levels > 0) filtered = texels;
   for (int level = 0; level < strength.levels; ++level) {
     const int step = 1 << level;
-    parallel_for(height_px, threads, [&](int y) {
-      for (int x = 0; x < width_px; ++x) {
-        const std::size_t centre = index(x, y);
-        const Surface& surface = surfaces[centre];
-        BounceTexel& out = filtered[centre];
-        out = {};
-        if (surface.normal.isZero()) continue;
-        for (int dy = -2; dy <= 2; ++dy)
-          for (int dx = -2; dx <= 2; ++dx) {
-            const int column = x + dx * step, row = y + dy * step;
-            if (column < 0 || row < 0 || column >= width_px || row >= height_px) continue;
-            const std::size_t i = index(column, row);
-            const float share =
-                kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
-            const float weight =
-                i == centre ? share : share * likeness(surface, surfaces[i], strength.reach_divisor);
-            if (weight > 0.0F) add(texels[i], weight, out);
-          }
-      }
+    const auto filter_pixel = [&](int x, int y) {
+      const std::size_t centre = index(x, y);
+      const Surface& surface = surfaces[centre];
+      BounceTexel& out = filtered[centre];
+      out = {};
+      if (surface.normal.isZero()) return;
+      for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx) {
+          const int column = x + dx * step, row = y + dy * step;
+          if (column < 0 || row < 0 || column >= grid.width_px || row >= grid.height_px) continue;
+          const std::size_t i = index(column, row);
+          const float share =
+              kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
+          const float weight =
+              i == centre ? share : share * likeness(surface, surfaces[i], strength.reach_divisor);
+          if (weight > 0.0F) add(texels[i], weight, out);
+        }
+    };
+    parallel_for(grid.count(), threads, [&](int tile) {
+      if (where[static_cast<std::size_t>(tile)] == 0) return;
+      const TileGrid::Rectangle r = grid.rectangle(tile);
+      for (int y = r.top; y < r.bottom; ++y)
+        for (int x = r.left; x < r.right; ++x) filter_pixel(x, y);
     });
     std::swap(texels, filtered);
   }
+}
+
+void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
+                   int threads, std::vector<BounceTexel>& texels) {
+  filter_bounce(surfaces, grid, strength, threads, texels,
+                TileSet(static_cast<std::size_t>(grid.count()), 1));
 }
 
 }  // namespace seamline

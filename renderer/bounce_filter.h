@@ -4,6 +4,7 @@
 
 #include "renderer/camera.h"
 #include "renderer/scene_sums.h"
+#include "renderer/tiles.h"
 
 namespace seamline {
 
@@ -36,8 +37,16 @@ struct FilterStrength {
 
 /// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with
 /// a cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the
-/// pixel's tangent plane and with the distance along it, never with colour. Row by row, `texels` in place.
-void filter_bounce(const std::vector<Surface>& surfaces, int width_px, const FilterStrength& strength,
+/// pixel's tangent plane and with the distance along it, never with colour. Row by row, `texels` in place;
+/// those outside the tiles of `where` stay as they are.
+void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
+                   int threads, std::vector<BounceTexel>& texels, const TileSet& where);
+/// The same everywhere.
+void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
                    int threads, std::vector<BounceTexel>& texels);
+/// How far away a pixel can be and still count, in pixels: at most half a tile for the strengths in use.
+[[nodiscard]] inline int filter_radius_px(const FilterStrength& strength) {
+  return 2 * ((1 << strength.levels) - 1);
+}
 
 }  // namespace seamline

@@ -33,7 +33,7 @@ float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
 
 /// Of S_no a sample, channels averaged.
 float median_denominator(const std::vector<StimulusSums>& sums) {
-  return median_of(sums, [](const StimulusSums& pixel) { return pixel.no.total().mean() / pixel.rest; });
+  return median_of(sums, [](const StimulusSums& pixel) { return pixel.no.mean() / pixel.rest; });
 }
 
 struct RatioOutcome {
@@ -48,7 +48,7 @@ std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float medi
   const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
   std::vector<bool> pockets(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
-    pockets[i] = sums[i].rest > 0 && sums[i].no.total().mean() < poorly_lit_share * median * sums[i].rest;
+    pockets[i] = sums[i].rest > 0 && sums[i].no.mean() < poorly_lit_share * median * sums[i].rest;
   return pockets;
 }
 
@@ -64,7 +64,7 @@ float belief(const Rgb& no, const Rgb& photograph, float usual_darkness) {
 /// Median of S_no over the photograph.
 float usual_darkness(const std::vector<StimulusSums>& sums) {
   return median_of(sums, [](const StimulusSums& pixel) {
-    return pixel.no.total().mean() / std::max(pixel.background.mean(), 1e-30F);
+    return pixel.no.mean() / std::max(pixel.background.mean(), 1e-30F);
   });
 }
 
@@ -111,13 +111,12 @@ Rgb rest_of_pixel(const StimulusSums& pixel, std::size_t i, const PictureLight& 
   const float per_sample = 1.0F / pixel.rest;
   const bool pocket = !picture.pockets.empty() && picture.pockets[i];
   const FilteredLight light =
-      pocket ? picture.filtered[i]
-             : FilteredLight{pixel.no.total() * per_sample, pixel.with.total() * per_sample};
+      pocket ? picture.filtered[i] : FilteredLight{pixel.no * per_sample, pixel.with * per_sample};
   const float believed =
       picture.pockets.empty() ? 1.0F : belief(light.no, pixel.background * per_sample, picture.darkness);
   const RatioOutcome outcome = ratio_of(light, picture.median, believed);
   ratio = outcome.ratio;
-  if (compositing == Compositing::additive) return pixel.background + pixel.with.total() - pixel.no.total();
+  if (compositing == Compositing::additive) return pixel.background + pixel.with - pixel.no;
   tiny.floored_pixels += outcome.floored ? 1 : 0;
   tiny.clamped_pixels += outcome.clamped ? 1 : 0;
   tiny.sealed_pixels += outcome.sealed ? 1 : 0;
@@ -139,8 +138,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
       const Rgb rest = rest_of_pixel(pixel, i, light, compositing, ratio, row);
       out.ratio.set_rgb(x, y, ratio);
       out.picture.set_rgb(
-          x, y,
-          (pixel.sky + rest + pixel.object.total() + pixel.from_reference) / static_cast<float>(samples));
+          x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
       row.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
     }
   });
@@ -177,9 +175,9 @@ LayerImages layer_images(const StimulusLayers& layers) {
   for (int y = 0; y < layers.height_px; ++y)
     for (int x = 0; x < layers.width_px; ++x) {
       const StimulusSums& pixel = sums[images.with.index(x, y) / 3];
-      images.with.set_rgb(x, y, (pixel.with.total() + pixel.object.total()) * scale);
-      images.without.set_rgb(x, y, pixel.no.total() * scale);
-      images.object.set_rgb(x, y, pixel.object.total() * scale);
+      images.with.set_rgb(x, y, (pixel.with + pixel.object) * scale);
+      images.without.set_rgb(x, y, pixel.no * scale);
+      images.object.set_rgb(x, y, pixel.object * scale);
     }
   return images;
 }

@@ -10,11 +10,6 @@ StimulusSums sum_of(const StimulusLayers& layers, std::size_t pixel) {
   return sum += layers.halves[1][pixel];
 }
 
-void scale(Split& light, float factor) {
-  light.direct *= factor;
-  light.bounce *= factor;
-}
-
 }  // namespace
 
 PathRun render_path(const ConvergenceSubject& subject, const Recipe& recipe, const ObjectGeometry& geometry,
@@ -68,8 +63,7 @@ StimulusLayers join_independent(const StimulusLayers& without, const StimulusLay
     // Where one of the two sees nothing to divide, the pixel is the second rendering's own.
     if (!(other.rest > 0) || !(pixels[i].rest > 0)) continue;
     const float factor = static_cast<float>(pixels[i].rest) / static_cast<float>(other.rest);
-    pixels[i].no = other.no;
-    scale(pixels[i].no, factor);
+    pixels[i].no = other.no * factor;
     pixels[i].background = other.background * factor;
   }
   return joined;
@@ -97,7 +91,7 @@ StimulusLayers half_of(const StimulusLayers& layers, std::size_t half) {
 Image off_object_mask(const PathRun& run) {
   Image mask(run.matte.width_px, run.matte.height_px, 1);
   for (std::size_t i = 0; i < mask.values.size(); ++i) {
-    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.layers, i).object.total() > 0.0F).any();
+    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.layers, i).object > 0.0F).any();
     mask.values[i] = covered ? 0.0F : 1.0F;
   }
   return mask;

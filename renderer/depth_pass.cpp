@@ -1,5 +1,6 @@
 #include "renderer/depth_pass.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "renderer/parallel.h"
@@ -7,16 +8,34 @@
 namespace seamline {
 namespace {
 
-void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index, DepthSums& sums,
-                GuideSums* guide) {
+/// Samples of one pixel: those from `first_rest` to `end_rest` ask about the rest, those from `first_object`
+/// to `end_object` about the object.
+struct PixelSamples {
+  int first_rest = 0, end_rest = 0, first_object = 0, end_object = 0;
+  [[nodiscard]] bool asks_rest(int i) const { return i >= first_rest && i < end_rest; }
+  [[nodiscard]] bool asks_object(int i) const { return i >= first_object && i < end_object; }
+  [[nodiscard]] int first() const {
+    if (first_rest >= end_rest) return first_object;
+    return first_object >= end_object ? first_rest : std::min(first_rest, first_object);
+  }
+  [[nodiscard]] int end() const {
+    if (first_rest >= end_rest) return end_object;
+    return first_object >= end_object ? end_rest : std::max(end_rest, end_object);
+  }
+};
+
+void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index,
+                const PixelSamples& samples, DepthSums& sums, GuideSums* guide) {
   using Shows = StimulusSample::Shows;
-  StimulusSums asked;
+  const bool object = sample.shows == Shows::object;
+  if (!(object ? samples.asks_object(index) : samples.asks_rest(index))) return;
+  DepthPart asked;
   const float reach_m = sampler.add_depth_part(sample, index, asked);
   sums.no += asked.no;
   sums.with += asked.with;
   sums.object += asked.object;
   sums.rest += asked.rest;
-  if (sample.shows == Shows::object) sums.covered += 1.0F;
+  if (object) sums.covered += 1.0F;
   if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
   if (const SurfacePoint* receiver = sampler.receiver(sample); guide != nullptr && receiver != nullptr)
     guide->add(*receiver, reach_m);
@@ -31,34 +50,41 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);
   if (asks_depth_for_rest(answers)) out.guides.resize(pixels);
-  out.spp.resize(static_cast<std::size_t>(out.grid.count()));
+  out.spp.rest.resize(static_cast<std::size_t>(out.grid.count()));
+  out.spp.object.resize(static_cast<std::size_t>(out.grid.count()));
   return out;
 }
 
-void ask_depth(const StimulusSampler& sampler, const std::vector<int>& wanted_spp, int threads,
+void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
+               const std::vector<char>& shows_object, int threads,
                const std::function<void(double)>& progress, DepthAnswers& answers) {
   std::mutex counting;
   const auto work = [&](int tile) {
-    int& spp = answers.spp[static_cast<std::size_t>(tile)];
-    const int wanted = wanted_spp[static_cast<std::size_t>(tile)];
-    if (wanted <= spp) return;
+    const auto t = static_cast<std::size_t>(tile);
+    int &rest = answers.spp.rest[t], &object = answers.spp.object[t];
+    const PixelSamples with_object = {rest, wanted.rest[t], object, wanted.object[t]};
+    const PixelSamples without_object = {rest, wanted.rest[t], 0, 0};
+    if (with_object.first() >= with_object.end()) return;
     const std::int64_t before = rays_traced_by_this_thread();
     const OmittedRays omitted_before = omitted_rays;
     const TileGrid::Rectangle r = answers.grid.rectangle(tile);
-    std::vector<StimulusSample> samples;
+    std::vector<StimulusSample> seen;
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x) {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(answers.grid.width_px) +
             static_cast<std::size_t>(x);
-        samples.clear();
-        sampler.look(x, y, spp, wanted, samples);
-        for (int i = spp; i < wanted; ++i)
-          add_sample(sampler, samples[static_cast<std::size_t>(i - spp)], i,
+        const PixelSamples& samples = shows_object[pixel] != 0 ? with_object : without_object;
+        const int first = samples.first();
+        seen.clear();
+        sampler.look(x, y, first, samples.end(), seen);
+        for (int i = first; i < samples.end(); ++i)
+          add_sample(sampler, seen[static_cast<std::size_t>(i - first)], i, samples,
                      answers.halves[static_cast<std::size_t>(i % 2)][pixel],
                      answers.guides.empty() ? nullptr : &answers.guides[pixel]);
       }
-    spp = wanted;
+    rest = std::max(rest, wanted.rest[t]);
+    object = std::max(object, wanted.object[t]);
     const std::lock_guard lock(counting);
     answers.rays += rays_traced_by_this_thread() - before;
     answers.omitted += omitted_rays - omitted_before;

@@ -18,6 +18,7 @@ struct EstimateOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
+  bool depth_bounces = false;    ///< some stimulus asks the depth mesh for bounce light
   Omissions omit = {};           ///< what the fast estimator leaves out
 };
 

@@ -11,8 +11,7 @@ namespace seamline {
 namespace {
 
 constexpr int first_spp = 16, most_spp = 1 << 14;
-constexpr double truth_share = 0.94;  // of the error that the photograph may have
-constexpr int tail_every = 4;
+constexpr int tail_every = 4, sky_rays = 2;
 
 /// From weak to strong; more samples need less of it.
 constexpr std::array<FilterStrength, 6> strengths = {
@@ -20,6 +19,12 @@ constexpr std::array<FilterStrength, 6> strengths = {
 constexpr std::size_t first_strength = 4;
 /// Of the light that only decides a ratio: few samples, filtered more.
 constexpr FilterStrength ratio_strength = {3, 2.0F};
+
+/// Of the error asked for, what the photograph may have. It is sampled once a scene; what is left is for the
+/// noise that stimuli add, which is dear only where bounce light has to be traced for each of them.
+double photograph_share(const EstimateOptions& options) {
+  return options.depth_bounces ? 0.85 : 0.94;
+}
 
 class FastEstimator : public SceneEstimator {
  public:
@@ -84,6 +89,7 @@ class FastEstimator : public SceneEstimator {
  private:
   static TruthScene with_needed_light(TruthScene scene, const EstimateOptions& options) {
     scene.light = needed_light(scene, options.omit, options.error);
+    if (!scene.light.environment_radiance.isZero(0.0F)) scene.light.sky_rays = sky_rays;
     return scene;
   }
   static int tail_every_of(const EstimateOptions& options) {
@@ -117,10 +123,10 @@ class FastEstimator : public SceneEstimator {
     add_samples(scene_, joint_, wanted, options, sums_);
     error_ = choose_strength();
     if (options_.error) {
-      const ErrorTarget target{*options_.error * truth_share};
+      const ErrorTarget target{*options_.error * photograph_share(options_)};
       while (!target.met_by(error_)) {
         const std::vector<TileState> tiles = states();
-        wanted = next_samples(tiles, target);
+        wanted = next_samples(tiles, error_.image.total(), target);
         if (wanted == sums_.spp) break;
         done += part;
         part *= 0.5;

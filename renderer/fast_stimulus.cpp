@@ -17,7 +17,9 @@ class StimulusRounds {
         recipe_(recipe),
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed, {true, options.tail_every}),
-        depth_(empty_answers(truth.scene.camera, recipe.answers)) {
+        depth_(empty_answers(truth.scene.camera, recipe.answers)),
+        shows_object_(pixels_with_object()),
+        filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;
     if (order_differs)
       order_ = ask_order(truth.scene, truth.sums, truth.object_index, *depth, options.seed, options.threads);
@@ -25,15 +27,19 @@ class StimulusRounds {
 
   FastStimulus run() {
     FastStimulus out;
-    std::vector<int> wanted = first_samples();
+    DepthSamples wanted = first_samples();
     for (int round = 0;; ++round) {
-      ask_depth(sampler_, wanted, options_.threads, round == 0 ? options_.progress : nullptr, depth_);
-      out.layers = layers(true);
+      ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
+                depth_);
+      out.layers = layers(filters());
       out.error = error_of(out.layers);
-      if (!options_.target || options_.target->met_by(out.error)) break;
-      const std::vector<TileState> tiles = states(out.error);
-      wanted = next_samples(tiles, *options_.target);
-      if (wanted == depth_.spp) {
+      if (good_enough(out.error)) break;
+      if (leave_biased_tiles_unfiltered(out.error)) {
+        out.layers = layers(filters());
+        out.error = error_of(out.layers);
+        if (good_enough(out.error)) break;
+      }
+      if (!plan_more(out.error, wanted)) {
         out.error = error_of(out.layers, LookForBias::always);
         break;
       }
@@ -44,12 +50,6 @@ class StimulusRounds {
   }
 
  private:
-  /// Whether the depth mesh has anything to say about the light in a tile.
-  [[nodiscard]] bool concerns(std::size_t tile) const {
-    return lights_object(tile) ||
-           (recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers));
-  }
-
   /// Whether the depth mesh decides how an object in the tile is lit.
   [[nodiscard]] bool lights_object(std::size_t tile) const {
     const Answers& answers = recipe_.answers;
@@ -62,37 +62,61 @@ class StimulusRounds {
            std::any_of(object->halves[1].begin(), object->halves[1].end(), covers);
   }
 
+  /// A flag a pixel: whether the object is seen through it, in the truth or in the depth mesh.
+  [[nodiscard]] std::vector<char> pixels_with_object() const {
+    const TruthLayers& layers = truth_.layers;
+    const bool also_hidden = recipe_.answers.occlusion == Who::depth;
+    const auto& tiles = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    std::vector<char> flags(layers.guides.size(), 0);
+    for (int y = 0; y < layers.height_px; ++y)
+      for (int x = 0; x < layers.width_px; ++x) {
+        const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.tile_of(x, y))].get();
+        if (tile == nullptr) continue;
+        const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+        for (const auto& half : tile->halves)
+          if (half[place].covered > 0.0F || (also_hidden && half[place].hidden_samples > 0.0F))
+            flags[layers.index(x, y)] = 1;
+      }
+    return flags;
+  }
+
+  /// Whether the depth mesh has anything to say about the light off the object.
+  [[nodiscard]] bool lights_rest() const {
+    return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
+  }
+
   static constexpr int pilot = 4;
   /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
   /// not give it away.
-  [[nodiscard]] int first_samples_of(std::size_t tile) const {
+  [[nodiscard]] int first_rest_samples(std::size_t tile) const {
     const int all = truth_.sums.spp[tile];
-    return options_.target && options_.omit.ratio_samples && !lights_object(tile) ? std::min(pilot, all)
-                                                                                  : all;
+    return options_.target && options_.omit.ratio_samples ? std::min(pilot, all) : all;
   }
 
   /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
   /// They are asked last, so that they do not change how the other tiles are sampled.
   StimulusLayers with_untouched_tiles() {
-    std::vector<int> wanted = depth_.spp;
-    for (std::size_t t = 0; t < wanted.size(); ++t)
-      if (wanted[t] == 0) wanted[t] = first_samples_of(t);
-    ask_depth(sampler_, wanted, options_.threads, nullptr, depth_);
-    return layers(true);
+    DepthSamples wanted = depth_.spp;
+    for (std::size_t t = 0; t < wanted.rest.size(); ++t) {
+      if (wanted.rest[t] == 0) wanted.rest[t] = first_rest_samples(t);
+      if (wanted.object[t] == 0) wanted.object[t] = truth_.sums.spp[t];
+    }
+    ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
+    return layers(filters());
   }
 
   [[nodiscard]] Savings savings() const {
     Savings saved{.omitted = depth_.omitted, .depth_rays = depth_.rays, .stimuli = 1};
     std::int64_t asked = 0;
-    for (std::size_t t = 0; t < depth_.spp.size(); ++t) {
+    for (std::size_t t = 0; t < depth_.spp.rest.size(); ++t) {
       const std::int64_t pixels = depth_.grid.pixels(static_cast<int>(t));
-      asked += pixels * depth_.spp[t];
-      if (depth_.spp[t] > 0) {
-        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[t] - depth_.spp[t]);
-      } else if (options_.omit.untouched_tiles) {
+      asked += pixels * depth_.spp.rest[t];
+      if (depth_.spp.rest[t] > 0) {
+        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[t] - depth_.spp.rest[t]);
+      } else if (depth_.spp.object[t] == 0 && options_.omit.untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_tiles;
-        saved.untouched_rays += geometries * pixels * first_samples_of(t);
+        saved.untouched_rays += geometries * pixels * first_rest_samples(t);
       }
     }
     if (asked > 0)
@@ -101,32 +125,68 @@ class StimulusRounds {
     return saved;
   }
 
-  [[nodiscard]] std::vector<int> first_samples() const {
-    std::vector<int> wanted(truth_.sums.spp.size());
-    for (std::size_t t = 0; t < wanted.size(); ++t)
-      if (concerns(t)) wanted[t] = first_samples_of(t);
+  [[nodiscard]] DepthSamples first_samples() const {
+    DepthSamples wanted = depth_.spp;
+    for (std::size_t t = 0; t < wanted.rest.size(); ++t) {
+      if (lights_rest()) wanted.rest[t] = first_rest_samples(t);
+      if (lights_object(t)) wanted.object[t] = truth_.sums.spp[t];
+    }
     return wanted;
+  }
+
+  [[nodiscard]] bool good_enough(const ErrorEstimate& error) const {
+    return !options_.target || options_.target->met_by(error);
+  }
+
+  /// What each tile should have next; false when no tile can gain anything. Samples are added to the rest,
+  /// and to the object where nothing else is asked for.
+  bool plan_more(const ErrorEstimate& error, DepthSamples& wanted) const {
+    const std::vector<int> next = next_samples(states(error), error.image.total(), *options_.target);
+    for (std::size_t t = 0; t < next.size(); ++t) {
+      if (lights_rest()) wanted.rest[t] = next[t];
+      if (wanted.object[t] > 0) wanted.object[t] = std::max(wanted.object[t], next[t]);
+    }
+    return wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }
 
   [[nodiscard]] std::vector<TileState> states(const ErrorEstimate& error) const {
     std::vector<TileState> tiles(error.tiles.size());
     for (std::size_t t = 0; t < tiles.size(); ++t) {
       const double photograph = std::min(truth_.error.tiles[t].noise, error.tiles[t].noise);
+      const int spp = lights_rest() ? depth_.spp.rest[t] : depth_.spp.object[t];
       tiles[t] = {.noise = error.tiles[t].noise - photograph,
                   .rest = photograph + std::max(0.0, error.tiles[t].bias),
-                  .spp = depth_.spp[t],
+                  .spp = spp,
                   .share = depth_.grid.share(static_cast<int>(t)),
-                  .most_spp = depth_.spp[t] > 0 ? 4 * truth_.sums.spp[t] : 0};
+                  .most_spp = spp > 0 ? 4 * truth_.sums.spp[t] : 0};
     }
     return tiles;
   }
 
-  [[nodiscard]] StimulusLayers layers(bool filtered) const {
-    constexpr FilterStrength as_sampled = {.levels = 0};
-    return assemble_stimulus({truth_, recipe_, depth_, order_},
-                             {.ratio = filtered ? options_.ratio_filter : as_sampled,
-                              .object = filtered ? options_.filter : as_sampled},
-                             options_.threads);
+  /// Turns the ratio's filter off in tiles that are too wrong because of it: there, samples have to do it.
+  bool leave_biased_tiles_unfiltered(const ErrorEstimate& error) {
+    bool changed = false;
+    const double most = 9 * options_.target->rmse * options_.target->rmse;
+    for (std::size_t t = 0; t < filtered_.size(); ++t) {
+      const double own_bias = error.tiles[t].bias - std::max(0.0, truth_.error.tiles[t].bias);
+      if (filtered_[t] == 0 || own_bias < error.tiles[t].noise ||
+          error.tiles[t].total() + rounding_square < most)
+        continue;
+      filtered_[t] = 0;
+      changed = true;
+    }
+    return changed;
+  }
+
+  [[nodiscard]] DepthFilters filters() const {
+    return {.ratio = options_.ratio_filter, .ratio_tiles = filtered_, .object = options_.filter};
+  }
+  [[nodiscard]] static DepthFilters no_filters() {
+    return {.ratio = {.levels = 0}, .ratio_tiles = {}, .object = {.levels = 0}};
+  }
+
+  [[nodiscard]] StimulusLayers layers(const DepthFilters& filters) const {
+    return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads);
   }
 
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own, which is
@@ -142,7 +202,7 @@ class StimulusRounds {
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
     const bool too_noisy = options_.target && !options_.target->met_by(noise);
     if (!filtered || (too_noisy && look == LookForBias::when_noise_is_low)) return noise;
-    const StimulusLayers sampled = layers(false);
+    const StimulusLayers sampled = layers(no_filters());
     for (std::size_t half = 0; half < 2; ++half)
       pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     return with_bias_of_truth(pictures);
@@ -162,6 +222,8 @@ class StimulusRounds {
   StimulusSampler sampler_;
   DepthAnswers depth_;
   ObjectOrder order_;
+  std::vector<char> shows_object_;  ///< a flag a pixel
+  TileSet filtered_;                ///< tiles whose ratio is filtered
 };
 
 }  // namespace

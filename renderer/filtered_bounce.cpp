@@ -1,6 +1,7 @@
 #include "renderer/filtered_bounce.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "renderer/parallel.h"
 
@@ -28,7 +29,10 @@ FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth
   FilteredBounce rest;
   rest.surfaces.resize(guides.size());
   rest.texels.resize(guides.size());
-  each_pixel(truth.layers, threads, [&](int x, int y, std::size_t i) {
+  const TileGrid& grid = depth.grid;
+  TileSet changed(static_cast<std::size_t>(grid.count()), 0);
+  const auto take_pixel = [&](int x, int y, char& change) {
+    const std::size_t i = truth.layers.index(x, y);
     const float samples = depth.halves[0][i].rest + depth.halves[1][i].rest;
     Surface& surface = rest.surfaces[i];
     surface = surface_of(depth.guides[i], samples, truth.scene.camera, x, y);
@@ -41,9 +45,18 @@ FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth
       texel.no[half] = sums.no.bounce / surface.albedo;
       texel.change[half] = (sums.with.bounce - sums.no.bounce) / surface.albedo;
       texel.no_samples[half] = texel.change_samples[half] = sums.rest;
+      if ((texel.change[half] != 0.0F).any()) change = 1;
     }
+  };
+  parallel_for(grid.count(), threads, [&](int tile) {
+    const TileGrid::Rectangle r = grid.rectangle(tile);
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x) take_pixel(x, y, changed[static_cast<std::size_t>(tile)]);
   });
-  filter_bounce(rest.surfaces, truth.layers.width_px, strength, threads, rest.texels);
+  // Where nothing changes the ratio is 1 whatever is filtered. A change reaches as far as the filter does,
+  // and what it is divided by as far again: both together stay within a tile.
+  assert(2 * filter_radius_px(strength) <= TileGrid::side_px);
+  filter_bounce(rest.surfaces, grid, strength, threads, rest.texels, with_neighbours(grid, changed));
   return rest;
 }
 
@@ -66,7 +79,7 @@ FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& dep
       object.texels[i].no_samples[half] = sums.covered;
     }
   });
-  filter_bounce(object.surfaces, truth.layers.width_px, strength, threads, object.texels);
+  filter_bounce(object.surfaces, truth.sums.grid, strength, threads, object.texels);
   return object;
 }
 

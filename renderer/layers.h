@@ -57,9 +57,9 @@ struct TruthLayers {
 struct StimulusSums {
   Rgb sky = Rgb::Zero();             ///< background where truth or depth mesh shows sky: its ratio is 1
   Rgb background = Rgb::Zero();      ///< sum_unc B_s elsewhere
-  Split no;                          ///< sum_unc L_no
-  Split with;                        ///< sum_unc L_with
-  Split object;                      ///< sum_cov L_obj
+  Rgb no = Rgb::Zero();              ///< sum_unc L_no
+  Rgb with = Rgb::Zero();            ///< sum_unc L_with
+  Rgb object = Rgb::Zero();          ///< sum_cov L_obj
   Rgb from_reference = Rgb::Zero();  ///< samples that `mask` takes from the reference
   float rest = 0;                    ///< number of samples in `background`, `no` and `with`
 

@@ -39,4 +39,10 @@ Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Arr
          Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), std::sqrt(1.0F - point[0]));
 }
 
+Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point, int number,
+                                 int count) {
+  const float turned = point[1] + static_cast<float>(number) / static_cast<float>(count);
+  return cosine_direction(normal, {point[0], turned < 1.0F ? turned : turned - 1.0F});
+}
+
 }  // namespace seamline

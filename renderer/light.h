@@ -23,6 +23,9 @@ struct Light {
   int bounces = 4;                 ///< further diffuse scatterings after the first
   bool ambient_occlusion = false;  ///< no sun, no bounce
   bool skips_sky = false;          ///< no ray is traced only for the environment, whose radiance is 0
+  /// Rays a sample for what the environment sends straight to the surface that the camera sees; by the fast
+  /// estimator only (`add_leaving`, `leaving_object`).
+  int sky_rays = 1;
 };
 
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.
@@ -30,5 +33,10 @@ struct Light {
 
 /// A cosine-weighted direction about a unit normal.
 [[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point);
+
+/// Ray `number` of `count` about the same normal: the point's own direction turned, so that together they
+/// look all around.
+[[nodiscard]] Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point,
+                                               int number, int count);
 
 }  // namespace seamline

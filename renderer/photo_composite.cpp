@@ -10,11 +10,11 @@ void add_sample(const Geometry& depth, const Geometry& object, const Light& ligh
   const std::optional<SurfacePoint> real = depth.nearest(ray);
   if (const auto hit = object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m})) {
     const RealQuestion question{&depth, &*hit};
-    out.object.direct += leaving_object(question, question, object, *hit, light, sampler).total();
+    out.object += leaving_object(question, question, object, *hit, light, sampler).total();
   } else if (real) {
     const RadiancePair pair = leaving_pair(depth, &object, *real, light, sampler);
-    out.no += pair.no;
-    out.with += pair.with;
+    out.no += pair.no.total();
+    out.with += pair.with.total();
     out.background += photograph;
     ++out.rest;
   } else {

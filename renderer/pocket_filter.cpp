@@ -40,7 +40,7 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
                                           int width_px, int height_px) {
   std::vector<Texel> from(sums.size()), to(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (pockets[i]) from[i] = {sums[i].no.total(), sums[i].with.total(), sums[i].rest};
+    if (pockets[i]) from[i] = {sums[i].no, sums[i].with, sums[i].rest};
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   };

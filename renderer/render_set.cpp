@@ -104,9 +104,11 @@ class SetRenderer {
                             .seed = settings_.seed,
                             .threads = threads_,
                             .omit = settings_.omit};
-    for (const Artifact artifact : scene.definition.artifacts)
-      options.who_is_in_front =
-          options.who_is_in_front || recipe(artifact, study_.isolation).answers.occlusion == Who::depth;
+    for (const Artifact artifact : scene.definition.artifacts) {
+      const Recipe how = recipe(artifact, study_.isolation);
+      options.who_is_in_front = options.who_is_in_front || how.answers.occlusion == Who::depth;
+      options.depth_bounces = options.depth_bounces || how.answers.bounce == Who::depth;
+    }
     return make_estimator(settings_.estimator, scene, options);
   }
 

@@ -25,13 +25,13 @@ struct Step {
 
 class Planner {
  public:
-  Planner(const std::vector<TileState>& tiles, const ErrorTarget& target)
+  Planner(const std::vector<TileState>& tiles, double image_square, const ErrorTarget& target)
       : tiles_(tiles),
         target_square_(target.rmse * target.rmse),
-        square_(target.rmse * target.rmse - rounding_square) {
+        square_(target.rmse * target.rmse - rounding_square),
+        expected_(image_square) {
     for (const TileState& tile : tiles) {
       wanted_.push_back(tile.spp);
-      expected_ += tile.share * (tile.noise + tile.rest);
       had_ += tile.spp;
     }
   }
@@ -75,15 +75,16 @@ class Planner {
   const std::vector<TileState>& tiles_;
   const double target_square_;
   const double square_;  ///< what noise and bias may be
+  double expected_;
   std::vector<int> wanted_;
-  double expected_ = 0;
   long had_ = 0, added_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> next_samples(const std::vector<TileState>& tiles, const ErrorTarget& target) {
-  return Planner(tiles, target).plan();
+std::vector<int> next_samples(const std::vector<TileState>& tiles, double image_square,
+                              const ErrorTarget& target) {
+  return Planner(tiles, image_square, target).plan();
 }
 
 }  // namespace seamline

@@ -43,12 +43,12 @@ class LayerMaker {
     surfaces_.resize(pixels);
     texels_.resize(pixels);
     rows([&](int x, int y) { collect_rest(x, y); });
-    filter_bounce(surfaces_, layers_.width_px, options_.filter, options_.threads, texels_);
+    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
     rows([&](int x, int y) { write_rest(x, y); });
     std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
     std::fill(texels_.begin(), texels_.end(), BounceTexel{});
     rows([&](int x, int y) { collect_object(x, y); });
-    filter_bounce(surfaces_, layers_.width_px, options_.filter, options_.threads, texels_);
+    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
     rows([&](int x, int y) { write_object(x, y); });
     return std::move(layers_);
   }

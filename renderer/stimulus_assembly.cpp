@@ -27,9 +27,10 @@ class Assembly {
       out.from_reference = in.truth.object.total() + in.covers * Rgb(in.truth.with.total() + in.truth.sky);
     else
       out.object =
-          object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half);
+          object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
+              .total();
     if (recipe_.keep == Keep::object_layer) return;
-    if (recipe_.keep == Keep::everything) out.object += hidden_light(in);
+    if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
     add_rest_of(in, rest.texel(i), rest.surface(i), half, out);
   }
 
@@ -139,8 +140,8 @@ class Assembly {
                        StimulusSums& out) {
     out.rest = rest;
     out.background = background;
-    out.no = no;
-    out.with = with;
+    out.no = no.total();
+    out.with = with.total();
   }
 
   const ObjectTruth& truth_;
@@ -166,10 +167,14 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
   if (on_object && filters.object.levels > 0)
     object = filtered_object(parts.truth, parts.depth, filters.object, threads);
   const Assembly assembly(parts);
+  const FilteredBounce no_filter;
   parallel_for(truth.height_px, threads, [&](int y) {
-    for (int x = 0; x < truth.width_px; ++x)
+    for (int x = 0; x < truth.width_px; ++x) {
+      const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.tile_of(x, y));
+      const bool filtered = filters.ratio_tiles.empty() || filters.ratio_tiles[tile] != 0;
       for (std::size_t half = 0; half < 2; ++half)
-        assembly.pixel(x, y, half, rest, object, out.halves[half][truth.index(x, y)]);
+        assembly.pixel(x, y, half, filtered ? rest : no_filter, object, out.halves[half][truth.index(x, y)]);
+    }
   });
   return out;
 }

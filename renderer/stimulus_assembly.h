@@ -16,6 +16,7 @@ struct StimulusParts {
 /// How light that the depth mesh answers is filtered.
 struct DepthFilters {
   FilterStrength ratio = {};   ///< light that only decides a ratio
+  TileSet ratio_tiles = {};    ///< where; empty: everywhere
   FilterStrength object = {};  ///< bounce light on the object
 };
 

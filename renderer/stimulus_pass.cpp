@@ -24,7 +24,9 @@ class PixelRenderer {
     bool truth_serves = true;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       truth_serves = truth_serves && as_in_truth(samples_[i]);
-      sampler_.add_depth_part(samples_[i], static_cast<int>(i), *out[i % 2]);
+      DepthPart asked;
+      sampler_.add_depth_part(samples_[i], static_cast<int>(i), asked);
+      add_depth_part(asked, *out[i % 2]);
     }
     if (truth_serves) {
       for (std::size_t half = 0; half < 2; ++half) add_truth_sums(*truth[half], *out[half]);
@@ -36,6 +38,13 @@ class PixelRenderer {
   }
 
  private:
+  static void add_depth_part(const DepthPart& part, StimulusSums& out) {
+    out.no += part.no.total();
+    out.with += part.with.total();
+    out.object += part.object.total();
+    out.rest += part.rest;
+  }
+
   /// Whether the truth's own sums hold this sample where the stimulus wants it.
   bool as_in_truth(const StimulusSample& sample) const {
     using Shows = StimulusSample::Shows;
@@ -69,12 +78,24 @@ class PixelRenderer {
     }
     out.sky += truth.sky;
     out.background += truth.no.total();
-    add_rest({truth.no, truth.with}, sampler_.direct_from_truth(), answers_.bounce == Who::truth, out);
+    add_rest({truth.no, truth.with}, out);
   }
 
   void add_object(const Split& light, StimulusSums& out) const {
-    if (answers_.object_lit == Who::truth) out.object.direct += light.direct;
-    if (answers_.bounce == Who::truth) out.object.bounce += light.bounce;
+    if (answers_.object_lit == Who::truth) out.object += light.direct;
+    if (answers_.bounce == Who::truth) out.object += light.bounce;
+  }
+
+  /// What the truth answers of the light on the rest.
+  void add_rest(const RadiancePair& pair, StimulusSums& out) const {
+    if (sampler_.direct_from_truth()) {
+      out.no += pair.no.direct;
+      out.with += pair.with.direct;
+    }
+    if (answers_.bounce == Who::truth) {
+      out.no += pair.no.bounce;
+      out.with += pair.with.bounce;
+    }
   }
 
   /// The same, for one sample that the truth pass sorted differently.
@@ -87,7 +108,7 @@ class PixelRenderer {
       case StimulusSample::Shows::rest: {
         const RadiancePair pair = sampler_.rest_in_truth(sample);
         out.background += pair.no.total();
-        add_rest(pair, sampler_.direct_from_truth(), answers_.bounce == Who::truth, out);
+        add_rest(pair, out);
         return;
       }
       case StimulusSample::Shows::sky:

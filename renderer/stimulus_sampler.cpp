@@ -7,6 +7,18 @@ namespace {
 
 constexpr int packet = 16;
 
+/// Adds light on the rest: its direct part, its bounce part, or both.
+void add_rest(const RadiancePair& pair, bool direct, bool bounce, DepthPart& out) {
+  if (direct) {
+    out.no.direct += pair.no.direct;
+    out.with.direct += pair.with.direct;
+  }
+  if (bounce) {
+    out.no.bounce += pair.no.bounce;
+    out.with.bounce += pair.with.bounce;
+  }
+}
+
 bool covers(const StimulusSample& sample, const std::optional<SurfacePoint>& real) {
   return sample.object && (!real || sample.object->distance_m < real->distance_m);
 }
@@ -90,7 +102,7 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
 }
 
 float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index, bool direct,
-                                         StimulusSums& out) const {
+                                         DepthPart& out) const {
   if (!bounce_.may_filter) {
     add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
              true, out);
@@ -103,7 +115,7 @@ float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index
   return reach_m;
 }
 
-void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums& out) const {
+void StimulusSampler::add_object_part(const StimulusSample& sample, DepthPart& out) const {
   if (answers_.bounce == Who::depth) {
     const Split light = object_light(sample, answers_.object_lit, Who::depth);
     if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
@@ -116,7 +128,7 @@ void StimulusSampler::add_object_part(const StimulusSample& sample, StimulusSums
   }
 }
 
-float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const {
+float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const {
   if (sample.shows == StimulusSample::Shows::object) add_object_part(sample, out);
   if (sample.shows != StimulusSample::Shows::rest) return endless;
   out.rest += 1.0F;
@@ -134,17 +146,6 @@ float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, S
     add_rest(pair, true, true, out);
   }
   return bounce ? add_rest_in_depth(sample, index, false, out) : endless;
-}
-
-void add_rest(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out) {
-  if (direct) {
-    out.no.direct += pair.no.direct;
-    out.with.direct += pair.with.direct;
-  }
-  if (bounce) {
-    out.no.bounce += pair.no.bounce;
-    out.with.bounce += pair.with.bounce;
-  }
 }
 
 }  // namespace seamline

@@ -24,6 +24,13 @@ struct BounceSampling {
   int tail_every = 1;
 };
 
+/// Light that the depth mesh has a part in, summed over samples.
+struct DepthPart {
+  Split no, with;  ///< on the rest, without and with the object
+  Split object;    ///< on the object
+  float rest = 0;  ///< number of samples in `no` and `with`
+};
+
 /// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
 /// estimators.
 class StimulusSampler {
@@ -38,7 +45,7 @@ class StimulusSampler {
   /// Everything that some geometry other than the truth alone has to answer: light on the rest (with the
   /// number of samples it is over) and on the object. `index` is the sample's number. Returns how far the
   /// first ray for bounce light got, infinity when it is not known.
-  float add_depth_part(const StimulusSample& sample, int index, StimulusSums& out) const;
+  float add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const;
 
   /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
@@ -60,8 +67,8 @@ class StimulusSampler {
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
   [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
-  float add_rest_in_depth(const StimulusSample& sample, int index, bool direct, StimulusSums& out) const;
-  void add_object_part(const StimulusSample& sample, StimulusSums& out) const;
+  float add_rest_in_depth(const StimulusSample& sample, int index, bool direct, DepthPart& out) const;
+  void add_object_part(const StimulusSample& sample, DepthPart& out) const;
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;
@@ -72,8 +79,5 @@ class StimulusSampler {
   std::uint64_t seed_;
   BounceSampling bounce_;
 };
-
-/// Adds light on the rest: its direct part, its bounce part, or both.
-void add_rest(const RadiancePair& pair, bool direct, bool bounce, StimulusSums& out);
 
 }  // namespace seamline

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <vector>
 
 namespace seamline {
 
@@ -32,5 +33,21 @@ struct TileGrid {
   /// Place of a pixel inside its tile.
   [[nodiscard]] static int place(int x, int y) { return (y % side_px) * side_px + x % side_px; }
 };
+
+/// Some tiles of a grid: a flag each.
+using TileSet = std::vector<char>;
+
+/// The tiles and the eight around each of them.
+[[nodiscard]] inline TileSet with_neighbours(const TileGrid& grid, const TileSet& tiles) {
+  TileSet out(tiles.size(), 0);
+  for (int tile = 0; tile < grid.count(); ++tile) {
+    if (tiles[static_cast<std::size_t>(tile)] == 0) continue;
+    const int column = tile % grid.columns(), row = tile / grid.columns();
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows() - 1); ++r)
+      for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns() - 1); ++c)
+        out[static_cast<std::size_t>(r * grid.columns() + c)] = 1;
+  }
+  return out;
+}
 
 }  // namespace seamline

@@ -156,9 +156,17 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
         reaches_past(lit_past, to_sun, endless))
       out.direct += point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine);
   }
+  const Rgb sky = point.albedo * light.environment_radiance / static_cast<float>(light.sky_rays);
+  for (int more = 1; more < light.sky_rays; ++more) {
+    const Eigen::Vector3f direction =
+        turned_direction(point.normal, sampler.point(dimension::direction(0)), more, light.sky_rays);
+    if (above_horizon(point, direction) &&
+        !object.occluded(leaving_ray(point, direction, light.sky_distance_m)) &&
+        reaches_past(lit_past, direction, light.sky_distance_m))
+      out.direct += sky;
+  }
   const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(0)));
   if (!above_horizon(point, direction)) return out;
-  const Rgb sky = point.albedo * light.environment_radiance;
   Ray ray = leaving_ray(point, direction, light.sky_distance_m);
   const bool bounces_matter =
       bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());

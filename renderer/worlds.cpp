@@ -30,6 +30,7 @@ class Path {
   void scatter(WorldSet set, const SurfacePoint& point, Rgb throughput, int vertex) {
     throughput *= point.albedo;
     add_suns(set, point, throughput, vertex);
+    if (vertex == 0) add_more_sky(set, point, throughput);
     if (vertex != 1) {
       go_on(set, point, throughput, vertex);
     } else if (plan_.has_tail) {
@@ -52,8 +53,8 @@ class Path {
         cosine_direction(point.normal, sampler_.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return;
     const Ray ray = leaving_ray(point, direction, light_.sky_distance_m);
-    const Rgb sky = throughput * light_.environment_radiance;
     const bool sky_is_direct = vertex == 0 && !plan_.sky_joins_bounce;
+    const Rgb sky = throughput * light_.environment_radiance / (sky_is_direct ? sky_rays() : 1.0F);
     if (vertex >= light_.bounces && !emits_) {
       if (light_.skips_sky) {
         ++omitted_rays.dark_sky_rays;
@@ -72,6 +73,20 @@ class Path {
       if (emits_) add(subset, false, throughput * hit->emission);
       if (vertex < light_.bounces) scatter(subset, *hit, throughput, vertex + 1);
     });
+  }
+
+  [[nodiscard]] float sky_rays() const { return static_cast<float>(light_.sky_rays); }
+
+  /// The sky at the first surface by more rays than the one that goes on.
+  void add_more_sky(WorldSet set, const SurfacePoint& point, const Rgb& throughput) {
+    if (plan_.sky_joins_bounce) return;
+    for (int ray = 1; ray < light_.sky_rays; ++ray) {
+      const Eigen::Vector3f direction =
+          turned_direction(point.normal, sampler_.point(dimension::direction(0)), ray, light_.sky_rays);
+      if (above_horizon(point, direction))
+        add(worlds_.reached(leaving_ray(point, direction, light_.sky_distance_m), set), true,
+            throughput * light_.environment_radiance / sky_rays());
+    }
   }
 
   void add_suns(WorldSet set, const SurfacePoint& point, const Rgb& throughput, int vertex) {

@@ -228,12 +228,12 @@ TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
     StimulusSums& pixel = layers.halves[0][i];
     pixel.rest = 2;
     pixel.background = Rgb::Constant(2.0F);
-    pixel.no.direct = pixel.with.direct = Rgb::Constant(2.0F);
+    pixel.no = pixel.with = Rgb::Constant(2.0F);
   }
-  layers.halves[0][1].no.direct = Rgb::Zero();  // sealed pocket: no light at all, but the object brings some
-  layers.halves[0][1].with.direct = Rgb::Constant(1e-3F);
-  layers.halves[0][2].no.direct = Rgb::Constant(0.1F);  // brightened far beyond the clamp
-  layers.halves[0][2].with.direct = Rgb::Constant(5.0F);
+  layers.halves[0][1].no = Rgb::Zero();  // sealed pocket: no light at all, but the object brings some
+  layers.halves[0][1].with = Rgb::Constant(1e-3F);
+  layers.halves[0][2].no = Rgb::Constant(0.1F);  // brightened far beyond the clamp
+  layers.halves[0][2].with = Rgb::Constant(5.0F);
   layers.halves[0][2].background = Rgb::Constant(0.2F);  // as dark in the photograph: believed
   const Composite composite = compose(layers);
   EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);
@@ -258,8 +258,8 @@ TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
       const int number = y * 8 + x;
       pixel.rest = 16;
       pixel.background = Rgb::Constant(pocket ? 1.0F : 16.0F);
-      pixel.no.direct = Rgb::Constant(pocket ? (number % 2 == 0 ? 1.0F : 0.0F) : 16.0F);
-      pixel.with.direct = pocket && number % 6 == 0 ? Rgb::Zero() : pixel.no.direct;
+      pixel.no = Rgb::Constant(pocket ? (number % 2 == 0 ? 1.0F : 0.0F) : 16.0F);
+      pixel.with = pocket && number % 6 == 0 ? Rgb::Zero() : pixel.no;
     }
   const Composite composite = compose(layers);
   for (int y = 0; y < 32; ++y)
@@ -279,8 +279,8 @@ TEST(Composite, WellsThatTheDepthMeshSealsDoNotTurnBlack) {
     StimulusSums& pixel = layers.halves[0][i];
     pixel.rest = 2;
     pixel.background = Rgb::Constant(2.0F);
-    pixel.no.direct = Rgb::Constant(i == 4 ? 0.02F : 2.0F);
-    pixel.with.direct = i == 4 ? Rgb::Zero() : Rgb::Constant(i == 3 ? 0.4F : 2.0F);
+    pixel.no = Rgb::Constant(i == 4 ? 0.02F : 2.0F);
+    pixel.with = i == 4 ? Rgb::Zero() : Rgb::Constant(i == 3 ? 0.4F : 2.0F);
   }
   const Composite composite = compose(layers);
   EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);

@@ -46,12 +46,12 @@ TEST(SamplingRounds, GrowsUntilTheTargetIsExpectedAndNotBeyondTheLimit) {
   std::vector<TileState> tiles(10, {.noise = 4e-4, .spp = 16, .share = 0.1, .most_spp = 1024});
   tiles[3].most_spp = 16;
   tiles[7].noise = 4e-2;
-  const std::vector<int> wanted = next_samples(tiles, {.rmse = 0.02});
+  const std::vector<int> wanted = next_samples(tiles, 4e-4, {.rmse = 0.02});
   EXPECT_EQ(wanted[3], 16);
   EXPECT_EQ(wanted[7], 64);
   for (const int spp : wanted) EXPECT_TRUE(spp >= 16 && spp <= 64 && spp % 2 == 0);
   for (TileState& tile : tiles) tile.noise = 1e-5;
-  EXPECT_EQ(next_samples(tiles, {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(tiles, 4e-4, {.rmse = 0.02}), std::vector<int>(10, 16));
 }
 
 /// A floor with a wall: left half of the picture and right half, seen from 2 m.
@@ -75,7 +75,7 @@ TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
       texels[i].no[half] = Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
       texels[i].no_samples[half] = 4.0F;
     }
-  filter_bounce(floor_and_wall(width_px, height_px), width_px, {.levels = 3}, 2, texels);
+  filter_bounce(floor_and_wall(width_px, height_px), TileGrid{width_px, height_px}, {.levels = 3}, 2, texels);
   for (std::size_t i = 0; i < texels.size(); ++i)
     ASSERT_NEAR(texels[i].no[1][0] / texels[i].no_samples[1],
                 static_cast<int>(i) % width_px < width_px / 2 ? 2.0F : 0.5F, 1e-5F);
@@ -88,7 +88,7 @@ TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
   std::vector<BounceTexel> texels(surfaces.size());
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i].no_samples = {1.0F, 1.0F};
   texels[8 * 32 + 8].no[0] = Rgb::Constant(1.0F);
-  filter_bounce(surfaces, width_px, {.levels = 2, .reach_divisor = 2.0F}, 1, texels);
+  filter_bounce(surfaces, TileGrid{width_px, height_px}, {.levels = 2, .reach_divisor = 2.0F}, 1, texels);
   EXPECT_EQ(texels[8 * 32 + 9].no[0][0], 0.0F);
   EXPECT_NEAR(texels[8 * 32 + 8].no[0][0] / texels[8 * 32 + 8].no_samples[0], 1.0F, 1e-6F);
 }
