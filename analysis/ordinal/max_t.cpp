@@ -6,8 +6,10 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 namespace seamline {
 
@@ -87,13 +89,15 @@ double MaxAbsT::tail(double t) const {
 }
 
 double MaxAbsT::critical(double probability) const {
-  double low = two_sided_critical(probability, degrees_of_freedom_);
-  double high = two_sided_critical(probability / static_cast<double>(count_), degrees_of_freedom_);
-  for (int step = 0; step < 40 && high - low > 1e-9 * high; ++step) {
-    const double middle = (low + high) / 2;
-    (tail(middle) > probability ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  const double low = two_sided_critical(probability, degrees_of_freedom_);
+  const double high = two_sided_critical(probability / static_cast<double>(count_), degrees_of_freedom_);
+  const auto excess = [&](double t) { return tail(t) - probability; };
+  if (dimension_ == 1 || !(excess(low) > 0)) return low;  // all contrasts are one and the same
+  if (!(excess(high) < 0)) return high;
+  std::uintmax_t most_evaluations = 60;
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      excess, low, high, boost::math::tools::eps_tolerance<double>(30), most_evaluations);
+  return (below + above) / 2;
 }
 
 double two_sided_tail(double t, double degrees_of_freedom) {

@@ -100,6 +100,12 @@ CsvValue cell(double number) {
   return std::isnan(number) ? CsvValue{} : CsvValue{number};
 }
 
+/// Digits of a p value beyond the third are not known, whatever the arithmetic says.
+CsvValue p_cell(double p) {
+  if (std::isnan(p)) return {};
+  return p < 0.001 ? std::string("< 0.001") : fmt::format("{:.3f}", p);
+}
+
 CsvTable coefficient_table(const OrdinalStudy& study) {
   CsvTable table{.name = "ordinal_coefficients",
                  .columns = {{"coefficient", "", ""},
@@ -111,7 +117,7 @@ CsvTable coefficient_table(const OrdinalStudy& study) {
                  .rows = {}};
   for (const CoefficientRow& row : study.coefficients)
     table.rows.push_back({row.name, cell(row.estimate), cell(row.standard_error), cell(row.ci95_low),
-                          cell(row.ci95_high), cell(row.p)});
+                          cell(row.ci95_high), p_cell(row.p)});
   return table;
 }
 
@@ -126,8 +132,8 @@ CsvTable contrast_table(const ContrastTable& contrasts) {
                              {"verdict", "", ""}},
                  .rows = {}};
   for (const ContrastRow& row : contrasts.rows)
-    table.rows.push_back({row.name, cell(row.estimate), cell(row.ci95_low), cell(row.ci95_high), cell(row.p),
-                          cell(row.adjusted_p), std::string(word(row.verdict))});
+    table.rows.push_back({row.name, cell(row.estimate), cell(row.ci95_low), cell(row.ci95_high),
+                          p_cell(row.p), p_cell(row.adjusted_p), std::string(word(row.verdict))});
   return table;
 }
 
@@ -148,7 +154,7 @@ std::string text_of(const OrdinalStudy& study) {
   text += markdown_table(coefficient_table(study));
   for (const ContrastTable& table : study.contrasts) {
     text += "\n" + table.question;
-    if (table.joint_p)
+    if (table.joint_p && table.joint_contrasts > 1)
       text += fmt::format(" All {} independent contrasts together: {}.", table.joint_contrasts,
                           p_text(*table.joint_p));
     text += fmt::format(" Correction: {}.\n", word(table.correction)) + markdown_table(contrast_table(table));

@@ -140,8 +140,6 @@ TEST(Contrasts, IntervalsAndAdjustedPAgree) {
   EXPECT_EQ(table.joint_contrasts, 2);
   const double mean = 0.3;
   const double squared = (std::pow(0 - mean, 2) + std::pow(1.1 - mean, 2) + std::pow(-0.2 - mean, 2)) / 0.08;
-  const MaxAbsT sphere(Eigen::Matrix2d::Identity(), 19);
-  (void)sphere;
   const double f = squared * 18 / (19 * 2);
   EXPECT_NEAR(table.joint_p.value(), std::pow(1 + 2 * f / 18, -9), 1e-9);  // F with 2 and 18 degrees, exactly
 
