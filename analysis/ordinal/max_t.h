@@ -12,7 +12,7 @@ namespace seamline {
 /// T = R L w with w uniform on the sphere and R the length, L L' the correlation. Given w the length is
 /// integrated exactly, P(R > c / max_j |L_j w|), where R^2 / dimension is F distributed; over w the mean is
 /// taken on a fixed lattice. So the same input gives the same bits, and small tails are as exact as large
-/// ones. Absolute error of a probability near 0.05: under 5e-4 (measured against Tukey's and Dunnett's
+/// ones. Absolute error of a probability near 0.05: under 1e-3 (measured against Tukey's and Dunnett's
 /// tables).
 class MaxAbsT {
  public:
