@@ -1,12 +1,7 @@
 #include "analysis/resampling.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
 
 #include "stimuli/support/random.h"
 
@@ -52,29 +47,6 @@ void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRe
     const Eigen::MatrixXd sums = draw_counts(first, size, noticeability.rows(), request.seed) * noticeability;
     for (int row = 0; row < size; ++row) use(first + row, sums.row(row).transpose() / people);
   });
-}
-
-void run_parallel(int count, int threads, const std::function<void(int)>& work) {
-  const int wanted =
-      threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int used = std::min(wanted, count);
-  std::atomic<int> next{0};
-  std::mutex failure_lock;
-  std::exception_ptr failure;
-  const auto worker = [&] {
-    try {
-      for (int index = next++; index < count; index = next++) work(index);
-    } catch (...) {
-      const std::lock_guard guard(failure_lock);
-      if (!failure) failure = std::current_exception();
-      next = count;
-    }
-  };
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < used; ++i) helpers.emplace_back(worker);
-  worker();
-  for (std::thread& helper : helpers) helper.join();
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace seamline

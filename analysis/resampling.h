@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "stimuli/support/parallel.h"
+
 namespace seamline {
 
 /// How participants are resampled. The same request gives the same bits for any number of threads.
@@ -27,9 +29,5 @@ struct MeanVector {
 /// twice for one replicate.
 void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRequest& request,
                         const std::function<void(int replicate, const Eigen::VectorXd& mean)>& use);
-
-/// Runs `work(i)` for i in 0..count-1 on `threads` threads (0: as many as the machine has), in no particular
-/// order. The first exception of a thread is thrown again here.
-void run_parallel(int count, int threads, const std::function<void(int index)>& work);
 
 }  // namespace seamline
