@@ -21,7 +21,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"renderer", {"stimuli", "stimuli/support"}},
     {"study", {"stimuli", "stimuli/support"}},
     {"study/app", {"study", "stimuli", "stimuli/support"}},
-    {"analysis", {"study", "stimuli", "stimuli/support"}}};
+    {"analysis", {"study", "stimuli", "stimuli/support", "analysis/psychometric"}},
+    {"analysis/psychometric", {"study", "stimuli", "stimuli/support"}}};
 
 std::string folder_of(const std::string& include) {
   const std::size_t slash = include.rfind('/');
