@@ -30,14 +30,12 @@ void set_gaps(FitProblem& problem) {
 Priors unit_priors(const Priors& priors, const FitProblem& problem) {
   Priors unit = priors;
   if (unit.threshold)
-    unit.threshold = NormalPrior{
-        .mean = problem.to_unit(axis_value(problem.axis, priors.threshold->mean)),
-        .sd = priors.threshold->sd / problem.range};
+    unit.threshold = NormalPrior{.mean = problem.to_unit(axis_value(problem.axis, priors.threshold->mean)),
+                                 .sd = priors.threshold->sd / problem.range};
   if (unit.log2_width)  // of the natural logarithm of the unit scale
-    unit.log2_width = NormalPrior{
-        .mean = priors.log2_width->mean * std::numbers::ln2 -
-                std::log(scales_in_width(problem.sigmoid) * problem.range),
-        .sd = priors.log2_width->sd * std::numbers::ln2};
+    unit.log2_width = NormalPrior{.mean = priors.log2_width->mean * std::numbers::ln2 -
+                                          std::log(scales_in_width(problem.sigmoid) * problem.range),
+                                  .sd = priors.log2_width->sd * std::numbers::ln2};
   return unit;
 }
 
@@ -170,7 +168,9 @@ Objective objective_at(const FitProblem& problem, const Theta& theta, double eta
 }
 
 void require_valid(const FitOptions& options) {
-  const auto in_range = [](const Rate& rate) { return rate.low >= 0 && rate.low <= rate.high && rate.high < 1; };
+  const auto in_range = [](const Rate& rate) {
+    return rate.low >= 0 && rate.low <= rate.high && rate.high < 1;
+  };
   if (!in_range(options.guess))
     throw input_error({.field = "guess", .wanted = "from 0 to 1", .found = number_text(options.guess.high)});
   if (!in_range(options.lapse))
@@ -181,17 +181,21 @@ void require_valid(const FitOptions& options) {
                        .found = number_text(options.guess.high + options.lapse.high)});
   const auto require_sd = [](const char* field, const std::optional<NormalPrior>& prior) {
     if (prior && !(std::isfinite(prior->mean) && std::isfinite(prior->sd) && prior->sd > 0))
-      throw input_error({.field = field, .wanted = "a finite mean and a positive SD",
+      throw input_error({.field = field,
+                         .wanted = "a finite mean and a positive SD",
                          .found = number_text(prior->mean) + "," + number_text(prior->sd)});
   };
   require_sd("prior of the threshold", options.priors.threshold);
   require_sd("prior of the width", options.priors.log2_width);
   if (options.priors.threshold && options.axis == Axis::log2 && options.priors.threshold->mean <= 0)
-    throw input_error({.field = "prior of the threshold", .wanted = "a positive level on a log2 axis",
+    throw input_error({.field = "prior of the threshold",
+                       .wanted = "a positive level on a log2 axis",
                        .found = number_text(options.priors.threshold->mean)});
   if (options.priors.lapse && !(options.priors.lapse->a >= 1 && options.priors.lapse->b >= 1))
-    throw input_error({.field = "prior of the lapse rate", .wanted = "a beta distribution with a, b >= 1",
-                       .found = number_text(options.priors.lapse->a) + "," + number_text(options.priors.lapse->b)});
+    throw input_error(
+        {.field = "prior of the lapse rate",
+         .wanted = "a beta distribution with a, b >= 1",
+         .found = number_text(options.priors.lapse->a) + "," + number_text(options.priors.lapse->b)});
 }
 
 }  // namespace seamline

@@ -27,10 +27,10 @@ struct FitProblem {
   std::vector<UnitCounts> levels;  ///< pooled, rising; never empty
   std::vector<UnitCounts> rows;    ///< as given: the units that overdispersion is about
   double centre = 0, range = 1;
-  double smallest_gap = 1;      ///< between neighbouring levels, unit axis; 1 when there is one level
+  double smallest_gap = 1;  ///< between neighbouring levels, unit axis; 1 when there is one level
   double median_gap = 1;
-  Theta lower, upper;           ///< the box
-  Priors priors;                ///< already on the unit axis
+  Theta lower, upper;  ///< the box
+  Priors priors;       ///< already on the unit axis
   bool overdispersed = false;
 
   [[nodiscard]] double to_unit(double axis_value) const { return (axis_value - centre) / range; }

@@ -96,8 +96,7 @@ class Line {
 std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file))
-    throw input_error(
-        {.file = file.string(), .field = "", .wanted = "a readable CSV file", .found = "none"});
+    throw input_error({.file = file.string(), .field = "", .wanted = "a readable CSV file", .found = "none"});
   std::string text;
   if (!std::getline(in, text))
     throw input_error({.file = file.string(),
@@ -146,8 +145,7 @@ void require_valid(const std::vector<LevelCounts>& counts, Axis axis) {
                          .wanted = "a positive number on a log2 axis (a linear axis takes any)",
                          .found = number_text(row.level)});
     if (row.trials < 0)
-      throw input_error(
-          {.field = "trials", .wanted = "0 or more", .found = std::to_string(row.trials)});
+      throw input_error({.field = "trials", .wanted = "0 or more", .found = std::to_string(row.trials)});
     if (row.correct < 0 || row.correct > row.trials)
       throw input_error({.field = "correct",
                          .wanted = "from 0 to the " + std::to_string(row.trials) + " trials",

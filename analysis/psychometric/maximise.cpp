@@ -70,7 +70,8 @@ class Climb {
 
   Maximum from(Theta at) {
     for (int i = 0; i < 4; ++i)
-      if (!held_.fixed[static_cast<std::size_t>(i)]) at[i] = std::clamp(at[i], lower_[i], std::max(lower_[i], upper_[i]));
+      if (!held_.fixed[static_cast<std::size_t>(i)])
+        at[i] = std::clamp(at[i], lower_[i], std::max(lower_[i], upper_[i]));
     View here = view(at);
     double damping = 0;
     bool converged = false;
@@ -138,7 +139,8 @@ class Climb {
       solve(here.expected, std::max(damping, 1e-3), move);
     double shorter = 1;
     if (std::abs(move[0]) > largest_place_step) shorter = largest_place_step / std::abs(move[0]);
-    if (std::abs(move[1]) * shorter > largest_log_scale_step) shorter = largest_log_scale_step / std::abs(move[1]);
+    if (std::abs(move[1]) * shorter > largest_log_scale_step)
+      shorter = largest_log_scale_step / std::abs(move[1]);
     move *= shorter;
     for (int i = 0; i < 4; ++i)
       if (!rests[static_cast<std::size_t>(i)])
@@ -174,7 +176,8 @@ double likeliest_eta(const FitProblem& problem, const Theta& theta) {
   for (std::size_t i = 1; i < tried.size(); ++i)
     if (cost(tried[i]) < cost(tried[best])) best = i;
   const auto [eta, value] = boost::math::tools::brent_find_minima(
-      cost, tried[best == 0 ? 0 : best - 1], std::min(largest_eta, tried[std::min(best + 1, tried.size() - 1)]), 26);
+      cost, tried[best == 0 ? 0 : best - 1],
+      std::min(largest_eta, tried[std::min(best + 1, tried.size() - 1)]), 26);
   return value < cost(0) ? eta : 0;
 }
 

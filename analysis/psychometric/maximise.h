@@ -28,9 +28,9 @@ struct Maximum {
 };
 
 /// Climbs from `start` by Newton's method where the curvature allows it, else by Fisher scoring, damped
-/// (Levenberg), within the problem's box; a parameter at its bound stays there while the slope points outward.
-/// With an overdispersed problem eta is maximised in turn with the rest. `coordinates` are theta with the
-/// sought level's place first; held ones keep their value. Finds the local maximum of the start.
+/// (Levenberg), within the problem's box; a parameter at its bound stays there while the slope points
+/// outward. With an overdispersed problem eta is maximised in turn with the rest. `coordinates` are theta
+/// with the sought level's place first; held ones keep their value. Finds the local maximum of the start.
 [[nodiscard]] Maximum maximise(const FitProblem& problem, const Held& held, const Theta& coordinates,
                                double eta);
 

@@ -128,7 +128,8 @@ double Profile::end(const Coordinate& coordinate, double cut, double towards) co
 
   const double sd = std::sqrt(coordinate_variance(search_.problem, search_.best, coordinate.index));
   const double whole = coordinate.index < 2 ? 1 : coordinate.upper - coordinate.lower;
-  double stride = std::isfinite(sd) && sd > 0 ? std::clamp(sd * std::sqrt(cut), 1e-7 * whole, 0.5 * whole) : 0.1 * whole;
+  double stride =
+      std::isfinite(sd) && sd > 0 ? std::clamp(sd * std::sqrt(cut), 1e-7 * whole, 0.5 * whole) : 0.1 * whole;
   for (int i = 0; i < most_strides; ++i, stride *= stride_growth) {
     const double x = towards > 0 ? std::min(bound, inside + stride) : std::max(bound, inside - stride);
     Maximum there = near(coordinate, x, warm);
@@ -179,7 +180,8 @@ double coordinate_variance(const FitProblem& problem, const Maximum& at, int coo
   const Objective objective = objective_at(problem, at.theta, at.eta);
   Eigen::Matrix4d information = objective.expected;
   for (int i = 0; i < 4; ++i) {
-    const bool known = i != coordinate && (at.theta[i] <= problem.lower[i] || at.theta[i] >= problem.upper[i]);
+    const bool known =
+        i != coordinate && (at.theta[i] <= problem.lower[i] || at.theta[i] >= problem.upper[i]);
     if (!known) continue;
     information.row(i).setZero();
     information.col(i).setZero();

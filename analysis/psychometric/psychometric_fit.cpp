@@ -17,7 +17,8 @@ double flat_log_likelihood(const FitProblem& problem) {
     all.k += level.k;
     all.n += level.n;
   }
-  const double p = std::clamp(all.k / all.n, problem.lower[parameter::guess], 1 - problem.lower[parameter::lapse]);
+  const double p =
+      std::clamp(all.k / all.n, problem.lower[parameter::guess], 1 - problem.lower[parameter::lapse]);
   return binomial_term(all.k, all.n, p, 1 - p).value;
 }
 
@@ -53,8 +54,8 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
   PsychometricFit fit;
   fit.options = options;
   fit.levels = pooled_by_level(counts);
-  fit.levels_without_trials =
-      static_cast<int>(std::count_if(counts.begin(), counts.end(), [](const LevelCounts& row) { return row.trials == 0; }));
+  fit.levels_without_trials = static_cast<int>(
+      std::count_if(counts.begin(), counts.end(), [](const LevelCounts& row) { return row.trials == 0; }));
   if (fit.levels.empty()) return fit;
 
   fit.search = search_direction(counts, options, fit);
@@ -79,7 +80,8 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
 
 double fitted_probability(const PsychometricFit& fit, double level) {
   const FitProblem& problem = fit.search.problem;
-  return probability_at(problem, fit.search.best.theta, problem.to_unit(axis_value(fit.options.axis, level))).right;
+  return probability_at(problem, fit.search.best.theta, problem.to_unit(axis_value(fit.options.axis, level)))
+      .right;
 }
 
 }  // namespace seamline

@@ -16,11 +16,11 @@ struct PsychometricFit {
   bool direction_known = false;
   std::vector<LevelCounts> levels;  ///< pooled, rising; those without a trial left out; may be empty
   int levels_without_trials = 0;
-  bool is_step = false;  ///< no sigmoid is likelier than a step: threshold and width are then ranges
+  bool is_step = false;           ///< no sigmoid is likelier than a step: threshold and width are then ranges
   PsychometricFunction function;  ///< the estimate; when `is_step` one of the equally likely ones
-  double width = 0;  ///< between F = 0.05 and 0.95, on the axis (octaves on log2)
-  double eta = 0;    ///< overdispersion; 0 in a binomial fit
-  double log_likelihood = 0;       ///< without the binomial coefficient
+  double width = 0;               ///< between F = 0.05 and 0.95, on the axis (octaves on log2)
+  double eta = 0;                 ///< overdispersion; 0 in a binomial fit
+  double log_likelihood = 0;      ///< without the binomial coefficient
   double flat_log_likelihood = 0;  ///< of the likeliest constant probability that the model allows
   int free_parameters = 0;
   bool converged = false;

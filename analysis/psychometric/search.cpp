@@ -44,7 +44,8 @@ double value_of_levels(const FitProblem& problem, const std::vector<SigmoidPoint
   double sum = 0;
   for (std::size_t i = 0; i < F.size(); ++i) {
     const double A = 1 - g - l;
-    sum += binomial_term(problem.levels[i].k, problem.levels[i].n, g + A * F[i].below, l + A * F[i].above).value;
+    sum +=
+        binomial_term(problem.levels[i].k, problem.levels[i].n, g + A * F[i].below, l + A * F[i].above).value;
   }
   return sum;
 }
@@ -68,8 +69,8 @@ Maximum likeliest_cell(const Search& search, double place, double log_scale, std
   return cell;
 }
 
-/// The best cells that no neighbour beats, and the best cell of every scale: a steep peak of the grid, which may
-/// lead to a step, does not hide a broad maximum beside it.
+/// The best cells that no neighbour beats, and the best cell of every scale: a steep peak of the grid, which
+/// may lead to a step, does not hide a broad maximum beside it.
 std::vector<Theta> starts(const Search& search) {
   const auto rows = static_cast<std::ptrdiff_t>(search.places.size());
   const auto columns = static_cast<std::ptrdiff_t>(search.log_scales.size());
@@ -128,10 +129,12 @@ Search search_maximum(FitProblem problem) {
   lay_grid(search);
   std::vector<SigmoidPoint> F(search.problem.levels.size());
   for (double place : search.places)
-    for (double log_scale : search.log_scales) search.cells.push_back(likeliest_cell(search, place, log_scale, F));
+    for (double log_scale : search.log_scales)
+      search.cells.push_back(likeliest_cell(search, place, log_scale, F));
   climb(search);
   search.step = likeliest_step(search.problem);
-  search.is_step = search.step && (!search.smooth || search.step->maximum.value >= search.smooth->value - step_tolerance);
+  search.is_step =
+      search.step && (!search.smooth || search.step->maximum.value >= search.smooth->value - step_tolerance);
   if (search.is_step)
     search.best = search.step->maximum;
   else if (search.smooth)

@@ -30,7 +30,8 @@ struct Search {
 
 /// The global maximum: a coarse grid over threshold, scale, lapse and guess; climbs from its best local
 /// maxima, each also with the lapse rate pinned at either bound; and the exact likelihood of every step, so
-/// that a step-like local optimum is never taken for the best fit nor the best fit missed because it is a step.
+/// that a step-like local optimum is never taken for the best fit nor the best fit missed because it is a
+/// step.
 [[nodiscard]] Search search_maximum(FitProblem problem);
 
 /// The maximum for nearly the same data (bootstrap, jackknife): one climb from `start`, and the steps.

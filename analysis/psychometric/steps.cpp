@@ -1,5 +1,5 @@
-// The limit of scale 0. With counts K of N on a side its likeliest guess or lapse is K/N or 1 - K/N within its
-// bounds, so every step is one line of arithmetic.
+// The limit of scale 0. With counts K of N on a side its likeliest guess or lapse is K/N or 1 - K/N within
+// its bounds, so every step is one line of arithmetic.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +36,8 @@ struct Candidate {
 Candidate candidate(const FitProblem& problem, Side guessing, Side seeing) {
   Candidate found;
   found.guess = share_within(guessing, problem.lower[parameter::guess], problem.upper[parameter::guess]);
-  found.lapse = 1 - share_within(seeing, 1 - problem.upper[parameter::lapse], 1 - problem.lower[parameter::lapse]);
+  found.lapse =
+      1 - share_within(seeing, 1 - problem.upper[parameter::lapse], 1 - problem.lower[parameter::lapse]);
   if (seeing.n == 0) found.lapse = problem.lower[parameter::lapse];
   found.value = term(guessing, found.guess) + term(seeing, 1 - found.lapse);
   return found;

@@ -66,8 +66,8 @@ TEST(PsychometricSciPy, NeverLessLikelyAndTheSameParametersWhereTheyAreDetermine
     EXPECT_GE(gain, -1e-6);
     if (scipy["compare"] == "loglik") return;
     if (fit.is_step) {
-      // 100 levels of one trial: a step with 2.2 % lapses between two of them is the likeliest function of all
-      // three sigmoids. SciPy found it for the normal one (its m and s are points of a plateau) and
+      // 100 levels of one trial: a step with 2.2 % lapses between two of them is the likeliest function of
+      // all three sigmoids. SciPy found it for the normal one (its m and s are points of a plateau) and
       // stopped at a smooth local optimum for the other two.
       EXPECT_EQ(set["id"], "psig_matlab_noblock");
       EXPECT_EQ(scipy["lapse_mode"], "free[0,0.1]");
@@ -97,7 +97,8 @@ TEST(PsychometricSciPy, ProfileIntervalsWithinAHundredthOfTheirWidth) {
   for_each_fit([&](const Json& set, const Json& scipy, const PsychometricFit& fit) {
     if (scipy["ci95_profile_m"].is_null()) return;
     const double low = scipy["ci95_profile_m"][0], high = scipy["ci95_profile_m"][1];
-    // Where our maximum is higher than SciPy's (the steps above), the interval below SciPy's maximum is compared.
+    // Where our maximum is higher than SciPy's (the steps above), the interval below SciPy's maximum is
+    // compared.
     const double gain = std::max(0.0, fit.log_likelihood - scipy["loglik"].get<double>());
     const LevelEstimate m =
         level_of_share(fit, share_at_m(fit.options.sigmoid), chi_squared_95 + (gain > 1e-6 ? 2 * gain : 0));
