@@ -149,10 +149,13 @@ double Profile::crossing(const Coordinate& coordinate, double cut, double inside
   double f_inside = depth(best, near(coordinate, inside, warm).value) - target;
   double f_outside = depth(best, anywhere(coordinate, outside, warm).value) - target;
   if (!std::isfinite(f_outside)) f_outside = 10;
-  const double precision = relative_precision * std::abs(outside - coordinate.start);
+  const auto is_wide =
+      [&] {  // of the interval as it is known now: the first stride may have been far too long
+        return std::abs(outside - inside) > relative_precision * std::abs(outside - coordinate.start);
+      };
   int last_side = 0;
   double x = inside;
-  for (int i = 0; i < most_cuts && std::abs(outside - inside) > precision; ++i) {
+  for (int i = 0; i < most_cuts && is_wide(); ++i) {
     const double share = f_inside < 0 ? std::clamp(f_inside / (f_inside - f_outside), 0.02, 0.98) : 0.5;
     x = i % 8 == 7 ? inside + (outside - inside) / 2 : inside + share * (outside - inside);
     Maximum there = near(coordinate, x, warm);
