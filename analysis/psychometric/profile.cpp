@@ -13,12 +13,18 @@ constexpr int most_strides = 60, most_cuts = 60;
 constexpr double stride_growth = 1.7;
 constexpr double relative_precision = 1e-6;  ///< of an end, in lengths of the interval's half
 constexpr std::size_t scan_climbs = 2;
+constexpr double beyond_share = 0.01;  ///< how far beyond a crossing other ridges are looked for
 
 double depth(double best, double value) {
   return std::sqrt(2 * std::max(0.0, best - value));
 }
 
 }  // namespace
+
+/// A value of the coordinate and the profile there.
+struct Profile::Probe {
+  double x = 0, value = 0;
+};
 
 struct Profile::Coordinate {
   int index = 0;
@@ -131,10 +137,16 @@ double Profile::end(const Coordinate& coordinate, double cut, double towards) co
   double stride =
       std::isfinite(sd) && sd > 0 ? std::clamp(sd * std::sqrt(cut), 1e-7 * whole, 0.5 * whole) : 0.1 * whole;
   for (int i = 0; i < most_strides; ++i, stride *= stride_growth) {
-    const double x = towards > 0 ? std::min(bound, inside + stride) : std::max(bound, inside - stride);
+    double x = towards > 0 ? std::min(bound, inside + stride) : std::max(bound, inside - stride);
     Maximum there = near(coordinate, x, warm);
-    if (!(there.value >= needed)) there = anywhere(coordinate, x, warm);
-    if (!(there.value >= needed)) return crossing(coordinate, cut, inside, x, warm);
+    if (!(there.value >= needed)) {
+      // The crossing on this ridge; a little beyond it every other ridge is looked at.
+      const double end = crossing(coordinate, cut, inside, {.x = x, .value = there.value}, warm);
+      const double beyond = end + towards * std::max(beyond_share * std::abs(end - coordinate.start), 1e-12);
+      x = towards > 0 ? std::min(bound, beyond) : std::max(bound, beyond);
+      there = anywhere(coordinate, x, warm);
+      if (!(there.value >= needed)) return end;
+    }
     if (x == bound) return towards * infinity;
     inside = x;
     warm = there;
@@ -143,11 +155,12 @@ double Profile::end(const Coordinate& coordinate, double cut, double towards) co
 }
 
 /// Illinois' method on the signed root of the deviance, which is nearly straight.
-double Profile::crossing(const Coordinate& coordinate, double cut, double inside, double outside,
+double Profile::crossing(const Coordinate& coordinate, double cut, double inside, const Probe& first_outside,
                          Maximum warm) const {
   const double best = search_.best.value, target = std::sqrt(cut);
+  double outside = first_outside.x;
   double f_inside = depth(best, near(coordinate, inside, warm).value) - target;
-  double f_outside = depth(best, anywhere(coordinate, outside, warm).value) - target;
+  double f_outside = depth(best, first_outside.value) - target;
   if (!std::isfinite(f_outside)) f_outside = 10;
   const auto is_wide =
       [&] {  // of the interval as it is known now: the first stride may have been far too long
@@ -159,7 +172,6 @@ double Profile::crossing(const Coordinate& coordinate, double cut, double inside
     const double share = f_inside < 0 ? std::clamp(f_inside / (f_inside - f_outside), 0.02, 0.98) : 0.5;
     x = i % 8 == 7 ? inside + (outside - inside) / 2 : inside + share * (outside - inside);
     Maximum there = near(coordinate, x, warm);
-    if (i % 8 == 0 && depth(best, there.value) > target) there = anywhere(coordinate, x, warm);
     double f = depth(best, there.value) - target;
     if (!std::isfinite(f)) f = 10;
     if (std::abs(f) < 1e-7) break;

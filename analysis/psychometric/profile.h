@@ -33,14 +33,14 @@ class Profile {
   [[nodiscard]] bool holds(const SoughtLevel& level, double place, double cut = chi_squared_95) const;
 
  private:
-  struct End;
+  struct Probe;
   struct Coordinate;
   [[nodiscard]] Interval interval(const Coordinate& coordinate, double cut) const;
   [[nodiscard]] double end(const Coordinate& coordinate, double cut, double towards) const;
   [[nodiscard]] Maximum near(const Coordinate& coordinate, double x, const Maximum& warm) const;
   [[nodiscard]] Maximum anywhere(const Coordinate& coordinate, double x, const Maximum& warm) const;
-  [[nodiscard]] double crossing(const Coordinate& coordinate, double cut, double inside, double outside,
-                                Maximum warm) const;
+  [[nodiscard]] double crossing(const Coordinate& coordinate, double cut, double inside,
+                                const Probe& first_outside, Maximum warm) const;
 
   const Search& search_;
 };
