@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 
 #include "analysis/psychometric/fit_report.h"
@@ -20,9 +19,7 @@ constexpr double largest_free_guess = 0.5;
 struct FitArguments {
   std::string file;
   int alternatives = 0;
-  Sigmoid sigmoid = Sigmoid::normal;
-  Axis axis = Axis::log2;
-  std::string direction = "auto", lapse = "free:0.1", guess;
+  std::string sigmoid = "norm", axis = "log2", direction = "auto", lapse = "free:0.1", guess;
   std::string threshold_prior, width_prior, lapse_prior;
   bool overdispersed = false, json = false;
   FitRequest request;
@@ -76,10 +73,15 @@ Priors priors_of(const FitArguments& arguments) {
   return priors;
 }
 
+Axis axis_of(const FitArguments& arguments) {
+  return arguments.axis == word(Axis::linear) ? Axis::linear : Axis::log2;
+}
+
 FitOptions options_of(const FitArguments& arguments) {
   FitOptions options = options_for_alternatives(arguments.alternatives);
-  options.sigmoid = arguments.sigmoid;
-  options.axis = arguments.axis;
+  for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
+    if (arguments.sigmoid == word(sigmoid)) options.sigmoid = sigmoid;
+  options.axis = axis_of(arguments);
   if (arguments.direction == "increasing") options.direction = Direction::increasing;
   if (arguments.direction == "decreasing") options.direction = Direction::decreasing;
   options.lapse = rate_of("--lapse", arguments.lapse, 0.1);
@@ -92,7 +94,7 @@ FitOptions options_of(const FitArguments& arguments) {
 std::vector<LevelCounts> counts_of(const FitArguments& arguments) {
   std::vector<LevelCounts> counts = read_level_counts(arguments.file);
   try {
-    require_valid(counts, arguments.axis);
+    require_valid(counts, axis_of(arguments));
   } catch (const InputError& error) {
     throw InputError(arguments.file + ": " + error.what());
   }
@@ -114,15 +116,12 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--alternatives", arguments->alternatives, "of the forced choice; 1 is yes/no")
       ->required()
       ->check(CLI::Range(1, 1000));
-  const std::map<std::string, Sigmoid> sigmoids = {
-      {"norm", Sigmoid::normal}, {"logistic", Sigmoid::logistic}, {"gumbel", Sigmoid::gumbel}};
-  command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel (default norm)")
-      ->transform(CLI::Transformer(sigmoids))
-      ->check(CLI::IsMember(sigmoids));
-  const std::map<std::string, Axis> axes = {{"log2", Axis::log2}, {"linear", Axis::linear}};
-  command->add_option("--axis", arguments->axis, "log2 or linear (default log2)")
-      ->transform(CLI::Transformer(axes))
-      ->check(CLI::IsMember(axes));
+  command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel")
+      ->check(CLI::IsMember({"norm", "logistic", "gumbel"}))
+      ->capture_default_str();
+  command->add_option("--axis", arguments->axis, "log2 or linear")
+      ->check(CLI::IsMember({"log2", "linear"}))
+      ->capture_default_str();
   command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
       ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
       ->capture_default_str();

@@ -89,7 +89,7 @@ StepFit described(const FitProblem& problem, const Candidate& step) {
     place = level.t - problem.sign * scale * sigmoid_quantile(problem.sigmoid, F);
   }
   theta = {place, std::log(scale), step.lapse, step.guess};
-  theta = theta.cwiseMax(problem.lower).cwiseMin(problem.upper);
+  theta[parameter::threshold] = std::clamp(place, problem.lower[0], problem.upper[0]);
   return fit;
 }
 
