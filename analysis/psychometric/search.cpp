@@ -14,6 +14,7 @@ namespace {
 constexpr int fewest_places = 25, most_places = 61;
 constexpr double places_beyond = 0.6;  ///< ranges beyond the tested levels that the grid reaches
 constexpr std::size_t most_peaks = 3;
+constexpr double far_behind = 1;         ///< log units
 constexpr double step_tolerance = 1e-6;  ///< log units
 
 std::vector<double> spread(double low, double high, std::initializer_list<double> shares) {
@@ -31,7 +32,16 @@ void lay_grid(Search& search) {
   const int places = std::clamp(2 * levels, fewest_places, most_places);
   for (int i = 0; i < places; ++i)
     search.places.push_back((0.5 + places_beyond) * (2.0 * i / (places - 1) - 1));
-  const double smallest = std::clamp(0.25 * problem.median_gap, 1e-3, 0.05);
+  const bool irregular = problem.smallest_gap < 0.5 * problem.median_gap && levels <= most_places / 2;
+  if (irregular) {  // the levels themselves and the middles between them
+    for (std::size_t i = 0; i < problem.levels.size(); ++i) {
+      search.places.push_back(problem.levels[i].t);
+      if (i > 0) search.places.push_back((problem.levels[i - 1].t + problem.levels[i].t) / 2);
+    }
+    std::sort(search.places.begin(), search.places.end());
+  }
+  const double smallest =
+      std::clamp(0.25 * (irregular ? problem.smallest_gap : problem.median_gap), 1e-4, 0.05);
   constexpr int scales = 8;
   for (int i = 0; i < scales; ++i)
     search.log_scales.push_back(std::log(smallest) + i * (std::log(3) - std::log(smallest)) / (scales - 1));
@@ -103,6 +113,29 @@ std::vector<Theta> starts(const Search& search) {
   return thetas;
 }
 
+/// Data that hardly bend have a long ridge of far thresholds and large scales, up which a climb is slow: its
+/// far ends are tried as well.
+template <class Consider>
+void climb_from_edges(const Search& search, const Consider& consider) {
+  const FitProblem& problem = search.problem;
+  const Held held{.fixed = {true, false, false, false}, .level = {}};
+  for (double edge : {problem.lower[parameter::threshold], problem.upper[parameter::threshold]}) {
+    Maximum start{.value = -std::numeric_limits<double>::infinity()};
+    for (double scale : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0})
+      for (double l : search.lapses)
+        for (double g : search.guesses) {
+          const Theta theta{edge, std::log(scale), l, g};
+          if (const double value = objective_value(problem, theta, 0); value > start.value)
+            start = {.theta = theta, .value = value};
+        }
+    if (!std::isfinite(start.value)) continue;
+    const Maximum found = maximise(problem, held, start.theta, 0);
+    if (std::isfinite(found.value) &&
+        found.value > (search.smooth ? search.smooth->value : found.value) - far_behind)
+      consider(found.theta);
+  }
+}
+
 void climb(Search& search) {
   const FitProblem& problem = search.problem;
   const auto consider = [&](const Theta& start) {
@@ -111,6 +144,12 @@ void climb(Search& search) {
       search.smooth = found;
   };
   for (const Theta& start : starts(search)) consider(start);
+  if (search.step) {  // a function a little less steep than the step, if that is likelier
+    Theta start = search.step->maximum.theta;
+    start[parameter::log_scale] += std::log(20);
+    consider(start);
+  }
+  climb_from_edges(search, consider);
   if (!search.smooth || problem.upper[parameter::lapse] <= problem.lower[parameter::lapse]) return;
   const Theta middle = search.smooth->theta;
   for (double pinned : {problem.lower[parameter::lapse], problem.upper[parameter::lapse]}) {
@@ -131,8 +170,8 @@ Search search_maximum(FitProblem problem) {
   for (double place : search.places)
     for (double log_scale : search.log_scales)
       search.cells.push_back(likeliest_cell(search, place, log_scale, F));
-  climb(search);
   search.step = likeliest_step(search.problem);
+  climb(search);
   search.is_step =
       search.step && (!search.smooth || search.step->maximum.value >= search.smooth->value - step_tolerance);
   if (search.is_step)

@@ -61,6 +61,29 @@ TEST(PsychometricRecovery, ThreeAlternativesThatFallWithWidth) {
   }
 }
 
+TEST(PsychometricRecovery, NoClimbFromAnywhereBeatsTheReportedMaximum) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed, 5);
+    FitOptions options = options_for_alternatives(1 + static_cast<int>(random.below(4)));
+    options.sigmoid = static_cast<Sigmoid>(random.below(3));
+    options.axis = static_cast<Axis>(random.below(2));
+    options.direction = static_cast<Direction>(random.below(2));
+    const auto trials = static_cast<std::int64_t>(1 + std::exp2(7 * random.uniform()));
+    std::vector<LevelCounts> counts;
+    for (std::uint64_t i = 0; i < 2 + seed % 9; ++i)
+      counts.push_back({.level = std::exp2(static_cast<double>(i) + 0.8 * random.uniform()),
+                        .correct = random.binomial(static_cast<int>(trials), random.uniform()),
+                        .trials = trials});
+    const PsychometricFit fit = fit_psychometric(counts, options);
+    const FitProblem& problem = fit.search.problem;
+    for (int start = 0; start < 40; ++start) {
+      const Theta theta{2 * random.uniform() - 1, std::log(0.01) + 6 * random.uniform(),
+                        problem.upper[parameter::lapse] * random.uniform(), options.guess.low};
+      EXPECT_LE(maximise(problem, {}, theta, 0).value, fit.search.best.value + 1e-6) << "seed " << seed;
+    }
+  }
+}
+
 TEST(PsychometricRecovery, FallingDataAreTheMirrorOfRisingOnes) {
   Random random(3);
   std::vector<LevelCounts> counts = simulate(falling(Sigmoid::gumbel), 40, random);
