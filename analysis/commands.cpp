@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/analyze.h"
+#include "analysis/psychometric/fit_command.h"
 
 namespace seamline {
 
@@ -30,6 +31,8 @@ void add_analysis_commands(CLI::App& app) {
   command->add_option("--seed", request->seed, "seed of the bootstrap")->capture_default_str();
   command->add_flag("--include-pilot", request->include_pilot, "use pilot data as well");
   command->callback([request] { run_analyze(*request); });
+
+  add_fit_command(app);
 }
 
 }  // namespace seamline

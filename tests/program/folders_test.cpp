@@ -21,8 +21,9 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"renderer", {"stimuli", "stimuli/support"}},
     {"study", {"stimuli", "stimuli/support"}},
     {"study/app", {"study", "stimuli", "stimuli/support"}},
+    {"analysis/psychometric", {"study", "stimuli", "stimuli/support"}},
     {"analysis/ordinal", {"study", "stimuli", "stimuli/support"}},
-    {"analysis", {"analysis/ordinal", "study", "stimuli", "stimuli/support"}}};
+    {"analysis", {"analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}}};
 
 std::string folder_of(const std::string& include) {
   const std::size_t slash = include.rfind('/');

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "analysis/psychometric/profile.h"
+#include "analysis/psychometric/psychometric_fit.h"
+
+namespace seamline {
+
+struct BootstrapRequest {
+  int replicates = 2000;
+  std::uint64_t seed = 1;
+  std::optional<double> correct = std::nullopt;  ///< share right (0 to 1) whose level is wanted too
+};
+
+/// 95 % intervals, in the user's units; open where the quantile falls among replicates without a finite
+/// value.
+struct BootstrapIntervals {
+  Interval threshold, width, lapse;
+  std::optional<Interval> level_of_correct;
+  int replicates = 0;
+  int without_threshold = 0;  ///< replicates whose threshold ran to the edge of the search
+  int steps = 0;              ///< replicates that were a step: width 0
+};
+
+/// Parametric bootstrap: counts simulated from the fit are fitted again; bias-corrected and accelerated (BCa,
+/// Efron 1987) with the acceleration from leaving out one answer at a time. The same bits for the same seed.
+/// Everything is open with fewer than two levels.
+[[nodiscard]] BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit,
+                                                     const BootstrapRequest& request);
+
+}  // namespace seamline

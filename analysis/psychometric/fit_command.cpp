@@ -1,0 +1,151 @@
+#include "analysis/psychometric/fit_command.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "analysis/psychometric/fit_report.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+
+namespace {
+
+constexpr double largest_free_guess = 0.5;
+
+/// The words of the command line, before they are understood.
+struct FitArguments {
+  std::string file;
+  int alternatives = 0;
+  std::string sigmoid = "norm", axis = "log2", direction = "auto", lapse = "free:0.1", guess;
+  std::string threshold_prior, width_prior, lapse_prior;
+  bool overdispersed = false, json = false;
+  FitRequest request;
+};
+
+double number_of(const std::string& option, const std::string& text, const std::string& wanted,
+                 const std::string& whole) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))
+    throw input_error({.field = option, .wanted = wanted, .found = "'" + whole + "'"});
+  return value;
+}
+
+/// "0.02" is fixed, "free:0.1" is free to 0.1, "free" is free to the largest.
+Rate rate_of(const std::string& option, const std::string& text, double largest) {
+  const std::string wanted = "a rate from 0 to 1, or free:MAX";
+  if (text == "free") return free_rate(largest);
+  const bool is_free = text.starts_with("free:");
+  const double value = number_of(option, is_free ? text.substr(5) : text, wanted, text);
+  if (value < 0 || value >= 1 || (is_free && value == 0))
+    throw input_error({.field = option, .wanted = wanted, .found = "'" + text + "'"});
+  return is_free ? free_rate(value) : fixed_rate(value);
+}
+
+/// "A,B".
+std::optional<std::pair<double, double>> pair_of(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::string wanted = "two numbers A,B";
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw input_error({.field = option, .wanted = wanted, .found = "'" + text + "'"});
+  return std::pair{number_of(option, text.substr(0, comma), wanted, text),
+                   number_of(option, text.substr(comma + 1), wanted, text)};
+}
+
+Priors priors_of(const FitArguments& arguments) {
+  Priors priors;
+  if (const auto prior = pair_of("--threshold-prior", arguments.threshold_prior))
+    priors.threshold = NormalPrior{.mean = prior->first, .sd = prior->second};
+  if (const auto prior = pair_of("--width-prior", arguments.width_prior)) {
+    if (prior->first <= 0)
+      throw input_error({.field = "--width-prior",
+                         .wanted = "a positive median",
+                         .found = "'" + arguments.width_prior + "'"});
+    priors.log2_width = NormalPrior{.mean = std::log2(prior->first), .sd = prior->second};
+  }
+  if (const auto prior = pair_of("--lapse-prior", arguments.lapse_prior))
+    priors.lapse = BetaPrior{.a = prior->first, .b = prior->second};
+  return priors;
+}
+
+Axis axis_of(const FitArguments& arguments) {
+  return arguments.axis == word(Axis::linear) ? Axis::linear : Axis::log2;
+}
+
+FitOptions options_of(const FitArguments& arguments) {
+  FitOptions options = options_for_alternatives(arguments.alternatives);
+  for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
+    if (arguments.sigmoid == word(sigmoid)) options.sigmoid = sigmoid;
+  options.axis = axis_of(arguments);
+  if (arguments.direction == "increasing") options.direction = Direction::increasing;
+  if (arguments.direction == "decreasing") options.direction = Direction::decreasing;
+  options.lapse = rate_of("--lapse", arguments.lapse, 0.1);
+  if (!arguments.guess.empty()) options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
+  options.priors = priors_of(arguments);
+  options.overdispersed = arguments.overdispersed;
+  return options;
+}
+
+std::vector<LevelCounts> counts_of(const FitArguments& arguments) {
+  std::vector<LevelCounts> counts = read_level_counts(arguments.file);
+  try {
+    require_valid(counts, axis_of(arguments));
+  } catch (const InputError& error) {
+    throw InputError(arguments.file + ": " + error.what());
+  }
+  return counts;
+}
+
+void run_fit(const FitArguments& arguments) {
+  const FitReport report = make_fit_report(counts_of(arguments), options_of(arguments), arguments.request);
+  std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "fit", "a psychometric function from counts at levels: threshold, width, intervals, goodness of fit");
+  const auto arguments = std::make_shared<FitArguments>();
+  command->add_option("data", arguments->file, "CSV with the columns level,correct,trials")->required();
+  command->add_option("--alternatives", arguments->alternatives, "of the forced choice; 1 is yes/no")
+      ->required()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel")
+      ->check(CLI::IsMember({"norm", "logistic", "gumbel"}))
+      ->capture_default_str();
+  command->add_option("--axis", arguments->axis, "log2 or linear")
+      ->check(CLI::IsMember({"log2", "linear"}))
+      ->capture_default_str();
+  command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
+      ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
+      ->capture_default_str();
+  command->add_option("--lapse", arguments->lapse, "a fixed rate, or free:MAX")->capture_default_str();
+  command->add_option("--guess", arguments->guess,
+                      "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no");
+  command->add_option("--percent", arguments->request.percents,
+                      "also the level of this percentage correct; repeat for more");
+  command->add_flag("--overdispersed", arguments->overdispersed,
+                    "beta-binomial rows: intervals allow for extra scatter");
+  command
+      ->add_option("--bootstrap", arguments->request.bootstrap_replicates,
+                   "BCa intervals from this many replicates")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--seed", arguments->request.seed, "of bootstrap and deviance p")
+      ->capture_default_str();
+  command->add_option("--threshold-prior", arguments->threshold_prior,
+                      "MEAN,SD: normal on the axis, MEAN a level (MAP)");
+  command->add_option("--width-prior", arguments->width_prior,
+                      "MEDIAN,SD: normal in log2 of the width (MAP)");
+  command->add_option("--lapse-prior", arguments->lapse_prior, "A,B: beta distribution, e.g. 1,10 (MAP)");
+  command->add_option("--unit", arguments->request.unit, "unit of the levels, for texts");
+  command->add_flag("--json", arguments->json, "as JSON");
+  command->callback([arguments] { run_fit(*arguments); });
+}
+
+}  // namespace seamline

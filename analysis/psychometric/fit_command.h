@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// Adds `seamline fit DATA.csv`.
+void add_fit_command(CLI::App& app);
+
+}  // namespace seamline

@@ -1,0 +1,103 @@
+#include "analysis/psychometric/fit_quantities.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seamline {
+
+namespace {
+
+bool is_identified(const FitReport& report) {
+  return report.verdict.kind == Verdict::Kind::identified;
+}
+
+FitQuantity threshold(const FitReport& report) {
+  FitQuantity quantity{.name = "threshold",
+                       .unit = report.request.unit,
+                       .estimate = {},
+                       .ci95 = report.threshold_ci95,
+                       .bootstrap_ci95 = {},
+                       .reason = {}};
+  if (is_identified(report))
+    quantity.estimate = report.fit.function.threshold;
+  else
+    quantity.reason = report.verdict.text;
+  if (report.bootstrap) quantity.bootstrap_ci95 = report.bootstrap->threshold;
+  return quantity;
+}
+
+FitQuantity width(const FitReport& report) {
+  FitQuantity quantity{.name = "width",
+                       .unit = report.fit.options.axis == Axis::log2 ? "octaves" : report.request.unit,
+                       .estimate = {},
+                       .ci95 = report.width_ci95,
+                       .bootstrap_ci95 = {},
+                       .reason = {}};
+  if (report.fit.is_step && report.verdict.kind == Verdict::Kind::between)
+    quantity.reason = fmt::format("a step: at most {:.3g}", report.width_ci95.high);
+  else if (!is_identified(report))
+    quantity.reason = report.verdict.text;
+  else if (!std::isfinite(report.width_ci95.high))
+    quantity.reason = fmt::format("not identified: above {:.3g}", report.width_ci95.low);
+  else
+    quantity.estimate = report.fit.width;
+  if (report.bootstrap) quantity.bootstrap_ci95 = report.bootstrap->width;
+  return quantity;
+}
+
+FitQuantity rate(const FitReport& report, const char* name, const Rate& rule, double value,
+                 const Interval& ci95) {
+  FitQuantity quantity{
+      .name = name, .unit = {}, .estimate = value, .ci95 = ci95, .bootstrap_ci95 = {}, .reason = {}};
+  if (!rule.is_free()) {
+    quantity.estimate = rule.low;
+    quantity.reason = "fixed";
+  } else if (report.verdict.kind == Verdict::Kind::not_identified) {
+    quantity.estimate.reset();
+    quantity.reason = report.verdict.text;
+  }
+  return quantity;
+}
+
+}  // namespace
+
+std::vector<FitQuantity> quantities(const FitReport& report) {
+  const PsychometricFit& fit = report.fit;
+  std::vector<FitQuantity> all = {
+      threshold(report), width(report),
+      rate(report, "lapse", fit.options.lapse, fit.function.lapse, report.lapse_ci95),
+      rate(report, "guess", fit.options.guess, fit.function.guess, report.guess_ci95)};
+  if (report.bootstrap && fit.options.lapse.is_free()) all[2].bootstrap_ci95 = report.bootstrap->lapse;
+  all.push_back({.name = "overdispersion",
+                 .unit = {},
+                 .estimate = report.overdispersion.eta,
+                 .ci95 = report.overdispersion.ci95,
+                 .bootstrap_ci95 = {},
+                 .reason = report.overdispersion.reason});
+  return all;
+}
+
+std::vector<FitQuantity> percent_quantities(const FitReport& report) {
+  std::vector<FitQuantity> all;
+  for (const PercentLevel& level : report.percents) {
+    FitQuantity quantity{.name = fmt::format("{:g}", level.percent),
+                         .unit = report.request.unit,
+                         .estimate = {},
+                         .ci95 = level.level.ci95,
+                         .bootstrap_ci95 = level.bootstrap_ci95,
+                         .reason = {}};
+    if (!is_identified(report))
+      quantity.reason = report.verdict.text;
+    else if (!level.level.estimate)
+      quantity.reason = "never reached between the guess and the lapse rate";
+    else if (!std::isfinite(level.level.ci95.low) || !std::isfinite(level.level.ci95.high))
+      quantity.reason = "not identified: the interval is open";
+    else
+      quantity.estimate = level.level.estimate;
+    all.push_back(quantity);
+  }
+  return all;
+}
+
+}  // namespace seamline

@@ -1,0 +1,82 @@
+#include "analysis/psychometric/fit_report.h"
+
+#include <cmath>
+#include <limits>
+
+#include "stimuli/support/csv.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+
+namespace {
+
+std::vector<PercentLevel> percent_levels(const FitReport& report) {
+  std::vector<PercentLevel> levels;
+  for (double percent : report.request.percents) {
+    if (!(percent > 0 && percent < 100))
+      throw input_error({.field = "--percent", .wanted = "between 0 and 100", .found = number_text(percent)});
+    PercentLevel level{
+        .percent = percent, .level = level_of_correct(report.fit, percent / 100), .bootstrap_ci95 = {}};
+    if (report.request.bootstrap_replicates > 0)
+      level.bootstrap_ci95 =
+          bootstrap_intervals(report.fit, {.replicates = report.request.bootstrap_replicates,
+                                           .seed = report.request.seed,
+                                           .correct = percent / 100})
+              .level_of_correct;
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+}  // namespace
+
+FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptions& options,
+                          const FitRequest& request) {
+  FitReport report;
+  report.request = request;
+  report.fit = fit_psychometric(counts, options);
+  report.threshold_ci95 = threshold_interval(report.fit);
+  report.width_ci95 = width_interval(report.fit);
+  report.lapse_ci95 = lapse_interval(report.fit);
+  report.guess_ci95 = guess_interval(report.fit);
+  report.overdispersion = estimate_overdispersion(report.fit);
+  report.goodness = goodness_of_fit(report.fit);
+  report.deviance_p = request.deviance_replicates > 0
+                          ? deviance_p(report.fit, request.deviance_replicates, request.seed)
+                          : std::numeric_limits<double>::quiet_NaN();
+  report.percents = percent_levels(report);
+  if (request.bootstrap_replicates > 0)
+    report.bootstrap = bootstrap_intervals(
+        report.fit, {.replicates = request.bootstrap_replicates, .seed = request.seed, .correct = {}});
+  report.verdict = verdict_on(report.fit, report.threshold_ci95, request.unit);
+  report.warnings = warnings_on(report.fit,
+                                {.verdict = report.verdict,
+                                 .width_ci95 = report.width_ci95,
+                                 .overdispersion = report.overdispersion,
+                                 .goodness = report.goodness,
+                                 .deviance_p = report.deviance_p},
+                                request.unit);
+  return report;
+}
+
+const char* word(Direction direction) {
+  return direction == Direction::increasing ? "increasing" : "decreasing";
+}
+
+const char* word(Sigmoid sigmoid) {
+  switch (sigmoid) {
+    case Sigmoid::normal:
+      return "norm";
+    case Sigmoid::logistic:
+      return "logistic";
+    case Sigmoid::gumbel:
+      return "gumbel";
+  }
+  return "";
+}
+
+const char* word(Axis axis) {
+  return axis == Axis::log2 ? "log2" : "linear";
+}
+
+}  // namespace seamline

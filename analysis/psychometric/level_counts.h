@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "study/psychometric_function.h"
+
+namespace seamline {
+
+/// Answers at one level of a stimulus.
+struct LevelCounts {
+  double level = 0;          ///< in the user's unit, e.g. px
+  std::int64_t correct = 0;  ///< right choices; "yes" answers in a yes/no task; 0 to `trials`
+  std::int64_t trials = 0;
+};
+
+/// Reads a CSV file with a header line that names the columns `level`, `correct` and `trials`, in any order;
+/// other columns are ignored. Throws InputError naming file and line when a value is missing, is not a
+/// number, is not whole where it must be, or when more answers are correct than were given.
+[[nodiscard]] std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file);
+
+/// Equal levels added up, rising, levels without a trial left out.
+[[nodiscard]] std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts);
+
+/// Throws InputError (field `level`, `correct` or `trials`) unless every level is finite, positive on a log2
+/// axis, and 0 <= correct <= trials.
+void require_valid(const std::vector<LevelCounts>& counts, Axis axis);
+
+/// a(x) = x or log2 x, and back.
+[[nodiscard]] double axis_value(Axis axis, double level);
+[[nodiscard]] double level_of(Axis axis, double axis_value);
+
+}  // namespace seamline

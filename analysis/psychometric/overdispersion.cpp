@@ -1,0 +1,55 @@
+#include "analysis/psychometric/overdispersion.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace seamline {
+
+namespace {
+
+constexpr double largest_eta = 0.95;
+
+}  // namespace
+
+OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
+  OverdispersionEstimate estimate;
+  estimate.ci95.low = 0;
+  if (fit.levels.size() < 2) {
+    estimate.reason = "not identified: under two levels";
+    return estimate;
+  }
+  FitProblem problem = fit.search.problem;
+  const auto& rows = problem.rows;
+  if (std::all_of(rows.begin(), rows.end(), [](const UnitCounts& row) { return row.n <= 1; })) {
+    estimate.reason = "not identified: one trial a row";
+    return estimate;
+  }
+  problem.overdispersed = true;
+  Maximum best = maximise(problem, {}, fit.search.best.theta, 0);
+  if (fit.search.smooth)
+    if (const Maximum other = maximise(problem, {}, fit.search.smooth->theta, 0); other.value > best.value)
+      best = other;
+  problem.overdispersed = false;  // from here eta is held
+  Theta warm = best.theta;
+  const auto excess = [&](double eta) {
+    const Maximum there = maximise(problem, {}, warm, eta);
+    return chi_squared_95 / 2 - (best.value - there.value);
+  };
+  const auto crossing = [&](double inside, double outside) {
+    std::uintmax_t steps = 40;
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess, std::min(inside, outside), std::max(inside, outside),
+                                          boost::math::tools::eps_tolerance<double>(20), steps);
+    return low + (high - low) / 2;
+  };
+  if (best.eta > 0 && excess(0) < 0) estimate.ci95.low = crossing(best.eta, 0);
+  if (excess(largest_eta) < 0) {
+    estimate.ci95.high = crossing(best.eta, largest_eta);
+    estimate.eta = best.eta;
+  } else {
+    estimate.reason = "not identified: no overdispersion is excluded";
+  }
+  return estimate;
+}
+
+}  // namespace seamline

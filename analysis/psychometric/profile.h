@@ -1,0 +1,52 @@
+#pragma once
+#include <limits>
+#include <optional>
+
+#include "analysis/psychometric/search.h"
+
+namespace seamline {
+
+/// Ends of an interval; infinite: open on that side, nothing tried was excluded.
+struct Interval {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+/// 0.95 quantile of chi-squared with 1 degree of freedom.
+inline constexpr double chi_squared_95 = 3.841458820694124;
+
+/// Intervals by the profile likelihood: all values whose profile, the maximum over everything else, is within
+/// cut / 2 of the global maximum. `cut` is `chi_squared_95` for a 95 % interval. The ends are the outermost
+/// crossings found, so a second peak is never left outside. Unit coordinates.
+class Profile {
+ public:
+  explicit Profile(const Search& search) : search_(search) {}
+
+  /// Of the place of a level; open at an end that the box does not contain.
+  [[nodiscard]] Interval place(const SoughtLevel& level, double cut = chi_squared_95) const;
+  /// Of ln of the scale; the low end is -infinity when a step is not excluded.
+  [[nodiscard]] Interval log_scale(double cut = chi_squared_95) const;
+  /// Of lapse and guess; an end at the bound is the bound.
+  [[nodiscard]] Interval rate(int parameter, double cut = chi_squared_95) const;
+
+  /// Whether some function whose sought level lies at `place` is within the cut.
+  [[nodiscard]] bool holds(const SoughtLevel& level, double place, double cut = chi_squared_95) const;
+
+ private:
+  struct Probe;
+  struct Coordinate;
+  [[nodiscard]] Interval interval(const Coordinate& coordinate, double cut) const;
+  [[nodiscard]] double end(const Coordinate& coordinate, double cut, double towards) const;
+  [[nodiscard]] Maximum near(const Coordinate& coordinate, double x, const Maximum& warm) const;
+  [[nodiscard]] Maximum anywhere(const Coordinate& coordinate, double x, const Maximum& warm) const;
+  [[nodiscard]] double crossing(const Coordinate& coordinate, double cut, double inside,
+                                const Probe& first_outside, Maximum warm) const;
+
+  const Search& search_;
+};
+
+/// Variance of one of the coordinates (0: the sought level's place) by Fisher's information at the maximum;
+/// parameters at their bounds count as known. Infinite when the information is singular.
+[[nodiscard]] double coordinate_variance(const FitProblem& problem, const Maximum& at, int coordinate);
+
+}  // namespace seamline

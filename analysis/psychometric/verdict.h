@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/psychometric/goodness.h"
+#include "analysis/psychometric/overdispersion.h"
+#include "analysis/psychometric/profile.h"
+
+namespace seamline {
+
+/// What the data say about the threshold.
+struct Verdict {
+  enum class Kind {
+    identified,     ///< a number with a closed interval
+    below,          ///< only an upper bound
+    above,          ///< only a lower bound
+    between,        ///< a step: anywhere between two levels
+    not_identified  ///< nothing
+  } kind = Kind::not_identified;
+  std::string text;  ///< e.g. "identified", "below 64 px", "between 32 and 64 px", "not identified: every
+                     ///< level at chance"
+  Interval range;    ///< the bound or the two levels; open otherwise
+};
+
+/// Judges a fit and the 95 % interval of its threshold. `unit` follows levels in the text; may be empty.
+///
+/// A change with level that a constant probability explains within 1.92 log units (a likelihood-ratio test at
+/// 5 %) is no change: chance, ceiling, or flat. An interval that is open on a side is a bound. A step is the
+/// range of its equally likely thresholds, widened to the interval where that is wider.
+[[nodiscard]] Verdict verdict_on(const PsychometricFit& fit, const Interval& threshold_ci95,
+                                 const std::string& unit = "");
+
+/// All that the warnings are about.
+struct FitEvidence {
+  Verdict verdict;
+  Interval width_ci95;
+  OverdispersionEstimate overdispersion;
+  Goodness goodness;
+  double deviance_p = 0;  ///< NaN: not tested
+};
+
+/// What a reader of the fit must know, a sentence each with the evidence: separation, rates at their bounds,
+/// misfit and reversals, tiny counts, extrapolation, overdispersion, levels left out.
+[[nodiscard]] std::vector<std::string> warnings_on(const PsychometricFit& fit, const FitEvidence& evidence,
+                                                   const std::string& unit = "");
+
+}  // namespace seamline
