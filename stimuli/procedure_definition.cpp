@@ -24,8 +24,7 @@ std::string quest_plus_text(const QuestPlusDefinition& definition) {
   out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold_px),
                      text(definition.scale_octaves), text(definition.lapse), text(definition.guess));
   if (definition.outcome == PlacementOutcome::noticeability)
-    out += fmt::format("ratings {} {} {}\n", definition.rating_offset_octaves[0],
-                       definition.rating_offset_octaves[1], definition.rating_offset_octaves[2]);
+    out += fmt::format("ratings {}\n", text(definition.rating_step_octaves));
   return out;
 }
 

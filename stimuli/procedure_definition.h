@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -43,9 +42,10 @@ struct QuestPlusDefinition {
   ParameterRange scale_octaves = {0.125, 2, 9};      ///< equal ratios
   ParameterRange lapse = {0, 0.08, 5};               ///< equal steps
   ParameterRange guess = {1.0 / 3.0, 1.0 / 3.0, 1};  ///< equal steps
-  /// `noticeability` only: the width at which a rating of at least 2, 3, 4 is as likely as not lies this many
-  /// octaves below the threshold. Not falling, not negative.
-  std::array<double, 3> rating_offset_octaves = {0.5, 1.0, 1.5};
+  /// `noticeability` only, equal ratios: the width at which a rating of at least k is as likely as not lies
+  /// (k - 1) steps below the threshold, k = 2, 3, 4. Not known beforehand, because people use the words of a
+  /// rating as they like; a step that is taken for known and is not biases the threshold.
+  ParameterRange rating_step_octaves = {0.125, 1, 4};
   int max_shows_per_image = 1;  ///< to one participant; the study file must say it
   int min_trials = 10;          ///< of a track before it may stop for its interval or entropy
   int max_trials = 40;          ///< of a track

@@ -50,7 +50,7 @@ ParameterRange read_range(const TomlTable& settings, const char* key, const Para
 
 void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
   const std::int64_t points = std::int64_t{1} * quest.threshold_px.count * quest.scale_octaves.count *
-                              quest.lapse.count * quest.guess.count;
+                              quest.lapse.count * quest.guess.count * quest.rating_step_octaves.count;
   if (points > most_points)
     throw table.complaint("threshold_px",
                           fmt::format("at most {} combinations of all parameters", most_points),
@@ -64,15 +64,12 @@ void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
 }
 
 void read_ratings(const TomlTable& table, QuestPlusDefinition& quest) {
-  quest.rating_offset_octaves =
-      table.triple("rating_offset_octaves", quest.rating_offset_octaves, {0, 20, "octaves"});
-  const auto& [two, three, four] = quest.rating_offset_octaves;
-  if (two > three || three > four)
-    throw table.complaint("rating_offset_octaves", "offsets that do not fall",
-                          fmt::format("[{}, {}, {}]", two, three, four));
-  if (table.has("rating_offset_octaves") && quest.outcome != PlacementOutcome::noticeability)
-    throw table.complaint("rating_offset_octaves", "outcome = \"noticeability\" where there are offsets",
-                          "outcome = \"correct\"");
+  const bool asked = quest.outcome == PlacementOutcome::noticeability;
+  if (!asked && table.has("rating_step_octaves"))
+    throw table.complaint("outcome", "\"noticeability\" where there are rating_step_octaves", "\"correct\"");
+  quest.rating_step_octaves =
+      asked ? read_range(table, "rating_step_octaves", quest.rating_step_octaves, {1e-3, 100, "octaves"})
+            : ParameterRange{1, 1, 1};
 }
 
 void read_stops(const TomlTable& table, QuestPlusDefinition& quest) {

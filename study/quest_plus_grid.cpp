@@ -49,6 +49,8 @@ std::string_view word(Parameter parameter) {
       return "lapse";
     case Parameter::guess:
       return "guess";
+    case Parameter::rating_step:
+      return "rating step";
   }
   return {};
 }
@@ -68,11 +70,19 @@ int QuestPlusGrid::index(Parameter parameter, int point) const {
 
 QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
   QuestPlusGrid grid;
-  std::vector<double> scales = in_ratios(definition.scale_octaves);
-  for (double& scale : scales) scale = std::exp2(scale);
+  const auto ratios = [](const ParameterRange& range) {
+    std::vector<double> values = in_ratios(range);
+    for (double& value : values) value = std::exp2(value);
+    return values;
+  };
   const auto even = [](const ParameterRange& range) { return evenly(range.least, range.most, range.count); };
-  grid.values = {in_ratios(definition.threshold_px), std::move(scales), even(definition.lapse),
-                 even(definition.guess)};
+  grid.values = {in_ratios(definition.threshold_px),
+                 ratios(definition.scale_octaves),
+                 even(definition.lapse),
+                 even(definition.guess),
+                 {0}};
+  if (definition.outcome == PlacementOutcome::noticeability)
+    grid.values.back() = ratios(definition.rating_step_octaves);
   return grid;
 }
 

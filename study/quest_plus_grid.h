@@ -11,14 +11,15 @@ namespace seamline {
 
 /// The parameters of a psychometric function, in the order in which a grid nests them (the last is
 /// innermost).
-enum class Parameter { threshold, scale, lapse, guess };
-inline constexpr std::array<Parameter, 4> every_parameter = {Parameter::threshold, Parameter::scale,
-                                                             Parameter::lapse, Parameter::guess};
+enum class Parameter { threshold, scale, lapse, guess, rating_step };
+inline constexpr std::array<Parameter, 5> every_parameter = {
+    Parameter::threshold, Parameter::scale, Parameter::lapse, Parameter::guess, Parameter::rating_step};
 [[nodiscard]] std::string_view word(Parameter parameter);
 
 /// Every combination of the parameters' values is a point.
 struct QuestPlusGrid {
-  std::array<std::vector<double>, 4> values;  ///< rising; as made from a study: log2 px, octaves, 1, 1
+  std::array<std::vector<double>, 5>
+      values;  ///< rising; as made from a study: log2 px, octaves, 1, 1, octaves
 
   [[nodiscard]] const std::vector<double>& of(Parameter parameter) const {
     return values[static_cast<std::size_t>(parameter)];

@@ -45,8 +45,9 @@ std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition,
   person.lapse /= 1 - person.guess;
   person.guess = 0;
   const double threshold_px = person.threshold;
-  for (const double offset_octaves : definition.rating_offset_octaves) {
-    person.threshold = threshold_px * std::exp2(-offset_octaves);
+  const double step_octaves = grid.value(Parameter::rating_step, point);
+  for (int rating = 2; rating <= highest_rating; ++rating) {
+    person.threshold = threshold_px * std::exp2(-(rating - 1) * step_octaves);
     at_least.push_back(response_probability(person, width_px));
   }
   at_least.push_back(0);

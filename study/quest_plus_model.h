@@ -15,10 +15,10 @@ namespace seamline {
                              int object_index);
 
 /// Probability of each outcome at a width W, for one point of the grid: threshold t (log2 px), scale s
-/// (octaves), lapse l, guess g, with a sigmoid F that is 0.5 at 0.
+/// (octaves), lapse l, guess g, rating step r (octaves), with a sigmoid F that is 0.5 at 0.
 ///
 ///     P(noticeability >= 1) = g + (1 - g - l) F((t - log2 W) / s)
-///     P(noticeability >= k) = (1 - l / (1 - g)) F((t - offset_k - log2 W) / s),   k = 2, 3, 4
+///     P(noticeability >= k) = (1 - l / (1 - g)) F((t - (k - 1) r - log2 W) / s),   k = 2, 3, 4
 ///
 /// The first line is the psychometric function of study/psychometric_function.h, and all there is when the
 /// outcome is binary. The lines below it say of the same person: in a share l / (1 - g) of the trials they do

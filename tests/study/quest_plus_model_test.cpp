@@ -51,10 +51,11 @@ TEST(QuestPlusModel, RatingsAreAsLikelyAsNotAtTheirOffsets) {
   task.grid = make_grid(task.definition);
   const int point = task.grid.points() / 2;
   const double threshold = task.grid.value(Parameter::threshold, point);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::vector<double> p = outcome_probabilities(
-        task.definition, task.grid, point, std::exp2(threshold - task.definition.rating_offset_octaves[k]));
-    EXPECT_NEAR(std::accumulate(p.begin() + 2 + static_cast<std::ptrdiff_t>(k), p.end(), 0.0), 0.5, 1e-12);
+  const double step = task.grid.value(Parameter::rating_step, point);
+  for (int rating = 2; rating <= 4; ++rating) {
+    const std::vector<double> p =
+        outcome_probabilities(task.definition, task.grid, point, std::exp2(threshold - (rating - 1) * step));
+    EXPECT_NEAR(std::accumulate(p.begin() + rating, p.end(), 0.0), 0.5, 1e-12);
   }
 }
 
@@ -68,15 +69,15 @@ TEST(QuestPlusModel, OutcomesOfAnswers) {
 }
 
 TEST(QuestPlusGrid, PointsAreAllCombinations) {
-  const QuestPlusGrid grid{.values = {{{1, 2}, {3, 4, 5}, {0, 0.1}, {0.3}}}};
-  ASSERT_EQ(grid.points(), 12);
+  const QuestPlusGrid grid{.values = {{{1, 2}, {3, 4, 5}, {0, 0.1}, {0.3}, {0.5, 1}}}};
+  ASSERT_EQ(grid.points(), 24);
   std::set<std::vector<double>> seen;
-  for (int point = 0; point < 12; ++point) {
+  for (int point = 0; point < 24; ++point) {
     std::vector<double> values;
     for (const Parameter parameter : every_parameter) values.push_back(grid.value(parameter, point));
     seen.insert(values);
   }
-  EXPECT_EQ(seen.size(), 12U);
+  EXPECT_EQ(seen.size(), 24U);
 }
 
 TEST(QuestPlusGrid, StepsAreEqualRatiosOfWidths) {

