@@ -25,6 +25,7 @@ TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, cons
   return {.participant = {},
           .artifact = design.tracks[index].artifact,
           .track = name_of(design.tracks[index]),
+          .used = false,
           .trials = track.answered,
           .threshold_px = std::exp2(threshold.mean),
           .threshold_sd_octaves = threshold.sd,
@@ -66,6 +67,7 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
     for (std::size_t t = 0; t < design->tracks.size(); ++t) {
       estimates.push_back(estimate_of(*design, t, procedure.tracks[t]));
       estimates.back().participant = participant.code;
+      estimates.back().used = participant.completed && !participant.excluded && !participant.pilot;
     }
   }
   return estimates;
@@ -78,17 +80,17 @@ std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
     name = std::max(name, estimate.track.size());
   }
   std::string text =
-      fmt::format("{:<{}}  {:<{}}  {:>6}  {:>12}  {:>18}  {:>7}  {:>6}  alarms\n", "participant", code,
-                  "track", name, "trials", "threshold_px", "ci95_px", "scale", "lapse");
+      fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>7}  {:>6}  alarms\n", "participant", code,
+                  "track", name, "used", "trials", "threshold_px", "ci95_px", "scale", "lapse");
   for (const TrackEstimate& estimate : estimates) {
     std::string alarms;
     for (const EdgeAlarm& alarm : estimate.alarms)
       alarms += (alarms.empty() ? "" : "; ") + seamline::text(alarm);
-    text +=
-        fmt::format("{:<{}}  {:<{}}  {:>6}  {:>12.1f}  {:>18}  {:>7.2f}  {:>6.3f}  {}\n",
-                    estimate.participant, code, estimate.track, name, estimate.trials, estimate.threshold_px,
-                    fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px),
-                    estimate.scale_octaves, estimate.lapse, alarms.empty() ? "-" : alarms);
+    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>7.2f}  {:>6.3f}  {}\n",
+                        estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
+                        estimate.trials, estimate.threshold_px,
+                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px),
+                        estimate.scale_octaves, estimate.lapse, alarms.empty() ? "-" : alarms);
   }
   return text;
 }

@@ -13,6 +13,7 @@ struct TrackEstimate {
   std::string participant;
   Artifact artifact = Artifact::none;
   std::string track;  ///< as `name_of`
+  bool used = true;   ///< completed, not excluded and not a pilot
   int trials = 0;
   double threshold_px = 0;  ///< posterior mean: the width at which the object is seen half of the time
   double threshold_sd_octaves = 0;
