@@ -65,6 +65,33 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   return notes;
 }
 
+/// Adaptive placement asks each person at widths that depend on their answers, and how often too: a mean at a
+/// width is then over people who differ from those of the next width, and is biased. No curve is made of such
+/// means. Returns whether the log is of an adaptive study.
+bool set_aside_adaptive(Analysis& analysis) {
+  std::vector<std::string> unused;
+  const std::optional<StudyDefinition> study = study_of_log(analysis.log, unused);
+  if (!study || !std::holds_alternative<QuestPlusDefinition>(study->procedure)) return false;
+  for (ArtifactScores& scores : analysis.data.artifacts)
+    scores = {.artifact = scores.artifact,
+              .width_px = scores.width_px,
+              .people = {},
+              .noticeability = {},
+              .cells = {},
+              .left_out = {}};
+  return true;
+}
+
+constexpr const char* adaptive_note =
+    "Widths were placed by the answers (QUEST+), so PT, SN and IP of mean noticeability cannot be computed; "
+    "means of objects are over different people at different widths and only describe the answers. "
+    "'seamline log LOG --tracks' prints the thresholds that the posteriors give.";
+
+void give_reason(CurveThresholds& estimates, const char* reason) {
+  for (WidthEstimate* width : {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
+    width->reason = reason;
+}
+
 }  // namespace
 
 Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling) {
@@ -80,9 +107,13 @@ Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& r
   analysis.people = select_participants(analysis.log, include_pilot);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people);
+  const bool adaptive = set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
-  for (const ArtifactScores& scores : analysis.data.artifacts)
+  if (adaptive) analysis.notes.emplace_back(adaptive_note);
+  for (const ArtifactScores& scores : analysis.data.artifacts) {
     analysis.thresholds.push_back(estimate_thresholds(scores, resampling));
+    if (adaptive) give_reason(analysis.thresholds.back().estimates, "widths were placed by the answers");
+  }
   if (common_observer(analysis.people) == word(ObserverKind::threshold))
     if (const std::optional<StudyDefinition> study = study_of_log(analysis.log, analysis.notes))
       analysis.planted = planted_values(study->observer, analysis.data);

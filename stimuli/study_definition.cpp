@@ -75,7 +75,7 @@ std::string canonical_text(const StudyDefinition& study) {
     out += canonical_text(scene);
     for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
   }
-  return out + session_text(study.session, study.observer);
+  return out + session_text(study.session, study.observer) + canonical_text(study.procedure);
 }
 
 std::string study_hash(const StudyDefinition& study) {

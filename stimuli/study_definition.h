@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stimuli/artifact.h"
+#include "stimuli/procedure_definition.h"
 
 namespace seamline {
 
@@ -96,6 +97,7 @@ struct StudyDefinition {
   int yaw_texels = 0;
   std::vector<SceneDefinition> scenes;
   SessionDefinition session;
+  ProcedureDefinition procedure;
   ObserverDefinition observer;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "stimuli/study_file_procedure.h"
 #include "stimuli/study_file_scene.h"
 #include "stimuli/toml_table.h"
 
@@ -73,10 +74,8 @@ ObserverDefinition read_observer(const TomlTable& table) {
   return observer;
 }
 
-}  // namespace
-
-StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets) {
-  const TomlTable table = TomlTable::read(path);
+StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::path& path,
+                                 AssetCheck assets) {
   check_format(table);
   StudyDefinition study;
   study.file = path;
@@ -91,6 +90,7 @@ StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets)
   study.depth_width_px = read_widths(table);
   study.yaw_texels = table.integer("yaw_texels", 0, {-16384, 16384, "texels"});
   if (const auto session = table.table("session")) study.session = read_session(*session);
+  study.procedure = read_procedure(table, study.depth_width_px);
   if (const auto observer = table.table("observer")) study.observer = read_observer(*observer);
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
@@ -101,6 +101,16 @@ StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets)
   table.finish();
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
   return study;
+}
+
+}  // namespace
+
+StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets) {
+  return read_study_table(TomlTable::read(path), path, assets);
+}
+
+StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be) {
+  return read_study_table(TomlTable::parse(text, said_to_be), said_to_be, AssetCheck::not_needed);
 }
 
 }  // namespace seamline

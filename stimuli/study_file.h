@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "stimuli/study_definition.h"
 
@@ -16,5 +17,10 @@ enum class AssetCheck {
 /// found.
 [[nodiscard]] StudyDefinition read_study(const std::filesystem::path& path,
                                          AssetCheck assets = AssetCheck::must_exist);
+
+/// The same for a study file's text that is kept elsewhere (a log keeps one); the files it names are not
+/// looked for, and complaints name `said_to_be`.
+[[nodiscard]] StudyDefinition read_study_text(const std::string& text,
+                                              const std::filesystem::path& said_to_be);
 
 }  // namespace seamline

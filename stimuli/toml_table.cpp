@@ -51,9 +51,12 @@ TomlTable::TomlTable(std::shared_ptr<const Node> node, std::string file, std::st
     : node_(std::move(node)), file_(std::move(file)), prefix_(std::move(prefix)) {}
 
 TomlTable TomlTable::read(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
+  return parse(read_file(path), path);
+}
+
+TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path& path) {
   try {
-    auto root = std::make_shared<const toml::table>(toml::parse(bytes, path.string()));
+    auto root = std::make_shared<const toml::table>(toml::parse(text, path.string()));
     const toml::table* top = root.get();
     return {std::make_shared<const Node>(Node{std::move(root), top}), path.string(), ""};
   } catch (const toml::parse_error& error) {

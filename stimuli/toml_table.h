@@ -26,6 +26,9 @@ class TomlTable {
   /// Throws InputError when the file is missing or is not TOML (with line and column).
   [[nodiscard]] static TomlTable read(const std::filesystem::path& path);
 
+  /// The same for a text that a file held once; complaints name `path`.
+  [[nodiscard]] static TomlTable parse(const std::string& text, const std::filesystem::path& path);
+
   [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key, double fallback, Range range) const;
   [[nodiscard]] int integer(const std::string& key, int fallback, Range range) const;

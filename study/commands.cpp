@@ -9,6 +9,7 @@
 #include "stimuli/support/suggest.h"
 #include "study/log_admin.h"
 #include "study/log_writer.h"
+#include "study/quest_plus_results.h"
 #include "study/simulation.h"
 
 namespace seamline {
@@ -23,7 +24,7 @@ struct StudyOptions {
 
 struct LogOptions {
   std::string log, exclude, forget;
-  bool status = false;
+  bool status = false, tracks = false;
 };
 
 ObserverKind parse_observer(const std::string& text) {
@@ -48,6 +49,9 @@ void simulate(const StudyOptions& options) {
                                                          .seed = options.seed});
   fmt::print("{}: {} simulated participants run ({} answers), {} were complete before\n", options.log,
              summary.participants_run, summary.answers_added, summary.participants_complete);
+  if (summary.tracks_on_edge > 0)
+    fmt::print("alarm: in {} tracks the threshold leans on the edge of the grid (seamline log {} --tracks)\n",
+               summary.tracks_on_edge, options.log);
 }
 
 void study(const StudyOptions& options, const ParticipantRunner& run_participant) {
@@ -64,13 +68,16 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
 }
 
 void administer(const LogOptions& options) {
-  const bool does_something = options.status || !options.exclude.empty() || !options.forget.empty();
+  const bool does_something =
+      options.status || options.tracks || !options.exclude.empty() || !options.forget.empty();
   if (!does_something)
-    throw input_error(
-        {.field = "seamline log", .wanted = "--status, --exclude CODE or --forget CODE", .found = "none"});
+    throw input_error({.field = "seamline log",
+                       .wanted = "--status, --tracks, --exclude CODE or --forget CODE",
+                       .found = "none"});
   if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
   if (!options.forget.empty()) forget_participant(options.log, options.forget);
   if (options.status) fmt::print("{}", status_text(read_log(options.log)));
+  if (options.tracks) fmt::print("{}", tracks_text(quest_plus_estimates(read_log(options.log))));
 }
 
 }  // namespace
@@ -102,6 +109,7 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
       app.add_subcommand("log", "Look after a log: who did what, exclude or forget a participant");
   log->add_option("log", log_options->log, "the log")->required();
   log->add_flag("--status", log_options->status, "print who has done what");
+  log->add_flag("--tracks", log_options->tracks, "print the thresholds of an adaptive study (QUEST+)");
   log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
   log->add_option("--forget", log_options->forget, "delete every trace of a participant");
   log->callback([log_options] { administer(*log_options); });

@@ -90,8 +90,9 @@ struct LogWriter::Tables {
       database, "INSERT INTO sessions (participant, started_unix_s, program_version) VALUES (?, ?, ?)"};
   SQLite::Statement planned{database,
                             "SELECT stimulus FROM trials WHERE participant = ? ORDER BY trial_index"};
-  SQLite::Statement answered{database,
-                             "SELECT count(*), max(trial_index) FROM answers WHERE participant = ?"};
+  SQLite::Statement answered{database, R"sql(
+      SELECT trial_index, chosen_index, rating, choice_ns, rating_ns FROM answers
+      WHERE participant = ? ORDER BY trial_index)sql"};
   SQLite::Statement plan{database,
                          "INSERT INTO trials (participant, trial_index, stimulus) VALUES (?, ?, ?)"};
   SQLite::Statement answer{database, R"sql(
@@ -162,16 +163,20 @@ void LogWriter::Tables::read_progress(OpenSession& session, const fs::path& path
   planned.tryReset();
   answered.tryReset();
   SQLite::bind(answered, session.participant);
-  answered.executeStep();
-  session.answered = answered.getColumn(0).getInt();
-  const int expected_last = answered.getColumn(1).isNull() ? 0 : answered.getColumn(1).getInt() + 1;
+  while (answered.executeStep())
+    session.answers.push_back({.trial_index = answered.getColumn(0).getInt(),
+                               .chosen_index = answered.getColumn(1).getInt(),
+                               .rating = answered.getColumn(2).getInt(),
+                               .choice_ns = answered.getColumn(3).getInt64(),
+                               .rating_ns = answered.getColumn(4).getInt64()});
   answered.tryReset();
-  if (session.answered != expected_last)
-    throw input_error(
-        {.file = path.string(),
-         .field = "answers",
-         .wanted = "the first trials of a participant, without a gap",
-         .found = fmt::format("{} answers up to trial {}", session.answered, expected_last - 1)});
+  session.answered = static_cast<int>(session.answers.size());
+  const int expected_last = session.answers.empty() ? -1 : session.answers.back().trial_index;
+  if (session.answered != expected_last + 1)
+    throw input_error({.file = path.string(),
+                       .field = "answers",
+                       .wanted = "the first trials of a participant, without a gap",
+                       .found = fmt::format("{} answers up to trial {}", session.answered, expected_last)});
 }
 
 LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)) {
@@ -232,6 +237,7 @@ void LogWriter::append_answer(OpenSession& session, const TrialAnswer& answer) {
     run(tables_->answer, session.participant, answer.trial_index, session.session, answer.chosen_index,
         answer.rating, answer.choice_ns, answer.rating_ns);
   });
+  session.answers.push_back(answer);
   ++session.answered;
 }
 

@@ -31,11 +31,12 @@ struct Enrolment {
 
 /// A participant's place in the log, as found when the session began.
 struct OpenSession {
-  std::int64_t participant = 0;   ///< row in the log
-  std::int64_t session = 0;       ///< row in the log; 0 when nothing is left to do
-  int slot = 0;                   ///< which order of trials
-  std::vector<int> planned = {};  ///< stimuli (indices into the set) of the trials planned so far
-  int answered = 0;               ///< the first `answered` of them have answers
+  std::int64_t participant = 0;           ///< row in the log
+  std::int64_t session = 0;               ///< row in the log; 0 when nothing is left to do
+  int slot = 0;                           ///< which order of trials
+  std::vector<int> planned = {};          ///< stimuli (indices into the set) of the trials planned so far
+  int answered = 0;                       ///< the first `answered` of them have answers
+  std::vector<TrialAnswer> answers = {};  ///< those answers
   bool completed = false;
   bool excluded = false;
 };

@@ -3,6 +3,7 @@
 #include <variant>
 #include <vector>
 
+#include "study/quest_plus_procedure.h"
 #include "study/trial.h"
 
 namespace seamline {
@@ -14,9 +15,9 @@ struct ConstantProcedure {
 };
 
 /// How the next stimulus is found: a closed set. An adaptive procedure keeps its belief in its own
-/// alternative, picks in `current_stimulus` and learns in `after_answer`; nothing else in a session knows
-/// which procedure runs.
-using Procedure = std::variant<ConstantProcedure>;
+/// alternative, learns and picks in `after_answer`, and shows its pick in `current_stimulus`; nothing else in
+/// a session knows which procedure runs.
+using Procedure = std::variant<ConstantProcedure, QuestPlusProcedure>;
 
 /// The stimulus of the trial that is due (an index into the set's stimuli), or none when the procedure is
 /// over.

@@ -8,7 +8,7 @@
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/random.h"
 #include "study/log_writer.h"
-#include "study/plan.h"
+#include "study/participant_procedure.h"
 #include "study/session.h"
 #include "study/study_set.h"
 
@@ -54,28 +54,31 @@ Session run_trial(Session session, const SimulatedPerson& person, const StudySet
   return next(std::move(session), BreakEnded{});
 }
 
-void run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const SimulatedPerson& person) {
-  if (place.planned.empty())
-    log.plan_trials(place, plan_order(static_cast<int>(set.manifest.stimuli.size()),
-                                      {.study_seed = set.study.seed, .slot = place.slot}));
-  Session session = begin_session(ConstantProcedure{.order = place.planned, .answered = place.answered},
-                                  set.study.session.break_every_trials);
-  while (!std::holds_alternative<Done>(session.phase))
+/// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
+int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const ProcedurePlan& plan,
+                    const SimulatedPerson& person) {
+  Session session = begin_session(open_procedure(plan, log, place), set.study.session.break_every_trials);
+  while (!std::holds_alternative<Done>(session.phase)) {
+    plan_due_trial(session.procedure, log, place);
     session = run_trial(std::move(session), person, set,
                         [&](const TrialAnswer& answer) { log.append_answer(place, answer); });
+  }
+  const int tracks_on_edge = record_edge_alarms(session.procedure, log, place, 0);
   log.complete(place);
+  return tracks_on_edge;
 }
 
-/// Answers added; none when the participant had already finished.
-std::optional<int> simulate(LogWriter& log, const SimulationRequest& request, const StudySet& set,
-                            int number) {
+void simulate(LogWriter& log, const SimulationRequest& request, const StudySet& set,
+              const ProcedurePlan& plan, int number, SimulationSummary& summary) {
   OpenSession place = log.open_session({.code = fmt::format("sim-{:04}", number),
                                         .simulated = Simulated{request.observer, request.seed},
                                         .slot = number - 1});
-  if (place.completed || place.excluded) return std::nullopt;
+  const bool complete = place.completed || place.excluded;
+  ++(complete ? summary.participants_complete : summary.participants_run);
+  if (complete) return;
   const int before = place.answered;
-  run_participant(log, place, set, make_person(request, set, number));
-  return place.answered - before;
+  summary.tracks_on_edge += run_participant(log, place, set, plan, make_person(request, set, number));
+  summary.answers_added += place.answered - before;
 }
 
 }  // namespace
@@ -83,17 +86,14 @@ std::optional<int> simulate(LogWriter& log, const SimulationRequest& request, co
 SimulationSummary run_simulated_study(const SimulationRequest& request) {
   assert(request.count >= 1);
   const StudySet set = load_study_set(request.set_folder);
+  const ProcedurePlan plan = make_procedure_plan(set);
   LogWriter log(request.log, set);
   SimulationSummary summary;
   for (int first = 1; first <= request.count; first += participants_a_transaction) {
     if (interrupted()) throw Interrupted{};
     const int last = std::min(request.count, first + participants_a_transaction - 1);
     log.transaction([&] {
-      for (int number = first; number <= last; ++number) {
-        const std::optional<int> added = simulate(log, request, set, number);
-        ++(added ? summary.participants_run : summary.participants_complete);
-        summary.answers_added += added.value_or(0);
-      }
+      for (int number = first; number <= last; ++number) simulate(log, request, set, plan, number, summary);
     });
   }
   return summary;

@@ -19,6 +19,7 @@ struct SimulationSummary {
   int participants_run = 0;       ///< by this call, to their end
   int participants_complete = 0;  ///< were so before (or are excluded), and were left alone
   std::int64_t answers_added = 0;
+  int tracks_on_edge = 0;  ///< adaptive tracks of this call whose threshold leans on the edge of the grid
 };
 
 /// Runs simulated participants through the same plan, session and log as people. Running it again adds what

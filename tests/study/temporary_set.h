@@ -52,11 +52,10 @@ inline std::string study_text(const std::string& name, const std::string& widths
 
 inline constexpr const char* paper_widths_px = "64, 128, 256, 512, 1024, 2048, 4096";
 
-/// Writes a set as `render` would, without images: 12 stimuli a width. The paper's widths make its 84.
-inline StudySet write_set(const std::filesystem::path& folder, const std::string& widths_px = "64, 512",
-                          const std::string& name = "tiny") {
+/// Writes a set of a study file as `render` would, without images.
+inline StudySet write_set_of_text(const std::filesystem::path& folder, const std::string& text) {
   std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "study.toml", study_text(name, widths_px));
+  write_file_atomically(folder / "study.toml", text);
   const StudyDefinition study = read_study(folder / "study.toml", AssetCheck::not_needed);
   Manifest manifest;
   manifest.study_name = study.name;
@@ -73,6 +72,12 @@ inline StudySet write_set(const std::filesystem::path& folder, const std::string
   }
   write_manifest(folder, manifest);
   return load_study_set(folder);
+}
+
+/// The same of `study_text`: 12 stimuli a width. The paper's widths make its 84.
+inline StudySet write_set(const std::filesystem::path& folder, const std::string& widths_px = "64, 512",
+                          const std::string& name = "tiny") {
+  return write_set_of_text(folder, study_text(name, widths_px));
 }
 
 }  // namespace seamline

@@ -1,0 +1,137 @@
+#include "study/quest_plus_grid.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamline {
+namespace {
+
+std::vector<double> evenly(double least, double most, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i)
+    values.push_back(count == 1 ? least : least + (most - least) * i / (count - 1));
+  return values;
+}
+
+std::vector<double> in_ratios(const ParameterRange& range) {
+  return evenly(std::log2(range.least), std::log2(range.most), range.count);
+}
+
+/// The value below which `share` of the mass lies.
+double quantile(const std::vector<double>& values, const std::vector<double>& mass, double share) {
+  double below = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double low = i == 0 ? values[i] : (values[i - 1] + values[i]) / 2;
+    const double high = i + 1 == values.size() ? values[i] : (values[i] + values[i + 1]) / 2;
+    if (mass[i] > 0 && below + mass[i] >= share)
+      return low + (high - low) * std::clamp((share - below) / mass[i], 0.0, 1.0);
+    below += mass[i];
+  }
+  return values.back();
+}
+
+/// Whether nothing lies beyond the grid's lowest value because nothing can.
+bool is_natural_end(Parameter parameter, double lowest) {
+  return (parameter == Parameter::lapse || parameter == Parameter::guess) && lowest == 0;
+}
+
+}  // namespace
+
+std::string_view word(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::threshold:
+      return "threshold";
+    case Parameter::scale:
+      return "scale";
+    case Parameter::lapse:
+      return "lapse";
+    case Parameter::guess:
+      return "guess";
+    case Parameter::rating_step:
+      return "rating step";
+  }
+  return {};
+}
+
+int QuestPlusGrid::points() const {
+  std::size_t points = 1;
+  for (const std::vector<double>& axis : values) points *= axis.size();
+  return static_cast<int>(points);
+}
+
+int QuestPlusGrid::index(Parameter parameter, int point) const {
+  auto rest = static_cast<std::size_t>(point);
+  for (std::size_t axis = values.size() - 1; axis > static_cast<std::size_t>(parameter); --axis)
+    rest /= values[axis].size();
+  return static_cast<int>(rest % of(parameter).size());
+}
+
+QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
+  QuestPlusGrid grid;
+  const auto ratios = [](const ParameterRange& range) {
+    std::vector<double> values = in_ratios(range);
+    for (double& value : values) value = std::exp2(value);
+    return values;
+  };
+  const auto even = [](const ParameterRange& range) { return evenly(range.least, range.most, range.count); };
+  grid.values = {in_ratios(definition.threshold_px),
+                 ratios(definition.scale_octaves),
+                 even(definition.lapse),
+                 even(definition.guess),
+                 {0}};
+  if (definition.outcome == PlacementOutcome::noticeability)
+    grid.values.back() = ratios(definition.rating_step_octaves);
+  return grid;
+}
+
+std::vector<double> marginal(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
+                             Parameter parameter) {
+  std::vector<double> mass(grid.of(parameter).size(), 0.0);
+  for (int point = 0; point < grid.points(); ++point)
+    mass[static_cast<std::size_t>(grid.index(parameter, point))] +=
+        posterior.mass[static_cast<std::size_t>(point)];
+  return mass;
+}
+
+Moments moments(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior, Parameter parameter) {
+  const std::vector<double>& values = grid.of(parameter);
+  const std::vector<double> mass = marginal(grid, posterior, parameter);
+  Moments result;
+  for (std::size_t i = 0; i < values.size(); ++i) result.mean += mass[i] * values[i];
+  double variance = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    variance += mass[i] * (values[i] - result.mean) * (values[i] - result.mean);
+  result.sd = std::sqrt(variance);
+  return result;
+}
+
+CredibleInterval interval95(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
+                            Parameter parameter) {
+  const std::vector<double>& values = grid.of(parameter);
+  const std::vector<double> mass = marginal(grid, posterior, parameter);
+  return {.low = quantile(values, mass, 0.025), .high = quantile(values, mass, 0.975)};
+}
+
+std::vector<EdgeAlarm> edge_alarms(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
+                                   double edge_share) {
+  std::vector<EdgeAlarm> alarms;
+  for (const Parameter parameter : every_parameter) {
+    const std::vector<double>& values = grid.of(parameter);
+    if (values.size() < 3) continue;
+    const std::vector<double> mass = marginal(grid, posterior, parameter);
+    const double most = std::max(edge_share, 2.0 / static_cast<double>(values.size()));
+    if (mass.front() > most && !is_natural_end(parameter, values.front()))
+      alarms.push_back({.parameter = parameter, .highest = false, .mass = mass.front()});
+    if (mass.back() > most) alarms.push_back({.parameter = parameter, .highest = true, .mass = mass.back()});
+  }
+  return alarms;
+}
+
+std::string text(const EdgeAlarm& alarm) {
+  return fmt::format("{} at the grid's {} value ({:.2f} of the posterior)", word(alarm.parameter),
+                     alarm.highest ? "highest" : "lowest", alarm.mass);
+}
+
+}  // namespace seamline

@@ -1,0 +1,98 @@
+#include "study/quest_plus_results.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <map>
+
+#include "stimuli/study_file.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace {
+
+QuestPlusDefinition definition_of(const StudyDefinition& study, const LogContents& log) {
+  if (const auto* definition = std::get_if<QuestPlusDefinition>(&study.procedure)) return *definition;
+  throw input_error({.file = log.file.string(),
+                     .field = "procedure",
+                     .wanted = "a study with procedure = \"quest_plus\"",
+                     .found = "constant stimuli"});
+}
+
+TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, const QuestPlusTrack& track) {
+  const Moments threshold = moments(design.grid, track.posterior, Parameter::threshold);
+  const CredibleInterval interval = interval95(design.grid, track.posterior, Parameter::threshold);
+  return {.participant = {},
+          .artifact = design.tracks[index].artifact,
+          .track = name_of(design.tracks[index]),
+          .used = false,
+          .trials = track.answered,
+          .threshold_px = std::exp2(threshold.mean),
+          .threshold_sd_octaves = threshold.sd,
+          .low_px = std::exp2(interval.low),
+          .high_px = std::exp2(interval.high),
+          .scale_octaves = moments(design.grid, track.posterior, Parameter::scale).mean,
+          .lapse = moments(design.grid, track.posterior, Parameter::lapse).mean,
+          .alarms = edge_alarms(design.grid, track.posterior, design.definition.edge_share)};
+}
+
+}  // namespace
+
+std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
+  const StudyDefinition study = read_study_text(log.study_text, log.file);
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  const auto design =
+      std::make_shared<QuestPlusDesign>(make_quest_plus_design(definition_of(study, log), stimuli));
+  std::map<std::string, int> number_of;
+  for (std::size_t i = 0; i < stimuli.size(); ++i) number_of[stimulus_id(stimuli[i])] = static_cast<int>(i);
+
+  const QuestPlusProcedure fresh = begin_quest_plus(design, 0);
+  std::map<std::string, std::pair<std::vector<int>, std::vector<TrialAnswer>>> trials_of;
+  for (const Answer& answer : log.answers) {
+    const auto found = number_of.find(answer.stimulus_id);
+    if (found == number_of.end())
+      throw input_error({.file = log.file.string(),
+                         .field = "stimuli",
+                         .wanted = "a stimulus of the study",
+                         .found = "\"" + answer.stimulus_id + "\""});
+    auto& [shown, answers] = trials_of[answer.participant];
+    shown.push_back(found->second);
+    answers.push_back(
+        {.trial_index = answer.trial_index, .chosen_index = answer.chosen_index, .rating = answer.rating});
+  }
+  std::vector<TrackEstimate> estimates;
+  for (const ParticipantRecord& participant : log.participants) {
+    const auto& [shown, answers] = trials_of[participant.code];
+    const QuestPlusProcedure procedure = resume_quest_plus(fresh, shown, answers);
+    for (std::size_t t = 0; t < design->tracks.size(); ++t) {
+      estimates.push_back(estimate_of(*design, t, procedure.tracks[t]));
+      estimates.back().participant = participant.code;
+      estimates.back().used = participant.completed && !participant.excluded && !participant.pilot;
+    }
+  }
+  return estimates;
+}
+
+std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
+  std::size_t code = 11, name = 5;
+  for (const TrackEstimate& estimate : estimates) {
+    code = std::max(code, estimate.participant.size());
+    name = std::max(name, estimate.track.size());
+  }
+  std::string text =
+      fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>7}  {:>6}  alarms\n", "participant", code,
+                  "track", name, "used", "trials", "threshold_px", "ci95_px", "scale", "lapse");
+  for (const TrackEstimate& estimate : estimates) {
+    std::string alarms;
+    for (const EdgeAlarm& alarm : estimate.alarms)
+      alarms += (alarms.empty() ? "" : "; ") + seamline::text(alarm);
+    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>7.2f}  {:>6.3f}  {}\n",
+                        estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
+                        estimate.trials, estimate.threshold_px,
+                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px),
+                        estimate.scale_octaves, estimate.lapse, alarms.empty() ? "-" : alarms);
+  }
+  return text;
+}
+
+}  // namespace seamline

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/log.h"
+#include "study/quest_plus_procedure.h"
+
+namespace seamline {
+
+/// What the posterior of one participant's track says. Widths are means and intervals on the log2 axis,
+/// turned into pixels.
+struct TrackEstimate {
+  std::string participant;
+  Artifact artifact = Artifact::none;
+  std::string track;  ///< as `name_of`
+  bool used = true;   ///< completed, not excluded and not a pilot
+  int trials = 0;
+  double threshold_px = 0;  ///< posterior mean: the width at which the object is seen half of the time
+  double threshold_sd_octaves = 0;
+  double low_px = 0, high_px = 0;  ///< equal-tailed 95 % credible interval
+  double scale_octaves = 0, lapse = 0;
+  std::vector<EdgeAlarm> alarms = {};
+};
+
+/// The estimates of every participant of an adaptive study, by repeating what was learnt from each answer.
+/// Throws InputError when the study of the log has no adaptive procedure, or an answer is to a stimulus that
+/// the study does not list.
+[[nodiscard]] std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log);
+
+/// The same as a table of text, a line a track.
+[[nodiscard]] std::string tracks_text(const std::vector<TrackEstimate>& estimates);
+
+}  // namespace seamline

@@ -1,0 +1,49 @@
+// What the analysis says of a log whose widths were placed by the answers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/analysis.h"
+#include "study/log.h"
+#include "study/simulation.h"
+#include "tests/study/temporary_set.h"
+
+namespace seamline {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+Analysis analysis_of(const std::string& procedure, const std::string& table) {
+  const TemporaryFolder folder;
+  std::string text = study_text("adaptive", "64, 128, 256, 512, 1024");
+  text.insert(text.find("seed ="), procedure);
+  text.insert(text.find("[session]"), table);
+  (void)write_set_of_text(folder / "set", text);
+  run_simulated_study({.set_folder = folder / "set", .log = folder / "log", .count = 12});
+  return analyze(read_log(folder / "log"), false, {.replicates = 100, .threads = 1});
+}
+
+TEST(AdaptiveLog, GivesNoCurveOfMeansAndSaysSo) {
+  const Analysis analysis = analysis_of("procedure = \"quest_plus\"\n",
+                                        "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
+  ASSERT_EQ(analysis.thresholds.size(), 4U);
+  for (const ArtifactThresholds& thresholds : analysis.thresholds)
+    for (const WidthEstimate& width :
+         {thresholds.estimates.perceptual, thresholds.estimates.slightly_noticeable,
+          thresholds.estimates.inflection}) {
+      EXPECT_FALSE(width.log2_px);
+      EXPECT_THAT(width.reason, HasSubstr("placed by the answers"));
+    }
+  EXPECT_THAT(analysis.notes, Contains(HasSubstr("QUEST+")));
+  EXPECT_THAT(analysis.notes, testing::Not(Contains(HasSubstr("no answer at one of the widths"))));
+  EXPECT_EQ(analysis.data.objects.size(), 12U) << "the answers are described all the same";
+}
+
+TEST(AdaptiveLog, ConstantStimuliAreAnalysedAsBefore) {
+  const Analysis analysis = analysis_of("procedure = \"constant\"\n", "");
+  for (const ArtifactThresholds& thresholds : analysis.thresholds) EXPECT_EQ(thresholds.participants, 12);
+  EXPECT_THAT(analysis.notes, testing::Not(Contains(HasSubstr("QUEST+"))));
+}
+
+}  // namespace
+}  // namespace seamline

@@ -1,0 +1,165 @@
+// An adaptive study from the study file to the log and back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "stimuli/support/error.h"
+#include "study/log.h"
+#include "study/log_writer.h"
+#include "study/participant_procedure.h"
+#include "study/quest_plus_results.h"
+#include "study/simulation.h"
+#include "temporary_set.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* settings = "max_shows_per_image = 3\nmax_trials = 24\n";
+
+std::string adaptive_text(const std::string& quest_plus, const std::string& more = "") {
+  std::string text = study_text("adaptive", paper_widths_px);
+  text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
+  text.insert(text.find("[session]"), "[quest_plus]\n" + quest_plus);
+  return text + more;
+}
+
+class QuestPlusStudyTest : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+
+  [[nodiscard]] StudySet adaptive_set(const std::string& quest_plus = settings,
+                                      const std::string& more = "") const {
+    return write_set_of_text(folder / "set", adaptive_text(quest_plus, more));
+  }
+  [[nodiscard]] SimulationRequest request(const std::string& log, int count) const {
+    return {.set_folder = folder / "set",
+            .log = folder / log,
+            .observer = ObserverKind::threshold,
+            .count = count,
+            .seed = 1};
+  }
+  [[nodiscard]] std::vector<std::string> lines_of(const std::string& log) const {
+    std::vector<std::string> lines;
+    for (const Answer& answer : read_log(folder / log).answers)
+      lines.push_back(fmt::format("{} {} {} {} {}", answer.participant, answer.trial_index,
+                                  answer.stimulus_id, answer.chosen_index, answer.rating));
+    return lines;
+  }
+};
+
+TEST_F(QuestPlusStudyTest, RunsEveryTrackAndKeepsToTheCap) {
+  (void)adaptive_set();
+  const SimulationSummary summary = run_simulated_study(request("log", 6));
+  EXPECT_EQ(summary.participants_run, 6);
+  EXPECT_EQ(summary.answers_added, 6 * 4 * 24);
+  std::map<std::string, std::map<std::string, int>> shows;
+  std::map<std::string, std::map<Artifact, int>> trials;
+  for (const Answer& answer : read_log(folder / "log").answers) {
+    EXPECT_LE(++shows[answer.participant][answer.stimulus_id], 3);
+    ++trials[answer.participant][answer.artifact];
+  }
+  std::set<std::vector<std::string>> orders;
+  for (const auto& [participant, by_artifact] : trials) {
+    EXPECT_EQ(by_artifact.size(), 4U);
+    for (const auto& [artifact, count] : by_artifact) EXPECT_EQ(count, 24);
+  }
+  for (const ParticipantRecord& participant : read_log(folder / "log").participants) {
+    EXPECT_TRUE(participant.completed);
+    EXPECT_EQ(participant.planned_trials, 96);
+  }
+}
+
+TEST_F(QuestPlusStudyTest, SameSeedSameLogAndRunningAgainAddsOnlyWhatIsMissing) {
+  (void)adaptive_set();
+  run_simulated_study(request("whole", 4));
+  run_simulated_study(request("parts", 2));
+  EXPECT_EQ(run_simulated_study(request("parts", 4)).answers_added, 2 * 96);
+  EXPECT_EQ(run_simulated_study(request("parts", 4)).answers_added, 0);
+  EXPECT_EQ(lines_of("whole"), lines_of("parts"));
+}
+
+TEST_F(QuestPlusStudyTest, ABrokenOffSessionGoesOnAsIfNothingHadHappened) {
+  const StudySet set = adaptive_set();
+  run_simulated_study(request("whole", 1));
+  const LogContents whole = read_log(folder / "whole");
+  const ProcedurePlan plan = make_procedure_plan(set);
+  for (const int broken_off_at : {1, 13, 40, 95})
+    for (const bool image_was_shown : {false, true}) {
+      const std::string name = fmt::format("half{}{}", broken_off_at, image_was_shown);
+      {
+        LogWriter log(folder / name, set);
+        OpenSession place = log.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
+        Procedure procedure = open_procedure(plan, log, place);
+        for (int trial = 0; trial < broken_off_at; ++trial) {
+          plan_due_trial(procedure, log, place);
+          const Answer& given = whole.answers[static_cast<std::size_t>(trial)];
+          const TrialAnswer answer{
+              .trial_index = trial, .chosen_index = given.chosen_index, .rating = given.rating};
+          log.append_answer(place, answer);
+          procedure = after_answer(std::move(procedure), answer);
+        }
+        if (image_was_shown) plan_due_trial(procedure, log, place);
+
+        LogWriter reopened(folder / name, set);
+        OpenSession again = reopened.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
+        const Procedure resumed = open_procedure(plan, reopened, again);
+        EXPECT_EQ(current_stimulus(resumed), current_stimulus(procedure));
+        EXPECT_EQ(std::get<QuestPlusProcedure>(resumed).tracks,
+                  std::get<QuestPlusProcedure>(procedure).tracks);
+      }
+      EXPECT_EQ(run_simulated_study(request(name, 1)).answers_added, 96 - broken_off_at);
+      EXPECT_EQ(lines_of(name), lines_of("whole"));
+    }
+}
+
+TEST_F(QuestPlusStudyTest, TheLogGivesBackThePlantedThresholds) {
+  (void)adaptive_set("max_shows_per_image = 10\nmax_trials = 60\n",
+                     "[observer]\npeople_sd_octaves = 0.4\n[observer.midpoint_width_px]\noverlap = 800\n");
+  run_simulated_study(request("log", 30));
+  const LogContents log = read_log(folder / "log");
+  const std::vector<TrackEstimate> estimates = quest_plus_estimates(log);
+  ASSERT_EQ(estimates.size(), 30U * 4);
+  std::map<Artifact, double> mean;
+  for (const TrackEstimate& estimate : estimates) {
+    EXPECT_EQ(estimate.trials, 60);
+    EXPECT_LT(estimate.low_px, estimate.threshold_px);
+    EXPECT_GT(estimate.high_px, estimate.threshold_px);
+    mean[estimate.artifact] += std::log2(estimate.threshold_px) / 30;
+  }
+  const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
+  for (const auto& [artifact, log2_px] : mean)  // standard error of 30 people about 0.1 octave
+    EXPECT_NEAR(log2_px, std::log2(observer.midpoint_width_px.at(artifact)), 0.4) << word(artifact);
+  EXPECT_THAT(tracks_text(estimates), testing::HasSubstr("sim-0030     overlap"));
+}
+
+TEST_F(QuestPlusStudyTest, AThresholdBeyondTheGridIsReported) {
+  const StudySet set = adaptive_set(
+      settings, "[observer]\npeople_sd_octaves = 0\n[observer.midpoint_width_px]\nreceiver = 200000\n");
+  EXPECT_GE(run_simulated_study(request("log", 3)).tracks_on_edge, 3);
+  int alarms = 0;
+  for (const TrackEstimate& estimate : quest_plus_estimates(read_log(folder / "log")))
+    if (estimate.artifact == Artifact::receiver)
+      for (const EdgeAlarm& alarm : estimate.alarms)
+        alarms += alarm.parameter == Parameter::threshold && alarm.highest;
+  EXPECT_EQ(alarms, 3);
+}
+
+TEST_F(QuestPlusStudyTest, EachObjectCanHaveATrackOfItsOwn) {
+  (void)adaptive_set("track = \"object\"\nmax_shows_per_image = 2\nmax_trials = 10\n");
+  EXPECT_EQ(run_simulated_study(request("log", 2)).answers_added, 2 * 12 * 10);
+  EXPECT_EQ(quest_plus_estimates(read_log(folder / "log")).size(), 24U);
+}
+
+TEST_F(QuestPlusStudyTest, ALogOfConstantStimuliHasNoTracks) {
+  (void)write_set(folder / "set");
+  run_simulated_study(request("log", 1));
+  EXPECT_THROW((void)quest_plus_estimates(read_log(folder / "log")), InputError);
+}
+
+}  // namespace
+}  // namespace seamline
