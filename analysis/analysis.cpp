@@ -39,9 +39,11 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   std::vector<std::string> notes;
   const ParticipantCounts& counts = analysis.counts;
   if (counts.used < counts.in_log)
-    notes.push_back(fmt::format(
-        "Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did not finish.",
-        counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete));
+    notes.push_back(
+        fmt::format("Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
+                    "not finish{}.",
+                    counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
+                    counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : ""));
   if (analysis.log.forgotten_participants > 0)
     notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
                                 analysis.log.forgotten_participants));
@@ -65,24 +67,67 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   return notes;
 }
 
+std::string joined(const std::vector<std::string>& codes) {
+  std::string text;
+  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
+  return text;
+}
+
+/// Whom each screen names, and whether they are used all the same.
+void add_notes_on_screening(Analysis& analysis) {
+  for (Screen screen : every_screen)
+    if (const std::vector<std::string> named = analysis.screening.named_by(screen); !named.empty())
+      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(screen),
+                                           named.size(), named.size() == 1 ? "" : "s", joined(named),
+                                           analysis.options.exclude_screened
+                                               ? "left out"
+                                               : "used all the same unless --exclude-screened is given"));
+}
+
+void leave_out_screened(Analysis& analysis) {
+  analysis.people = leave_out(analysis.people, analysis.screening.named());
+  if (count_participants(analysis.people).used == 0)
+    throw input_error({.file = analysis.log.file.string(),
+                       .field = "",
+                       .wanted = "at least one participant whom no screen names",
+                       .found = "all of them named (leave out --exclude-screened)"});
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+}
+
+/// What stands beside the thresholds: single objects, guessing, opinion scores.
+void add_checks(Analysis& analysis) {
+  analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
+  analysis.guessing =
+      correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
+                           analysis.data, analysis.resampling);
+  analysis.opinion = opinion_scores(analysis.scores.score);
+  analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = highest_rating});
+  add_notes_on_screening(analysis);
+  analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
+}
+
 }  // namespace
 
-Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling) {
-  Analysis analysis{.log = std::move(log),
-                    .include_pilot = include_pilot,
-                    .resampling = resampling,
-                    .people = {},
-                    .counts = {},
-                    .data = {},
-                    .thresholds = {},
-                    .planted = {},
-                    .notes = {}};
+Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
+                 const AnalysisOptions& options) {
+  Analysis analysis;
+  analysis.log = std::move(log);
+  analysis.include_pilot = include_pilot;
+  analysis.resampling = resampling;
+  analysis.options = options;
   analysis.people = select_participants(analysis.log, include_pilot);
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+  analysis.screening = screen_participants(analysis.scores, options.catches);
+  static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
+  analysis.screened =
+      thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling);
+  if (options.exclude_screened) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people);
+  analysis.thresholds =
+      (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
   analysis.notes = notes_on_people(analysis);
-  for (const ArtifactScores& scores : analysis.data.artifacts)
-    analysis.thresholds.push_back(estimate_thresholds(scores, resampling));
+  add_checks(analysis);
   if (common_observer(analysis.people) == word(ObserverKind::threshold))
     if (const std::optional<StudyDefinition> study = study_of_log(analysis.log, analysis.notes))
       analysis.planted = planted_values(study->observer, analysis.data);

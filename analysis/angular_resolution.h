@@ -10,8 +10,8 @@ namespace seamline {
 }
 
 /// Thresholds were measured with maps of the full sphere; a camera that sees `field_of_view_deg` horizontally
-/// needs fewer texels for the same angular resolution (paper section 6). Width in px of an equirectangular cut
-/// of that field of view with the resolution of a full map `width_px` wide: W v / 360.
+/// needs fewer texels for the same angular resolution (paper section 6). Width in px of an equirectangular
+/// cut of that field of view with the resolution of a full map `width_px` wide: W v / 360.
 [[nodiscard]] constexpr double width_in_field_of_view_px(double width_px, double field_of_view_deg) {
   return width_px * field_of_view_deg / 360;
 }

@@ -15,8 +15,8 @@ WidthInterval point(double log2_px) {
 }  // namespace
 
 CurveReplicates::CurveReplicates(const std::vector<double>& log2_px, int replicates) : fitter_(log2_px) {
-  for (auto* values :
-       {&perceptual_, &slightly_noticeable_, &inflection_, &perceptual_logistic_, &slightly_noticeable_logistic_})
+  for (auto* values : {&perceptual_, &slightly_noticeable_, &inflection_, &perceptual_logistic_,
+                       &slightly_noticeable_logistic_})
     values->resize(static_cast<std::size_t>(replicates));
 }
 

@@ -25,7 +25,8 @@ std::vector<CellRange> ranges_of(const NoticeabilityData& data) {
   std::vector<CellRange> ranges;
   std::size_t first = 0;
   for (const ArtifactScores& scores : data.artifacts) {
-    ranges.push_back({.first = first, .count = scores.width_px.size(), .log2_px = log2_widths(scores.width_px)});
+    ranges.push_back(
+        {.first = first, .count = scores.width_px.size(), .log2_px = log2_widths(scores.width_px)});
     first += scores.width_px.size();
   }
   return ranges;
@@ -50,15 +51,15 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
   for (int place = 0; place < counts_of_cell; ++place) {
     const int right = place / answers_of_trial, chosen = place % answers_of_trial / highest_rating;
     const double b = guessers.position[static_cast<std::size_t>(right)];
-    value[place] = right == chosen ? place % highest_rating + 1
-                                   : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
+    value[place] =
+        right == chosen ? place % highest_rating + 1 : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
   }
   std::vector<Eigen::RowVectorXd> rows;
   for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
     Eigen::RowVectorXd row(static_cast<Eigen::Index>(range.count));
     for (std::size_t w = 0; w < range.count; ++w) {
-      const auto counts =
-          trials.answers.row(p).segment(static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
+      const auto counts = trials.answers.row(p).segment(
+          static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
       row[static_cast<Eigen::Index>(w)] = counts.dot(value) / counts.sum();
     }
     if (row.allFinite()) rows.push_back(row);  // others are not on this artifact's curve
@@ -97,8 +98,8 @@ bool right_above_chance(const GuessTrials& trials, const CellRange& range, const
          mean.sem * boost::math::quantile(boost::math::students_t(static_cast<double>(mean.n - 1)), 0.99);
 }
 
-CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores, const CellRange& range,
-                               const Guessers& guessers) {
+CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores,
+                               const CellRange& range, const Guessers& guessers) {
   CorrectedCurve curve;
   curve.artifact = scores.artifact;
   curve.width_px = scores.width_px;
@@ -136,7 +137,8 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
       means.clear();
       for (std::size_t w = 0; w < ranges[i].count; ++w)
         means.push_back(fit_seeing(counts_at(answers, ranges[i].first + w), guessers).noticeability);
-      const bool answered = std::all_of(means.begin(), means.end(), [](double m) { return std::isfinite(m); });
+      const bool answered =
+          std::all_of(means.begin(), means.end(), [](double m) { return std::isfinite(m); });
       if (answered) replicates[i].set(replicate, means);  // else it leaves every width open
     }
   });
@@ -157,19 +159,21 @@ std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
   const Guessers& guessers = correction.guessers;
   if (!guessers.known()) {
     notes.emplace_back(
-        "Nobody chose wrong and there are no reference trials: nothing says how guessers rate, and nobody need "
+        "Nobody chose wrong and there are no reference trials: nothing says how guessers rate, and nobody "
+        "need "
         "have guessed, so the curves corrected for guessing are the uncorrected ones.");
     return notes;
   }
   if (correction.floor >= perceptual_level)
-    notes.push_back(fmt::format(
-        "Guessers rate {:.2f} on average, so uncorrected noticeability cannot fall below {:.2f}: no uncorrected "
-        "perceptual threshold (level {}) can exist, only a corrected one.",
-        guessers.mean_rating(), correction.floor, perceptual_level));
+    notes.push_back(
+        fmt::format("Guessers rate {:.2f} on average, so uncorrected noticeability cannot fall below {:.2f}: "
+                    "no uncorrected "
+                    "perceptual threshold (level {}) can exist, only a corrected one.",
+                    guessers.mean_rating(), correction.floor, perceptual_level));
   if (guessers.wrong_answers + guessers.reference_answers < few_guesses)
-    notes.push_back(fmt::format(
-        "How guessers answer rests on {:.0f} wrong choices and {:.0f} reference trials only.",
-        guessers.wrong_answers, guessers.reference_answers));
+    notes.push_back(
+        fmt::format("How guessers answer rests on {:.0f} wrong choices and {:.0f} reference trials only.",
+                    guessers.wrong_answers, guessers.reference_answers));
   if (!guessers.position_estimated)
     notes.emplace_back(
         "Wrong choices do not say how often guesses fall on each position, so equal positions are assumed.");

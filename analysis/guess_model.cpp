@@ -40,8 +40,8 @@ Positions next_positions(const GuessChoices& choices, const Positions& b) {
   return expected;
 }
 
-/// Whether wrong choices compare every position with the others: with one right position only, nothing says how
-/// often guesses fall on it.
+/// Whether wrong choices compare every position with the others: with one right position only, nothing says
+/// how often guesses fall on it.
 bool positions_are_comparable(const GuessChoices& choices) {
   int right_positions = 0;
   double references = 0;

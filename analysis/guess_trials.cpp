@@ -78,8 +78,9 @@ GuessTrials count_guess_trials(const LogContents& log, const NoticeabilityData& 
     const auto& of_person = objects.at(one.where);
     const int repeats = of_person.at({one.answer->scene, one.answer->object_index, one.answer->object});
     const double per_person = cell_answers.at(cell) / static_cast<double>(cell_people.at(cell).size());
-    trials.answers(person, cell * counts_of_cell + count_place(one.answer->object_index,
-                                                               one.answer->chosen_index, one.answer->rating)) +=
+    trials.answers(person,
+                   cell * counts_of_cell +
+                       count_place(one.answer->object_index, one.answer->chosen_index, one.answer->rating)) +=
         per_person / (static_cast<double>(of_person.size()) * repeats);
   }
   for (const ReferenceAnswer& reference : references) {

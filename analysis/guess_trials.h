@@ -33,9 +33,9 @@ inline constexpr int counts_of_cell =
 }
 
 /// How often each participant gave each answer, which is all that the guessing model needs. Where objects or
-/// repeats are not balanced an answer counts for less or more than 1, so that a person's objects weigh the same
-/// within a cell and people weigh the same as each other, as in `average_answers`; the sum over a cell is its
-/// number of answers. With balanced data every answer counts 1.
+/// repeats are not balanced an answer counts for less or more than 1, so that a person's objects weigh the
+/// same within a cell and people weigh the same as each other, as in `average_answers`; the sum over a cell
+/// is its number of answers. With balanced data every answer counts 1.
 struct GuessTrials {
   std::vector<std::string> people;  ///< everybody on some artifact's curve, in the log's order
   std::vector<GuessCell> cells;     ///< artifacts in the order of the data, widths rising
@@ -43,8 +43,8 @@ struct GuessTrials {
   Eigen::MatrixXd references;       ///< people x answers_of_trial
 };
 
-/// Counts the answers of the people on the curves of `data` (`average_answers` of the same log). References of
-/// others are left out.
+/// Counts the answers of the people on the curves of `data` (`average_answers` of the same log). References
+/// of others are left out.
 [[nodiscard]] GuessTrials count_guess_trials(const LogContents& log, const NoticeabilityData& data,
                                              const std::vector<ReferenceAnswer>& references);
 

@@ -15,10 +15,9 @@ WidthInterval logistic_level_range(double level, const Logistic4Fit& fit, std::s
   if (fit.verdict == Centre::step) return fit.centre_range;
   if (!(curve.upper > level && level > curve.lower))  // flat at the level, as the largest width it equals
     return {.low_log2_px = log2_px.back(), .high_log2_px = log2_px.back()};
-  const double width =
-      std::clamp(curve.centre_log2_px +
-                     curve.scale_octaves * std::log((curve.upper - level) / (level - curve.lower)),
-                 log2_px.front(), log2_px.back());
+  const double width = std::clamp(
+      curve.centre_log2_px + curve.scale_octaves * std::log((curve.upper - level) / (level - curve.lower)),
+      log2_px.front(), log2_px.back());
   return {.low_log2_px = width, .high_log2_px = width};
 }
 

@@ -12,10 +12,10 @@ namespace seamline {
 ///
 ///     x = centre + scale ln((upper - level) / (level - lower))
 ///
-/// One value, or the two widths tested between which the fit is a step and says no more, or infinite ends: both
-/// +inf when the curve is above the level at every width tested, both -inf when it is below, everything when
-/// there were too few widths for a fit. Beyond the widths tested the curve is not read: its asymptotes are
-/// extrapolations.
+/// One value, or the two widths tested between which the fit is a step and says no more, or infinite ends:
+/// both +inf when the curve is above the level at every width tested, both -inf when it is below, everything
+/// when there were too few widths for a fit. Beyond the widths tested the curve is not read: its asymptotes
+/// are extrapolations.
 [[nodiscard]] WidthInterval logistic_level_range(double level, const Logistic4Fit& fit,
                                                  std::span<const double> log2_px);
 

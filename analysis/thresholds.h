@@ -15,9 +15,9 @@ inline constexpr double slight_level = 1.0;  ///< SN: "slightly noticeable"
 
 /// What a curve of mean noticeability says: estimates only, from people or from an observer's expected means.
 struct CurveThresholds {
-  WidthEstimate perceptual;           ///< PT
-  WidthEstimate slightly_noticeable;  ///< SN
-  WidthEstimate inflection;           ///< IP
+  WidthEstimate perceptual;                    ///< PT
+  WidthEstimate slightly_noticeable;           ///< SN
+  WidthEstimate inflection;                    ///< IP
   WidthEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
   WidthEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
   IsotonicFit isotonic;
@@ -39,9 +39,9 @@ struct ArtifactThresholds {
                                                   const std::vector<double>& means);
 
 /// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test
-/// (`level_interval`), IP and what is read off the logistic by the expanded percentile bootstrap over people. A
-/// replicate without a width counts as infinite, or as the whole range when it does not say on which side; none is dropped. With fewer
-/// than two people every interval is open.
+/// (`level_interval`), IP and what is read off the logistic by the expanded percentile bootstrap over people.
+/// A replicate without a width counts as infinite, or as the whole range when it does not say on which side;
+/// none is dropped. With fewer than two people every interval is open.
 [[nodiscard]] ArtifactThresholds estimate_thresholds(const ArtifactScores& scores,
                                                      const ResamplingRequest& request);
 

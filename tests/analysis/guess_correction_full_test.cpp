@@ -23,8 +23,8 @@ CurveThresholds true_thresholds(const Population& population, Artifact artifact)
   std::vector<double> means;
   for (int width_px : testing::paper_widths_px)
     means.push_back(testing::true_noticeability(population, artifact, width_px));
-  return thresholds_of_means(
-      log2_widths({testing::paper_widths_px.begin(), testing::paper_widths_px.end()}), means);
+  return thresholds_of_means(log2_widths({testing::paper_widths_px.begin(), testing::paper_widths_px.end()}),
+                             means);
 }
 
 void measure(const char* name, const GuessingStudy& study) {
@@ -62,7 +62,9 @@ void measure(const char* name, const GuessingStudy& study) {
 }
 
 TEST(GuessCorrectionCoverage, OfTheThresholdObserver) {
-  measure("observer", {.habits = {.position = {1.0 / 3, 1.0 / 3, 1.0 / 3}, .rating = {1, 0, 0, 0}}});
+  GuessingStudy study;
+  study.habits = {.position = {1.0 / 3, 1.0 / 3, 1.0 / 3}, .rating = {1, 0, 0, 0}};
+  measure("observer", study);
 }
 
 TEST(GuessCorrectionCoverage, OfPeopleWhoDifferAndGuessByHabit) {

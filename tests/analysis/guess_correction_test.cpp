@@ -10,14 +10,14 @@
 namespace seamline {
 namespace {
 
+using ::testing::Contains;
 using testing::corrected;
 using testing::GuessingLog;
 using testing::GuessingStudy;
-using testing::simulate_guessing;
-using testing::true_noticeability;
-using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::simulate_guessing;
+using testing::true_noticeability;
 
 Guessers habits_of(const GuessingStudy& study) {
   Guessers guessers;
@@ -40,8 +40,8 @@ Distance distance_from_truth(const GuessingStudy& study, std::uint64_t seed) {
   Distance sum;
   for (std::size_t a = 0; a < data.artifacts.size(); ++a)
     for (std::size_t w = 0; w < data.artifacts[a].width_px.size(); ++w) {
-      const double truth = true_noticeability(study.population, data.artifacts[a].artifact,
-                                              data.artifacts[a].width_px[w]);
+      const double truth =
+          true_noticeability(study.population, data.artifacts[a].artifact, data.artifacts[a].width_px[w]);
       sum.corrected += std::pow(correction.curves[a].cells[w].noticeability - truth, 2) / 28;
       sum.uncorrected += std::pow(data.artifacts[a].cells[w].mean - truth, 2) / 28;
     }
@@ -56,12 +56,14 @@ TEST(GuessCorrection, IsNearerToTheTruthThanTheUncorrectedCurve) {
 }
 
 TEST(GuessCorrection, RecoversWhoSawAndHowTheyRated) {
-  const GuessingStudy study{.people = 1000};
+  GuessingStudy study;
+  study.people = 1000;
   const GuessingLog simulated = simulate_guessing(study, 1);
   const GuessCorrection correction = corrected(simulated);
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(correction.guessers.position[c], study.habits.position[c], 0.01);
-  for (std::size_t r = 0; r < 4; ++r) EXPECT_NEAR(correction.guessers.rating[r], study.habits.rating[r], 0.01);
+  for (std::size_t r = 0; r < 4; ++r)
+    EXPECT_NEAR(correction.guessers.rating[r], study.habits.rating[r], 0.01);
   for (const CorrectedCurve& curve : correction.curves)
     for (std::size_t w = 0; w < curve.cells.size(); ++w) {
       double seen = 0, rating = 0, answers = 0;
@@ -78,15 +80,16 @@ TEST(GuessCorrection, RecoversWhoSawAndHowTheyRated) {
 }
 
 TEST(GuessCorrection, EasyObjectsAreNotMistakenForPositionBias) {
-  const GuessingStudy study{.habits = {.position = {1.0 / 3, 1.0 / 3, 1.0 / 3}},
-                            .people = 1000,
-                            .object_shift_octaves = 0.7};
+  GuessingStudy study;
+  study.habits.position = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+  study.people = 1000;
+  study.object_shift_octaves = 0.7;
   for (double share : corrected(simulate_guessing(study, 2)).guessers.position)
     EXPECT_NEAR(share, 1.0 / 3, 0.01);
 }
 
-/// Where no bound is touched and positions are equal, the fit is the moment estimate: mean score less half the
-/// guessers' mean rating for each wrong choice.
+/// Where no bound is touched and positions are equal, the fit is the moment estimate: mean score less half
+/// the guessers' mean rating for each wrong choice.
 TEST(GuessCorrection, EqualsTheMomentEstimateWithinBounds) {
   Guessers guessers = habits_of({});
   guessers.position = {1.0 / 3, 1.0 / 3, 1.0 / 3};
@@ -136,8 +139,8 @@ TEST(GuessCorrection, FindsTheMaximum) {
       std::array<double, 4> q{};
       for (double& part : q) total += part = -std::log(1 - random.uniform());
       for (int place = 0; place < counts_of_cell; ++place) {
-        const auto o = static_cast<std::size_t>(place / 12), chosen = static_cast<std::size_t>(place % 12 / 4),
-                   r = static_cast<std::size_t>(place % 4);
+        const auto o = static_cast<std::size_t>(place / 12),
+                   chosen = static_cast<std::size_t>(place % 12 / 4), r = static_cast<std::size_t>(place % 4);
         const double guess = (1 - s) * guessers.position[chosen] * guessers.rating[r];
         if (of_cell[place] > 0)
           log_likelihood += of_cell[place] * std::log(guess + (o == chosen ? s * q[r] / total : 0));
@@ -171,13 +174,15 @@ TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
 }
 
 TEST(GuessCorrection, WarnsWhenGuessersRateSoHighThatNoThresholdCanExist) {
-  GuessingStudy study{.habits = {.rating = {0.4, 0.3, 0.2, 0.1}}};
+  GuessingStudy study;
+  study.habits.rating = {0.4, 0.3, 0.2, 0.1};
   EXPECT_THAT(corrected(simulate_guessing(study, 8)).notes, Contains(HasSubstr("no uncorrected perceptual")));
   EXPECT_THAT(corrected(simulate_guessing({}, 8)).notes, IsEmpty());
 }
 
 TEST(GuessCorrection, ReferenceTrialsAreGuesses) {
-  const GuessingStudy with{.references = 40};
+  GuessingStudy with;
+  with.references = 40;
   GuessingLog simulated = simulate_guessing(with, 9);
   for (Answer& answer : simulated.log.answers) answer.chosen_index = answer.object_index;
   const Guessers guessers = corrected(simulated).guessers;
@@ -200,7 +205,8 @@ TEST(GuessCorrection, IsTheSameForAnyNumberOfThreads) {
   const GuessCorrection one = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 1});
   const GuessCorrection three = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 3});
   for (std::size_t a = 0; a < 4; ++a) {
-    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_log2_px, three.curves[a].perceptual_bootstrap.low_log2_px);
+    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_log2_px,
+              three.curves[a].perceptual_bootstrap.low_log2_px);
     EXPECT_EQ(one.curves[a].estimates.inflection.ci95.high_log2_px,
               three.curves[a].estimates.inflection.ci95.high_log2_px);
   }

@@ -55,7 +55,8 @@ inline GuessingLog simulate_guessing(const GuessingStudy& study, std::uint64_t s
           const double midpoint_px =
               observer.midpoint_width_px.at(artifact) * std::exp2((object - 2) * study.object_shift_octaves);
           const double see = detail::seeing(width_px, midpoint_px, shift, observer.scale_octaves);
-          const double rate = detail::seeing(width_px, midpoint_px, shift + rating_shift, observer.scale_octaves);
+          const double rate =
+              detail::seeing(width_px, midpoint_px, shift + rating_shift, observer.scale_octaves);
           const bool seen = random.uniform() < see;
           const int chosen = seen ? object : draw(study.habits.position, random);
           const int rating = seen ? 1 + random.binomial(3, rate) : draw(study.habits.rating, random);
@@ -90,9 +91,9 @@ inline double true_noticeability(const Population& population, Artifact artifact
   return sum / weights;
 }
 
-inline GuessCorrection corrected(const GuessingLog& simulated, const ResamplingRequest& request = {.replicates = 0}) {
-  const NoticeabilityData data =
-      average_answers(simulated.log, select_participants(simulated.log, false));
+inline GuessCorrection corrected(const GuessingLog& simulated,
+                                 const ResamplingRequest& request = {.replicates = 0}) {
+  const NoticeabilityData data = average_answers(simulated.log, select_participants(simulated.log, false));
   return correct_for_guessing(count_guess_trials(simulated.log, data, simulated.references), data, request);
 }
 

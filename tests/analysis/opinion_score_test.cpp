@@ -1,0 +1,62 @@
+#include "analysis/opinion_score.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "stimuli/support/random.h"
+
+namespace seamline {
+namespace {
+
+TEST(OpinionScore, ByHand) {
+  Eigen::MatrixXd score(4, 1);
+  score << 1, 2, 3, 4;
+  const OpinionScore mos = opinion_scores(score).at(0);
+  EXPECT_EQ(mos.n, 4);
+  EXPECT_DOUBLE_EQ(mos.mean, 2.5);
+  EXPECT_DOUBLE_EQ(mos.sd, std::sqrt(5.0 / 3));
+  EXPECT_NEAR(mos.ci95_high - mos.mean, 3.182446305 * std::sqrt(5.0 / 3) / 2, 1e-8);  // t with 3 degrees
+  EXPECT_NEAR(mos.mean - mos.ci95_low, mos.ci95_high - mos.mean, 1e-12);
+}
+
+TEST(OpinionScore, OfFewScoresSaysSo) {
+  Eigen::MatrixXd score(2, 2);
+  score << 1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+      std::numeric_limits<double>::quiet_NaN();
+  const std::vector<OpinionScore> mos = opinion_scores(score);
+  EXPECT_EQ(mos[0].n, 1);
+  EXPECT_DOUBLE_EQ(mos[0].mean, 1);
+  EXPECT_TRUE(std::isnan(mos[0].ci95_low));
+  EXPECT_EQ(mos[1].n, 0);
+  EXPECT_TRUE(std::isnan(mos[1].mean));
+}
+
+/// When people's scores are 4 Binomial(m, p) / m, S^2 is x (4 - x) / m: a = 1 / m.
+TEST(SosParameter, IsTheInverseOfTheNumberOfCoins) {
+  Random random(1);
+  for (int coins : {1, 2, 4, 10}) {
+    Eigen::MatrixXd score(400, 40);
+    for (Eigen::Index s = 0; s < score.cols(); ++s)
+      for (Eigen::Index p = 0; p < score.rows(); ++p)
+        score(p, s) = 4.0 * random.binomial(coins, (static_cast<double>(s) + 1) / 41) / coins;
+    const SosParameter sos = sos_parameter(score, {.lowest = 0, .highest = 4});
+    EXPECT_NEAR(sos.a, 1.0 / coins, 0.04 / coins);
+    EXPECT_LT(sos.ci95_low, 1.0 / coins);
+    EXPECT_GT(sos.ci95_high, 1.0 / coins);
+    EXPECT_EQ(sos.stimuli, 40);
+  }
+}
+
+TEST(SosParameter, OfPeopleWhoAgreeIsZero) {
+  Eigen::MatrixXd score(5, 3);
+  score.col(0).setConstant(1);
+  score.col(1).setConstant(2);
+  score.col(2).setConstant(3);
+  EXPECT_DOUBLE_EQ(sos_parameter(score, {}).a, 0);
+  EXPECT_TRUE(std::isnan(sos_parameter(Eigen::MatrixXd::Zero(5, 3), {}).a));  // all at an end: not defined
+}
+
+}  // namespace
+}  // namespace seamline
