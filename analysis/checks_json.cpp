@@ -62,7 +62,9 @@ Json person_json(const ScreenedPerson& person) {
        {{"P", person.kurtosis.above}, {"Q", person.kurtosis.below}, {"stimuli", person.kurtosis.stimuli}}},
       {"correlation",
        {{"stimuli", json_number(person.correlation.stimuli)},
-        {"conditions", json_number(person.correlation.conditions)}}}};
+        {"conditions", json_number(person.correlation.conditions)},
+        {"critical", json_number(person.correlation.critical)},
+        {"below_p913", person.correlation.below_p913}}}};
 }
 
 Json screening_json(const Screening& screening) {

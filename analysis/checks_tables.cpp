@@ -133,14 +133,18 @@ CsvTable screening_table(const Analysis& analysis) {
                              {"correlation_stimuli", "-1 to 1",
                               "Pearson correlation with the mean of the others, over stimuli"},
                              {"correlation_conditions", "-1 to 1", "the same over artifacts and widths"},
-                             {"correlation_named", "0 or 1", std::string(rule_of(Screen::correlation))}},
+                             {"correlation_named", "0 or 1", std::string(rule_of(Screen::correlation))},
+                             {"below_p913", "0 or 1",
+                              "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
+                              "P.913; reported only"}},
                  .rows = {}};
   for (const ScreenedPerson& person : analysis.screening.people)
     table.rows.push_back({person.code, whole(person.attention.shown), whole(person.attention.right),
                           whole(person.attention.rejected), whole(person.kurtosis.above),
                           whole(person.kurtosis.below), whole(person.kurtosis.stimuli),
                           whole(person.kurtosis.rejected), person.correlation.stimuli,
-                          person.correlation.conditions, whole(person.correlation.rejected)});
+                          person.correlation.conditions, whole(person.correlation.rejected),
+                          whole(person.correlation.below_p913)});
   return table;
 }
 

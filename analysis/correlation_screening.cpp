@@ -1,6 +1,7 @@
 #include "analysis/correlation_screening.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
@@ -35,6 +36,12 @@ Eigen::VectorXd condition_means(const Eigen::VectorXd& values, const Eigen::Vect
   return sum.array() / n.array();  // 0 / 0: no score, no number
 }
 
+int pairs(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  int count = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) count += std::isnan(a[i]) || std::isnan(b[i]) ? 0 : 1;
+  return count;
+}
+
 bool varies(const Eigen::VectorXd& values) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (double value : values)
@@ -61,6 +68,12 @@ double pearson_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return aa > 1e-12 && bb > 1e-12 ? ab / std::sqrt(aa * bb) : nan;
 }
 
+double critical_correlation(int count, double probability) {
+  if (count < 3) return 1;
+  const double t = boost::math::quantile(boost::math::students_t(count - 2), 1 - probability);
+  return t / std::sqrt(count - 2 + t * t);
+}
+
 std::vector<CorrelationCheck> screen_by_correlation(const Eigen::MatrixXd& score,
                                                     const std::vector<int>& condition) {
   std::vector<CorrelationCheck> checks;
@@ -70,10 +83,11 @@ std::vector<CorrelationCheck> screen_by_correlation(const Eigen::MatrixXd& score
     check.stimuli = pearson_correlation(own, others);
     check.conditions =
         pearson_correlation(condition_means(own, others, condition), condition_means(others, own, condition));
-    const bool too_low = check.stimuli < least_stimulus_correlation &&
-                         (check.conditions < least_condition_correlation || std::isnan(check.conditions));
+    check.critical = critical_correlation(pairs(own, others), escape_probability);
+    check.below_p913 =
+        check.stimuli < p913_stimulus_correlation && check.conditions < p913_condition_correlation;
     const bool same_everywhere = !varies(own) && varies(others);
-    check.rejected = score.rows() >= 3 && (too_low || same_everywhere);
+    check.rejected = score.rows() >= 3 && (check.stimuli <= check.critical || same_everywhere);
     checks.push_back(check);
   }
   return checks;

@@ -67,15 +67,14 @@ std::string intervals_text(const Analysis& analysis) {
 
 constexpr const char* checks_method_text =
     "Beside them stand: PT and SN read off the logistic (expanded percentile intervals); thresholds of the "
-    "curve "
-    "corrected for guessing by a latent-class model (saw it, or guessed) fitted by expectation maximisation, "
-    "with "
-    "guessers' positions and ratings estimated from wrong choices and reference trials; and the range found "
-    "when "
-    "each object in turn is left out. Participants were screened by ITU-R BT.500 (kurtosis) and ITU-T P.913 "
-    "(correlation with the mean of the others); those named are counted and the thresholds are given with "
+    "curve corrected for guessing by a latent-class model (saw it, or guessed) fitted by expectation "
+    "maximisation, with guessers' positions and ratings estimated from wrong choices and reference trials; "
     "and "
-    "without them.";
+    "the range found when each object in turn is left out. Participants were screened by ITU-R BT.500 "
+    "(kurtosis) "
+    "and by correlation with the mean of the others; those named are counted and the thresholds are given "
+    "with "
+    "and without them.";
 
 std::string software(const Analysis& analysis) {
   return fmt::format("Analysed with Seamline {} (study {}, study hash {}, set hash {}).", program_version(),

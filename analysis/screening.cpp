@@ -37,9 +37,9 @@ std::string_view rule_of(Screen screen) {
              "(else) "
              "from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
     case Screen::correlation:
-      return "correlation (ITU-T P.913): Pearson correlation with the mean of the others under 0.75 over "
-             "stimuli "
-             "and under 0.80 over conditions (artifact and width)";
+      return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
+             "somebody "
+             "who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
   }
   return "";
 }

@@ -14,7 +14,7 @@ namespace seamline {
 enum class Screen {
   attention,   ///< catch trials: an insertion that nobody who looks can miss
   kurtosis,    ///< ITU-R BT.500
-  correlation  ///< ITU-T P.913
+  correlation  ///< with the mean of the others
 };
 inline constexpr std::array<Screen, 3> every_screen = {Screen::attention, Screen::kurtosis,
                                                        Screen::correlation};
