@@ -13,7 +13,8 @@ namespace seamline {
 
 namespace {
 
-constexpr double few_guesses = 30;  ///< under this many, g and b are rough
+constexpr double replicate_tolerance = 1e-6;  ///< far under what a replicate differs by from the next
+constexpr double few_guesses = 30;            ///< under this many, g and b are rough
 
 /// The cells of one artifact: which columns of the counts are its own.
 struct CellRange {
@@ -136,7 +137,8 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       means.clear();
       for (std::size_t w = 0; w < ranges[i].count; ++w)
-        means.push_back(fit_seeing(counts_at(answers, ranges[i].first + w), guessers).noticeability);
+        means.push_back(
+            fit_seeing(counts_at(answers, ranges[i].first + w), guessers, replicate_tolerance).noticeability);
       const bool answered =
           std::all_of(means.begin(), means.end(), [](double m) { return std::isfinite(m); });
       if (answered) replicates[i].set(replicate, means);  // else it leaves every width open

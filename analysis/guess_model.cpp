@@ -13,7 +13,6 @@ namespace {
 constexpr int position_steps = 500;
 constexpr int seeing_steps = 3000;
 constexpr double position_tolerance = 1e-12;
-constexpr double seeing_tolerance = 1e-8;  ///< of noticeability in one step
 
 using Positions = std::array<double, objects_per_stimulus>;
 using Ratings = std::array<double, highest_rating>;
@@ -165,7 +164,8 @@ Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& 
   return found;
 }
 
-SeeingCell fit_seeing(const double* counts, const Guessers& guessers, std::vector<double>* trace) {
+SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tolerance,
+                      std::vector<double>* trace) {
   const CellCounts sorted = sort_counts(counts, guessers);
   SeeingCell cell;
   if (sorted.all_right + sorted.all_wrong == 0) {
@@ -181,7 +181,7 @@ SeeingCell fit_seeing(const double* counts, const Guessers& guessers, std::vecto
     for (std::size_t r = 0; r < v.size(); ++r) moved += std::abs(next[r] - v[r]);
     v = next;
     ++cell.steps;
-    cell.converged = moved < seeing_tolerance;
+    cell.converged = moved < tolerance;
   }
   cell.log_likelihood = log_likelihood(sorted, guessers, v);
   if (trace != nullptr) trace->push_back(cell.log_likelihood);

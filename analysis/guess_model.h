@@ -43,7 +43,7 @@ struct SeeingCell {
 /// EM climbs to is its one maximum. Starts at the moment estimate. Without answers everything is NaN.
 /// `counts` are the cell's `counts_of_cell` counts; `trace`, when given, receives the log likelihood before
 /// each step and at the end.
-[[nodiscard]] SeeingCell fit_seeing(const double* counts, const Guessers& guessers,
+[[nodiscard]] SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tolerance = 1e-8,
                                     std::vector<double>* trace = nullptr);
 
 }  // namespace seamline

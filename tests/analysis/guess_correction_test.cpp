@@ -148,7 +148,7 @@ TEST(GuessCorrection, EachStepOfEmIncreasesTheLikelihood) {
   const Guessers guessers = estimate_guessers(counts, Eigen::VectorXd::Zero(answers_of_trial));
   for (std::size_t c = 0; c < trials.cells.size(); ++c) {
     std::vector<double> trace;
-    const SeeingCell cell = fit_seeing(counts.data() + c * counts_of_cell, guessers, &trace);
+    const SeeingCell cell = fit_seeing(counts.data() + c * counts_of_cell, guessers, 1e-8, &trace);
     EXPECT_TRUE(cell.converged) << c;
     for (std::size_t i = 1; i < trace.size(); ++i) EXPECT_GE(trace[i], trace[i - 1] - 1e-9) << c << " " << i;
     EXPECT_GT(trace.back(), trace.front() - 1e-9);
