@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/curve_replicates.h"
+#include "analysis/logistic_interval.h"
 #include "analysis/logistic_level.h"
 
 namespace seamline {
@@ -34,8 +35,15 @@ void add_intervals(const ArtifactScores& scores, const std::vector<double>& log2
   result.perceptual_bootstrap = intervals.perceptual;
   result.slightly_noticeable_bootstrap = intervals.slightly_noticeable;
   result.estimates.inflection.ci95 = intervals.inflection;
-  result.estimates.perceptual_logistic.ci95 = intervals.perceptual_logistic;
-  result.estimates.slightly_noticeable_logistic.ci95 = intervals.slightly_noticeable_logistic;
+  result.perceptual_logistic_bootstrap = intervals.perceptual_logistic;
+  result.slightly_noticeable_logistic_bootstrap = intervals.slightly_noticeable_logistic;
+  CurveThresholds& found = result.estimates;
+  found.perceptual_logistic.ci95 =
+      logistic_level_interval(perceptual_level, found.logistic, log2_px, means, result.participants)
+          .value_or(intervals.perceptual_logistic);
+  found.slightly_noticeable_logistic.ci95 =
+      logistic_level_interval(slight_level, found.logistic, log2_px, means, result.participants)
+          .value_or(intervals.slightly_noticeable_logistic);
 }
 
 }  // namespace
@@ -68,7 +76,9 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
                             .participants = static_cast<int>(scores.people.size()),
                             .estimates = {},
                             .perceptual_bootstrap = {},
-                            .slightly_noticeable_bootstrap = {}};
+                            .slightly_noticeable_bootstrap = {},
+                            .perceptual_logistic_bootstrap = {},
+                            .slightly_noticeable_logistic_bootstrap = {}};
   if (means.empty()) {
     const WidthEstimate nothing{.log2_px = {}, .reason = "nobody answered at every width", .ci95 = {}};
     result.estimates.perceptual = result.estimates.slightly_noticeable = result.estimates.inflection =

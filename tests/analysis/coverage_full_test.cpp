@@ -25,7 +25,8 @@ constexpr int replicates = 999;
 void measure(const char* name, const Population& population) {
   for (Artifact artifact : paper_artifacts) {
     const CurveThresholds planted = planted_thresholds(population, artifact);
-    CoverageTally pt, sn, ip, pt_logistic, sn_logistic, pt_bootstrap, sn_bootstrap;
+    CoverageTally pt, sn, ip, pt_logistic, sn_logistic, pt_bootstrap, sn_bootstrap, pt_logistic_bootstrap,
+        sn_logistic_bootstrap;
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
       const ArtifactThresholds found = estimate_thresholds(
           simulate_scores(population, artifact, people, seed), {.replicates = replicates, .seed = seed});
@@ -36,13 +37,16 @@ void measure(const char* name, const Population& population) {
       sn_logistic.add(found.estimates.slightly_noticeable_logistic, planted.slightly_noticeable_logistic);
       pt_bootstrap.add(found.perceptual_bootstrap, *planted.perceptual.log2_px);
       sn_bootstrap.add(found.slightly_noticeable_bootstrap, *planted.slightly_noticeable.log2_px);
+      pt_logistic_bootstrap.add(found.perceptual_logistic_bootstrap, planted.perceptual_logistic);
+      sn_logistic_bootstrap.add(found.slightly_noticeable_logistic_bootstrap,
+                                planted.slightly_noticeable_logistic);
     }
     const char* of = word(artifact).data();
     pt.print(name, of, "PT", planted.perceptual, &pt_bootstrap);
     sn.print(name, of, "SN", planted.slightly_noticeable, &sn_bootstrap);
     ip.print(name, of, "IP", planted.inflection, nullptr);
-    pt_logistic.print(name, of, "PT, logistic", planted.perceptual_logistic, nullptr);
-    sn_logistic.print(name, of, "SN, logistic", planted.slightly_noticeable_logistic, nullptr);
+    pt_logistic.print(name, of, "PT, logistic", planted.perceptual_logistic, &pt_logistic_bootstrap);
+    sn_logistic.print(name, of, "SN, logistic", planted.slightly_noticeable_logistic, &sn_logistic_bootstrap);
     for (const CoverageTally* tally : {&pt, &sn, &ip}) {
       EXPECT_GE(tally->percent(), 93) << name << " " << of;
       EXPECT_LE(tally->percent(), 97.5) << name << " " << of;

@@ -20,6 +20,9 @@ struct CoverageTally {
       ++held;
     open += std::isfinite(interval.low_log2_px) && std::isfinite(interval.high_log2_px) ? 0 : 1;
   }
+  void add(const WidthInterval& interval, const WidthEstimate& planted) {
+    if (planted.log2_px) add(interval, *planted.log2_px);
+  }
   void add(const WidthEstimate& found, const WidthEstimate& planted) {
     if (planted.log2_px) add(found.ci95, *planted.log2_px);
     estimated += found.log2_px ? 1 : 0;
