@@ -10,7 +10,7 @@ namespace seamline {
 /// without those whom a screen names.
 [[nodiscard]] std::string checks_text(const Analysis& analysis);
 
-/// "everybody (20)", "without correlation (2 left out: a, b)".
+/// "everybody (20)", "without those named by correlation (2 left out: a, b)".
 [[nodiscard]] std::string who_text(const ScreenedThresholds& result, const Analysis& analysis);
 
 /// What guessers do, in a sentence or two.

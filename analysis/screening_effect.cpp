@@ -33,9 +33,11 @@ std::vector<ScreenedThresholds> thresholds_with_and_without(const LogContents& l
   std::vector<ScreenedThresholds> results = {{.who = "everybody", .left_out = {}, .thresholds = {}}};
   for (Screen screen : every_screen)
     if (const std::vector<std::string> named = screening.named_by(screen); !named.empty())
-      results.push_back({.who = "without " + std::string(word(screen)), .left_out = named, .thresholds = {}});
+      results.push_back({.who = "without those named by " + std::string(word(screen)),
+                         .left_out = named,
+                         .thresholds = {}});
   if (results.size() > 2)
-    results.push_back({.who = "without any screen", .left_out = screening.named(), .thresholds = {}});
+    results.push_back({.who = "without anybody named", .left_out = screening.named(), .thresholds = {}});
   for (auto result = results.begin(); result != results.end(); ++result) {
     const auto same = std::find_if(results.begin(), result, [&](const ScreenedThresholds& earlier) {
       return earlier.left_out == result->left_out;

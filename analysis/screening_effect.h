@@ -10,7 +10,7 @@ namespace seamline {
 
 /// The thresholds of everybody, or of those whom a screen does not name.
 struct ScreenedThresholds {
-  std::string who;                             ///< "everybody", "without kurtosis", ..., "without any screen"
+  std::string who;  ///< "everybody", "without those named by kurtosis", ..., "without anybody named"
   std::vector<std::string> left_out;           ///< codes of those named
   std::vector<ArtifactThresholds> thresholds;  ///< empty when nobody is left
 };
