@@ -2,46 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
-
+#include "analysis/adaptive_log.h"
 #include "stimuli/study_file.h"
-#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
-#include "stimuli/support/hash.h"
 #include "study/observer.h"
 
 namespace seamline {
 
 namespace {
 
-/// A file that lives as long as this object: studies are read from files only.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() /
-              ("seamline-study-" + sha256(text).substr(0, 16) + ".toml")) {
-    write_file_atomically(path_, text);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::vector<std::string> notes_on_people(const Analysis& analysis) {
   std::vector<std::string> notes;
   const ParticipantCounts& counts = analysis.counts;
   if (counts.used < counts.in_log)
-    notes.push_back(fmt::format(
-        "Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did not finish.",
-        counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete));
+    notes.push_back(
+        fmt::format("Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
+                    "not finish{}.",
+                    counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
+                    counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : ""));
   if (analysis.log.forgotten_participants > 0)
     notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
                                 analysis.log.forgotten_participants));
@@ -65,54 +43,73 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   return notes;
 }
 
-/// Adaptive placement asks each person at widths that depend on their answers, and how often too: a mean at a
-/// width is then over people who differ from those of the next width, and is biased. No curve is made of such
-/// means. Returns whether the log is of an adaptive study.
-bool set_aside_adaptive(Analysis& analysis) {
-  std::vector<std::string> unused;
-  const std::optional<StudyDefinition> study = study_of_log(analysis.log, unused);
-  if (!study || !std::holds_alternative<QuestPlusDefinition>(study->procedure)) return false;
-  for (ArtifactScores& scores : analysis.data.artifacts)
-    scores = {.artifact = scores.artifact,
-              .width_px = scores.width_px,
-              .people = {},
-              .noticeability = {},
-              .cells = {},
-              .left_out = {}};
-  return true;
+std::string joined(const std::vector<std::string>& codes) {
+  std::string text;
+  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
+  return text;
 }
 
-constexpr const char* adaptive_note =
-    "Widths were placed by the answers (QUEST+), so PT, SN and IP of mean noticeability cannot be computed; "
-    "means of objects are over different people at different widths and only describe the answers. "
-    "'seamline log LOG --tracks' prints the thresholds that the posteriors give.";
+/// Whom each screen names, and whether they are used all the same.
+void add_notes_on_screening(Analysis& analysis) {
+  for (Screen screen : every_screen)
+    if (const std::vector<std::string> named = analysis.screening.named_by(screen); !named.empty())
+      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(screen),
+                                           named.size(), named.size() == 1 ? "" : "s", joined(named),
+                                           analysis.options.exclude_screened
+                                               ? "left out"
+                                               : "used all the same unless --exclude-screened is given"));
+}
 
-void give_reason(CurveThresholds& estimates, const char* reason) {
-  for (WidthEstimate* width : {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
-    width->reason = reason;
+void leave_out_screened(Analysis& analysis) {
+  analysis.people = leave_out(analysis.people, analysis.screening.named());
+  if (count_participants(analysis.people).used == 0)
+    throw input_error({.file = analysis.log.file.string(),
+                       .field = "",
+                       .wanted = "at least one participant whom no screen names",
+                       .found = "all of them named (leave out --exclude-screened)"});
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+}
+
+/// What stands beside the thresholds: single objects, guessing, opinion scores.
+void add_checks(Analysis& analysis) {
+  analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
+  analysis.guessing =
+      correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
+                           analysis.data, analysis.resampling);
+  analysis.opinion = opinion_scores(analysis.scores.score);
+  analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = highest_rating});
+  add_notes_on_screening(analysis);
+  analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
 }
 
 }  // namespace
 
-Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling) {
-  Analysis analysis{.log = std::move(log),
-                    .include_pilot = include_pilot,
-                    .resampling = resampling,
-                    .people = {},
-                    .counts = {},
-                    .data = {},
-                    .thresholds = {},
-                    .planted = {},
-                    .notes = {}};
+Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
+                 const AnalysisOptions& options) {
+  Analysis analysis;
+  analysis.log = std::move(log);
+  analysis.include_pilot = include_pilot;
+  analysis.resampling = resampling;
+  analysis.options = options;
   analysis.people = select_participants(analysis.log, include_pilot);
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+  analysis.screening = screen_participants(analysis.scores, options.catches);
+  static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
+  const bool adaptive = is_adaptive(analysis.log);
+  if (!adaptive)
+    analysis.screened =
+        thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling);
+  if (options.exclude_screened) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people);
-  const bool adaptive = set_aside_adaptive(analysis);
+  if (adaptive) set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
-  if (adaptive) analysis.notes.emplace_back(adaptive_note);
-  for (const ArtifactScores& scores : analysis.data.artifacts) {
-    analysis.thresholds.push_back(estimate_thresholds(scores, resampling));
-    if (adaptive) give_reason(analysis.thresholds.back().estimates, "widths were placed by the answers");
+  if (adaptive) {
+    analysis.notes.emplace_back(adaptive_note);
+  } else {
+    analysis.thresholds =
+        (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
+    add_checks(analysis);
   }
   if (common_observer(analysis.people) == word(ObserverKind::threshold))
     if (const std::optional<StudyDefinition> study = study_of_log(analysis.log, analysis.notes))
@@ -147,14 +144,11 @@ std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<
     notes.emplace_back("The log keeps no study text, so planted values are not known.");
     return std::nullopt;
   }
-  const TemporaryFile file(log.study_text);
   try {
-    return read_study(file.path(), AssetCheck::not_needed);
+    return read_study_text(log.study_text, "study text of the log");
   } catch (const InputError& error) {
-    std::string said = error.what();
-    if (const auto at = said.find(file.path().string()); at != std::string::npos)
-      said.replace(at, file.path().string().size(), "study text of the log");
-    notes.push_back("Planted values are not known, because the study cannot be read: " + said);
+    notes.push_back("Planted values are not known, because the study cannot be read: " +
+                    std::string(error.what()));
     return std::nullopt;
   }
 }

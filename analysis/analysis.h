@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "analysis/cells.h"
+#include "analysis/guess_correction.h"
+#include "analysis/object_influence.h"
+#include "analysis/opinion_score.h"
 #include "analysis/participants.h"
 #include "analysis/resampling.h"
+#include "analysis/screening.h"
+#include "analysis/screening_effect.h"
 #include "analysis/thresholds.h"
 #include "stimuli/study_definition.h"
 #include "study/log.h"
@@ -17,21 +22,38 @@ namespace seamline {
 /// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
 using PlantedValues = std::map<Artifact, CurveThresholds>;
 
+/// What may be asked of an analysis besides.
+struct AnalysisOptions {
+  double field_of_view_deg = 90;  ///< horizontal, for which thresholds are also stated; over 0, under 180
+  bool exclude_screened = false;  ///< leave out whom any screen names; else they are named and used
+  std::vector<ReferenceAnswer> references;  ///< answers where nothing was inserted
+  std::vector<CatchAnswer> catches;         ///< answers where nobody who looks can be wrong
+};
+
 /// Everything that is computed from a log; what tables, figures and report are written from.
 struct Analysis {
   LogContents log;
   bool include_pilot = false;
   ResamplingRequest resampling;
+  AnalysisOptions options;
   std::vector<ParticipantUse> people;
   ParticipantCounts counts;
   NoticeabilityData data;
-  std::vector<ArtifactThresholds> thresholds;  ///< in the order of `data.artifacts`
+  std::vector<ArtifactThresholds> thresholds;     ///< in the order of `data.artifacts`
+  std::vector<ObjectInfluence> object_influence;  ///< in the same order
+  GuessCorrection guessing;                       ///< its curves in the same order
+  Screening screening;                            ///< of everybody, also when those named are left out
+  std::vector<ScreenedThresholds> screened;       ///< everybody first
+  ScoreMatrix scores;                             ///< of the people used
+  std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
+  SosParameter sos;                               ///< of noticeability, 0 to 4
   PlantedValues planted;           ///< empty unless every used participant is a `threshold` observer
   std::vector<std::string> notes;  ///< what a reader must know, a sentence each
 };
 
 /// Computes everything. Throws InputError when no participant can be used.
-[[nodiscard]] Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling);
+[[nodiscard]] Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
+                               const AnalysisOptions& options = {});
 
 /// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
 /// observers": goes on every figure and table.

@@ -13,7 +13,7 @@ namespace {
 
 void run_analyze(const AnalysisRequest& request) {
   const AnalysisSummary summary = analyze_log(request);
-  std::printf("%s", summary.table.c_str());
+  std::printf("%s\n%s", summary.table.c_str(), summary.checks.c_str());
   for (const std::string& note : summary.notes) std::printf("Note: %s\n", note.c_str());
   std::printf("Report: %s\n", summary.report_html.c_str());
 }
@@ -30,6 +30,13 @@ void add_analysis_commands(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--seed", request->seed, "seed of the bootstrap")->capture_default_str();
   command->add_flag("--include-pilot", request->include_pilot, "use pilot data as well");
+  command
+      ->add_option("--field-of-view", request->field_of_view_deg,
+                   "horizontal field of view in degrees for which thresholds are also stated")
+      ->check(CLI::Range(1.0, 179.0))
+      ->capture_default_str();
+  command->add_flag("--exclude-screened", request->exclude_screened,
+                    "leave out the participants whom a screen names (else they are named and used)");
   command->callback([request] { run_analyze(*request); });
 
   add_fit_command(app);

@@ -23,9 +23,9 @@ struct Excess {
   double log2_px = 0, over = 0, under = 0;
 };
 
-/// The test at a width `t` (0 to 1) of the way from width `left` to the next.
-Excess test_width(double level, std::size_t left, double t, const IsotonicFit& fit, const MeanVector& means,
-                  const VarianceFunction& variance_of, double critical) {
+/// The isotonic curve a share `t` (0 to 1) of the way from width `left` to the next.
+CurveAtWidth isotonic_at(double level, std::size_t left, double t, const IsotonicFit& fit,
+                         const MeanVector& means, const VarianceFunction& variance_of) {
   const std::size_t right = std::min(left + 1, fit.value.size() - 1);
   const double g = (1 - t) * fit.value[left] + t * fit.value[right];
   const double to_null = level - g;  // moves the curve so that its value at w is the level
@@ -37,8 +37,7 @@ Excess test_width(double level, std::size_t left, double t, const IsotonicFit& f
                null_b = variance_of.at(fit.value[right] + to_null);
   const double variance = (1 - t) * (1 - t) * null_a +
                           2 * t * (1 - t) * correlation * std::sqrt(null_a * null_b) + t * t * null_b;
-  const double allowed = critical * std::sqrt(std::max(0.0, variance));
-  return {.log2_px = 0, .over = g - level - allowed, .under = level - g - allowed};
+  return {.value = g, .standard_error = std::sqrt(std::max(0.0, variance))};
 }
 
 /// Where a line through two points is zero.
@@ -87,24 +86,34 @@ double VarianceFunction::at(double mean) const {
 
 WidthInterval level_interval(double level, const std::vector<double>& log2_px, const MeanVector& means,
                              int people) {
-  assert(people >= 2 && !log2_px.empty());
   const IsotonicFit fit =
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())});
   const VarianceFunction variance_of(fit, means);
-  const double critical = student_quantile(people);
+  const WidthInterval interval = invert_level_test(level, log2_px, people, [&](std::size_t left, double t) {
+    return isotonic_at(level, left, t, fit, means, variance_of);
+  });
+  const double estimate = largest_log2_width_at(level, log2_px, fit.value);
+  return {.low_log2_px = std::min(interval.low_log2_px, estimate),
+          .high_log2_px = std::max(interval.high_log2_px, estimate)};
+}
 
+WidthInterval invert_level_test(double level, const std::vector<double>& log2_px, int people,
+                                const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
+  assert(people >= 2 && !log2_px.empty());
+  const double critical = student_quantile(people);
   std::vector<Excess> tests;
   for (std::size_t left = 0; left < log2_px.size(); ++left) {
     const int steps = left + 1 < log2_px.size() ? grid_steps_per_gap : 1;
     for (int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / steps;
-      tests.push_back(test_width(level, left, t, fit, means, variance_of, critical));
-      tests.back().log2_px = step == 0 ? log2_px[left] : (1 - t) * log2_px[left] + t * log2_px[left + 1];
+      const double w = step == 0 ? log2_px[left] : (1 - t) * log2_px[left] + t * log2_px[left + 1];
+      const CurveAtWidth curve = curve_at(left, t);
+      const double allowed = critical * curve.standard_error;
+      tests.push_back(
+          {.log2_px = w, .over = curve.value - level - allowed, .under = level - curve.value - allowed});
     }
   }
-  const double estimate = largest_log2_width_at(level, log2_px, fit.value);
-  return {.low_log2_px = std::min(lower_bound_of(tests), estimate),
-          .high_log2_px = std::max(upper_bound_of(tests), estimate)};
+  return {.low_log2_px = lower_bound_of(tests), .high_log2_px = upper_bound_of(tests)};
 }
 
 TailLevels expanded_levels(int people) {

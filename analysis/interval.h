@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "analysis/estimate.h"
@@ -24,6 +25,18 @@ namespace seamline {
 /// tested is excluded on it. `people` is at least 2.
 [[nodiscard]] WidthInterval level_interval(double level, const std::vector<double>& log2_px,
                                            const MeanVector& means, int people);
+
+/// A falling curve at one width, and the standard error it would have if it were at the level there.
+struct CurveAtWidth {
+  double value = 0, standard_error = 0;
+};
+
+/// The widths that such a test does not exclude, on a grid of 128 steps between neighbouring widths, bounds
+/// interpolated; open ends as for `level_interval`. `curve_at(left, t)` is asked a share t (0 to 1) of the
+/// way from width number `left` to the next.
+[[nodiscard]] WidthInterval invert_level_test(
+    double level, const std::vector<double>& log2_px, int people,
+    const std::function<CurveAtWidth(std::size_t left, double t)>& curve_at);
 
 /// Variance of a mean over people as a function of that mean: linear between the means of the widths tested,
 /// constant beyond them. Ratings near 0 and near 4 vary less between people than those between.

@@ -36,6 +36,8 @@ std::string_view word(Use use) {
       return "pilot";
     case Use::incomplete:
       return "incomplete";
+    case Use::screened:
+      return "screened";
   }
   return "";
 }
@@ -78,6 +80,9 @@ ParticipantCounts count_participants(const std::vector<ParticipantUse>& people) 
         break;
       case Use::incomplete:
         ++counts.incomplete;
+        break;
+      case Use::screened:
+        ++counts.screened;
         break;
     }
     if (person.use == Use::used && person.record.simulated) ++counts.simulated;

@@ -10,9 +10,11 @@ namespace seamline {
 /// verdict is counted.
 enum class Use {
   used,
-  excluded,   ///< the researcher excluded them (`seamline log --exclude`)
-  pilot,      ///< pilot data, and `--include-pilot` was not given
-  incomplete  ///< the session was not finished: their means would be over other stimuli than everybody else's
+  excluded,    ///< the researcher excluded them (`seamline log --exclude`)
+  pilot,       ///< pilot data, and `--include-pilot` was not given
+  incomplete,  ///< the session was not finished: their means would be over other stimuli than everybody
+               ///< else's
+  screened     ///< named by a screen (analysis/screening.h), and `--exclude-screened` was given
 };
 
 [[nodiscard]] std::string_view word(Use use);
@@ -27,7 +29,7 @@ struct ParticipantUse {
 };
 
 struct ParticipantCounts {
-  int in_log = 0, used = 0, excluded = 0, pilot = 0, incomplete = 0;
+  int in_log = 0, used = 0, excluded = 0, pilot = 0, incomplete = 0, screened = 0;
   int simulated = 0;  ///< among those used
 };
 

@@ -19,6 +19,7 @@ std::string participants_text(const ParticipantCounts& counts) {
   if (counts.excluded > 0) text += fmt::format(", {} excluded", counts.excluded);
   if (counts.pilot > 0) text += fmt::format(", {} pilot left out", counts.pilot);
   if (counts.incomplete > 0) text += fmt::format(", {} did not finish", counts.incomplete);
+  if (counts.screened > 0) text += fmt::format(", {} named by a screen", counts.screened);
   return text;
 }
 
@@ -83,13 +84,16 @@ std::string report_html(const Analysis& analysis, const std::vector<Figure>& fig
       html_escape(analysis.log.study_name), report_style());
   html += header(analysis) + thresholds_section(analysis) + "<h2>Noticeability</h2>\n";
   for (const Figure& figure : figures) html += figure_html(figure);
+  html += checks_html(analysis);
   html += "<h2>Stimuli</h2>\n" + samples_html(samples) + methods_section(analysis);
   html += "<h2>Participants</h2>\n" + participant_table_html(analysis);
   html +=
       "<h2>Data</h2>\n<p>Every number of this page is also beside it: <code>thresholds.json</code>, "
       "<code>thresholds.csv</code>, "
       "<code>curves.csv</code>, <code>cells.csv</code>, <code>participants.csv</code>, "
-      "<code>answers.csv</code>; "
+      "<code>answers.csv</code>, <code>thresholds_beside.csv</code>, <code>curves_corrected.csv</code>, "
+      "<code>guessers.csv</code>, <code>screening.csv</code>, <code>thresholds_screened.csv</code>, "
+      "<code>opinion_scores.csv</code>; "
       "<code>data_dictionary.csv</code> explains their columns. <code>figures</code> holds the figures as "
       "SVG and as gnuplot scripts.</p>\n";
   return html + "</body>\n</html>\n";

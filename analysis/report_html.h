@@ -19,6 +19,10 @@ namespace seamline {
 /// Table 1 from the data, beside the paper's and the planted values.
 [[nodiscard]] std::string threshold_table_html(const Analysis& analysis);
 
+/// The thresholds otherwise estimated, corrected for guessing, and with and without those whom a screen
+/// names.
+[[nodiscard]] std::string checks_html(const Analysis& analysis);
+
 [[nodiscard]] std::string participant_table_html(const Analysis& analysis);
 
 [[nodiscard]] std::string samples_html(const StimulusSamples& samples);

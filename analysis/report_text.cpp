@@ -65,6 +65,17 @@ std::string intervals_text(const Analysis& analysis) {
       analysis.resampling.replicates, analysis.resampling.seed);
 }
 
+constexpr const char* checks_method_text =
+    "Beside them stand: PT and SN read off the logistic (expanded percentile intervals); thresholds of the "
+    "curve corrected for guessing by a latent-class model (saw it, or guessed) fitted by expectation "
+    "maximisation, with guessers' positions and ratings estimated from wrong choices and reference trials; "
+    "and "
+    "the range found when each object in turn is left out. Participants were screened by ITU-R BT.500 "
+    "(kurtosis) "
+    "and by correlation with the mean of the others; those named are counted and the thresholds are given "
+    "with "
+    "and without them.";
+
 std::string software(const Analysis& analysis) {
   return fmt::format("Analysed with Seamline {} (study {}, study hash {}, set hash {}).", program_version(),
                      analysis.log.study_name, analysis.log.study_hash.substr(0, 12),
@@ -75,7 +86,7 @@ std::string software(const Analysis& analysis) {
 
 std::vector<std::string> method_paragraphs(const Analysis& analysis) {
   std::vector<std::string> paragraphs = {procedure(analysis), means_text, intervals_text(analysis),
-                                         software(analysis)};
+                                         checks_method_text, software(analysis)};
   if (!analysis.planted.empty())
     paragraphs.emplace_back(
         "The answers come from simulated observers with known psychometric functions. Planted values are PT, "

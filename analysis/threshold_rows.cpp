@@ -12,8 +12,12 @@ namespace seamline {
 
 namespace {
 
-void add_rows(const ArtifactThresholds& thresholds, const ArtifactScores& scores,
-              const PlantedValues& planted, std::vector<ThresholdRow>& rows) {
+void add_rows(const Analysis& analysis, std::size_t index, std::vector<ThresholdRow>& rows) {
+  const ArtifactThresholds& thresholds = analysis.thresholds[index];
+  const ArtifactScores& scores = analysis.data.artifacts[index];
+  const PlantedValues& planted = analysis.planted;
+  const ObjectInfluence& objects = analysis.object_influence[index];
+  const CorrectedCurve& corrected = analysis.guessing.curves[index];
   const std::optional<PaperThresholds> paper = paper_thresholds(thresholds.artifact);
   const auto found = planted.find(thresholds.artifact);
   const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;
@@ -27,7 +31,11 @@ void add_rows(const ArtifactThresholds& thresholds, const ArtifactScores& scores
                         .smallest_px = scores.width_px.front(),
                         .largest_px = scores.width_px.back(),
                         .paper_px = {},
-                        .planted = {}};
+                        .planted = {},
+                        .logistic = {},
+                        .object_range = {},
+                        .corrected = {},
+                        .corrected_bootstrap = {}};
   };
   ThresholdRow pt = row("PT", "perceptual_threshold", thresholds.estimates.perceptual);
   ThresholdRow sn = row("SN", "slightly_noticeable", thresholds.estimates.slightly_noticeable);
@@ -36,6 +44,16 @@ void add_rows(const ArtifactThresholds& thresholds, const ArtifactScores& scores
   sn.level = slight_level;
   pt.bootstrap = thresholds.perceptual_bootstrap;
   sn.bootstrap = thresholds.slightly_noticeable_bootstrap;
+  pt.logistic = thresholds.estimates.perceptual_logistic;
+  sn.logistic = thresholds.estimates.slightly_noticeable_logistic;
+  pt.object_range = objects.perceptual;
+  sn.object_range = objects.slightly_noticeable;
+  ip.object_range = objects.inflection;
+  pt.corrected = corrected.estimates.perceptual;
+  sn.corrected = corrected.estimates.slightly_noticeable;
+  ip.corrected = corrected.estimates.inflection;
+  pt.corrected_bootstrap = corrected.perceptual_bootstrap;
+  sn.corrected_bootstrap = corrected.slightly_noticeable_bootstrap;
   if (paper) {
     pt.paper_px = paper->perceptual_px;
     sn.paper_px = paper->slightly_noticeable_px;
@@ -59,26 +77,11 @@ std::string width_text(const WidthEstimate& estimate) {
   return estimate.log2_px ? fmt::format("{:.0f}", std::exp2(*estimate.log2_px)) : estimate.reason;
 }
 
-/// Lines of cells as text with columns as wide as their widest cell.
-std::string aligned(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const std::vector<std::string>& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  std::string text;
-  for (const std::vector<std::string>& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}", line[i], widths[i] + 2);
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::vector<ThresholdRow> threshold_rows(const Analysis& analysis) {
   std::vector<ThresholdRow> rows;
-  for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
-    add_rows(analysis.thresholds[i], analysis.data.artifacts[i], analysis.planted, rows);
+  for (std::size_t i = 0; i < analysis.thresholds.size(); ++i) add_rows(analysis, i, rows);
   return rows;
 }
 
@@ -104,6 +107,23 @@ std::string interval_text(const WidthInterval& interval, int smallest_px, int la
 
 std::optional<double> bound_px(double log2_px) {
   return std::isfinite(log2_px) ? std::optional(std::exp2(log2_px)) : std::nullopt;
+}
+
+std::string estimate_text(const WidthEstimate& estimate, int smallest_px, int largest_px) {
+  return fmt::format("{} ({})", width_text(estimate), interval_text(estimate.ci95, smallest_px, largest_px));
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}", line[i], widths[i] + 2);
+    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
 }
 
 std::string table_text(const Analysis& analysis) {

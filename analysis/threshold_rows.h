@@ -18,7 +18,12 @@ struct ThresholdRow {
   std::optional<WidthInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
   int smallest_px = 0, largest_px = 0;     ///< tested
   std::optional<int> paper_px;
-  std::optional<WidthEstimate> planted;  ///< present when all participants are `threshold` observers
+  std::optional<WidthEstimate> planted;   ///< present when all participants are `threshold` observers
+  std::optional<WidthEstimate> logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
+  std::optional<WidthInterval> object_range;  ///< range when each object is left out; none with one object
+  WidthEstimate corrected;                    ///< the same quantity of the curve corrected for guessing
+  std::optional<WidthInterval>
+      corrected_bootstrap;  ///< PT and SN: expanded percentile interval, for comparison
 };
 
 [[nodiscard]] std::vector<ThresholdRow> threshold_rows(const Analysis& analysis);
@@ -36,6 +41,12 @@ struct ThresholdRow {
 
 /// A bound in px; none when it is open.
 [[nodiscard]] std::optional<double> bound_px(double log2_px);
+
+/// "426 (380 to 470)", or the reason why there is no estimate with its interval.
+[[nodiscard]] std::string estimate_text(const WidthEstimate& estimate, int smallest_px, int largest_px);
+
+/// Lines of cells as text with columns as wide as their widest cell.
+[[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& lines);
 
 /// The table for a terminal: a line a quantity, beside the paper's value and, when simulated, the planted
 /// one.

@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#include "analysis/curve_replicates.h"
+#include "analysis/logistic_interval.h"
+#include "analysis/logistic_level.h"
+
 namespace seamline {
 
 namespace {
@@ -16,33 +20,6 @@ WidthEstimate level_estimate(double level, const std::vector<double>& log2_px,
   return estimate;
 }
 
-/// What each replicate says about the three widths.
-struct Replicates {
-  std::vector<WidthInterval> perceptual, slightly_noticeable, inflection;
-};
-
-WidthInterval point(double log2_px) {
-  return {.low_log2_px = log2_px, .high_log2_px = log2_px};
-}
-
-Replicates resample(const ArtifactScores& scores, const std::vector<double>& log2_px,
-                    const ResamplingRequest& request) {
-  const auto count = static_cast<std::size_t>(request.replicates);
-  Replicates replicates{.perceptual = std::vector<WidthInterval>(count),
-                        .slightly_noticeable = std::vector<WidthInterval>(count),
-                        .inflection = std::vector<WidthInterval>(count)};
-  const Logistic4Fitter fitter(log2_px);
-  for_each_replicate(scores.noticeability, request, [&](int replicate, const Eigen::VectorXd& mean) {
-    const auto r = static_cast<std::size_t>(replicate);
-    const std::span<const double> values(mean.data(), static_cast<std::size_t>(mean.size()));
-    const IsotonicFit fit = fit_non_increasing(values);
-    replicates.perceptual[r] = point(largest_log2_width_at(perceptual_level, log2_px, fit.value));
-    replicates.slightly_noticeable[r] = point(largest_log2_width_at(slight_level, log2_px, fit.value));
-    replicates.inflection[r] = fitter.fit(values).centre_range;
-  });
-  return replicates;
-}
-
 void add_intervals(const ArtifactScores& scores, const std::vector<double>& log2_px,
                    const ResamplingRequest& request, ArtifactThresholds& result) {
   const MeanVector means = mean_and_covariance(scores.noticeability);
@@ -50,11 +27,23 @@ void add_intervals(const ArtifactScores& scores, const std::vector<double>& log2
   result.estimates.slightly_noticeable.ci95 =
       level_interval(slight_level, log2_px, means, result.participants);
   if (request.replicates < 1) return;
-  const Replicates replicates = resample(scores, log2_px, request);
-  const TailLevels levels = expanded_levels(result.participants);
-  result.perceptual_bootstrap = percentile_interval(replicates.perceptual, levels);
-  result.slightly_noticeable_bootstrap = percentile_interval(replicates.slightly_noticeable, levels);
-  result.estimates.inflection.ci95 = percentile_interval(replicates.inflection, levels);
+  CurveReplicates replicates(log2_px, request.replicates);
+  for_each_replicate(scores.noticeability, request, [&](int replicate, const Eigen::VectorXd& mean) {
+    replicates.set(replicate, {mean.data(), static_cast<std::size_t>(mean.size())});
+  });
+  const CurveIntervals intervals = replicates.intervals(expanded_levels(result.participants));
+  result.perceptual_bootstrap = intervals.perceptual;
+  result.slightly_noticeable_bootstrap = intervals.slightly_noticeable;
+  result.estimates.inflection.ci95 = intervals.inflection;
+  result.perceptual_logistic_bootstrap = intervals.perceptual_logistic;
+  result.slightly_noticeable_logistic_bootstrap = intervals.slightly_noticeable_logistic;
+  CurveThresholds& found = result.estimates;
+  found.perceptual_logistic.ci95 =
+      logistic_level_interval(perceptual_level, found.logistic, log2_px, means, result.participants)
+          .value_or(intervals.perceptual_logistic);
+  found.slightly_noticeable_logistic.ci95 =
+      logistic_level_interval(slight_level, found.logistic, log2_px, means, result.participants)
+          .value_or(intervals.slightly_noticeable_logistic);
 }
 
 }  // namespace
@@ -71,6 +60,8 @@ CurveThresholds thresholds_of_means(const std::vector<double>& log2_px, const st
   result.perceptual = level_estimate(perceptual_level, log2_px, result.isotonic.value);
   result.slightly_noticeable = level_estimate(slight_level, log2_px, result.isotonic.value);
   result.logistic = Logistic4Fitter(log2_px).fit(means);
+  result.perceptual_logistic = logistic_level_estimate(perceptual_level, result.logistic, log2_px);
+  result.slightly_noticeable_logistic = logistic_level_estimate(slight_level, result.logistic, log2_px);
   result.inflection.reason = reason(result.logistic, log2_px);
   if (result.logistic.verdict == Centre::identified)
     result.inflection.log2_px = result.logistic.curve.centre_log2_px;
@@ -85,11 +76,13 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
                             .participants = static_cast<int>(scores.people.size()),
                             .estimates = {},
                             .perceptual_bootstrap = {},
-                            .slightly_noticeable_bootstrap = {}};
+                            .slightly_noticeable_bootstrap = {},
+                            .perceptual_logistic_bootstrap = {},
+                            .slightly_noticeable_logistic_bootstrap = {}};
   if (means.empty()) {
     const WidthEstimate nothing{.log2_px = {}, .reason = "nobody answered at every width", .ci95 = {}};
     result.estimates.perceptual = result.estimates.slightly_noticeable = result.estimates.inflection =
-        nothing;
+        result.estimates.perceptual_logistic = result.estimates.slightly_noticeable_logistic = nothing;
     return result;
   }
   result.estimates = thresholds_of_means(log2_px, means);

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/checks_json.h"
+#include "analysis/json_values.h"
 #include "analysis/threshold_rows.h"
 #include "stimuli/support/assets.h"
-#include "stimuli/support/csv.h"
 
 namespace seamline {
 
@@ -13,18 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(six_digits(*value)) : Json(nullptr);
-}
-
 Json width(const WidthEstimate& estimate, const ThresholdRow& row, double px_per_unit) {
-  const auto scaled = [&](std::optional<double> px) {
-    return px ? number(*px / px_per_unit) : Json(nullptr);
-  };
-  Json json;
-  json["estimate"] = estimate.log2_px ? scaled(std::exp2(*estimate.log2_px)) : Json(nullptr);
-  json["reason"] = estimate.reason.empty() ? Json(nullptr) : Json(estimate.reason);
-  json["ci95"] = {scaled(bound_px(estimate.ci95.low_log2_px)), scaled(bound_px(estimate.ci95.high_log2_px))};
+  Json json = json_width(estimate, px_per_unit);
   if (px_per_unit == 1) json["ci95_text"] = interval_text(estimate.ci95, row.smallest_px, row.largest_px);
   return json;
 }
@@ -32,9 +23,9 @@ Json width(const WidthEstimate& estimate, const ThresholdRow& row, double px_per
 Json cell_json(const CellMean& cell) {
   return {{"width_px", cell.width_px},
           {"n", cell.n},
-          {"mean", number(cell.mean)},
-          {"sem", number(cell.sem)},
-          {"correct", number(cell.correct)}};
+          {"mean", json_number(cell.mean)},
+          {"sem", json_number(cell.sem)},
+          {"correct", json_number(cell.correct)}};
 }
 
 Json curve_json(const ArtifactScores& scores, const CurveThresholds& fits) {
@@ -42,8 +33,8 @@ Json curve_json(const ArtifactScores& scores, const CurveThresholds& fits) {
   const std::vector<double> log2_px = log2_widths(scores.width_px);
   for (std::size_t i = 0; i < scores.cells.size(); ++i) {
     Json point = cell_json(scores.cells[i]);
-    point["isotonic"] = number(fits.isotonic.value[i]);
-    point["logistic"] = number(value_at(fits.logistic.curve, log2_px[i]));
+    point["isotonic"] = json_number(fits.isotonic.value[i]);
+    point["logistic"] = json_number(value_at(fits.logistic.curve, log2_px[i]));
     curve.push_back(point);
   }
   return curve;
@@ -66,11 +57,11 @@ Json cells_json(const NoticeabilityData& data, Artifact artifact) {
 }
 
 Json logistic_json(const Logistic4Fit& fit) {
-  return {{"upper", number(fit.curve.upper)},
-          {"lower", number(fit.curve.lower)},
-          {"centre_px", number(std::exp2(fit.curve.centre_log2_px))},
-          {"scale_octaves", number(fit.curve.scale_octaves)},
-          {"residual_sum_of_squares", number(fit.residual_sum_of_squares)},
+  return {{"upper", json_number(fit.curve.upper)},
+          {"lower", json_number(fit.curve.lower)},
+          {"centre_px", json_number(std::exp2(fit.curve.centre_log2_px))},
+          {"scale_octaves", json_number(fit.curve.scale_octaves)},
+          {"residual_sum_of_squares", json_number(fit.residual_sum_of_squares)},
           {"identified", fit.verdict == Centre::identified}};
 }
 
@@ -87,10 +78,8 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
     paper[row.key + "_px"] = row.paper_px ? Json(*row.paper_px) : Json(nullptr);
     if (row.planted)
       planted[row.key + "_px"] =
-          row.planted->log2_px ? number(std::exp2(*row.planted->log2_px)) : Json(nullptr);
-    if (row.bootstrap)
-      bootstrap[row.key + "_px"] = {number(bound_px(row.bootstrap->low_log2_px)),
-                                    number(bound_px(row.bootstrap->high_log2_px))};
+          row.planted->log2_px ? json_number(std::exp2(*row.planted->log2_px)) : Json(nullptr);
+    if (row.bootstrap) bootstrap[row.key + "_px"] = json_interval(*row.bootstrap, 1);
   }
   json["planted"] = planted;
   json["paper"] = paper;
@@ -98,6 +87,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
   json["logistic"] = logistic_json(thresholds.estimates.logistic);
   json["curve"] = curve_json(analysis.data.artifacts[index], thresholds.estimates);
   json["cells"] = cells_json(analysis.data, thresholds.artifact);
+  json.update(artifact_checks_json(analysis, index));
   return json;
 }
 
@@ -115,13 +105,11 @@ std::string thresholds_json(const Analysis& analysis) {
   json["simulated"] = counts.simulated > 0;
   json["observer"] =
       common_observer(analysis.people).empty() ? Json(nullptr) : Json(common_observer(analysis.people));
-  json["participants"] = {{"in_log", counts.in_log},
-                          {"used", counts.used},
-                          {"excluded", counts.excluded},
-                          {"pilot_left_out", counts.pilot},
-                          {"incomplete", counts.incomplete},
-                          {"simulated", counts.simulated},
-                          {"forgotten", analysis.log.forgotten_participants}};
+  json["participants"] = {
+      {"in_log", counts.in_log},         {"used", counts.used},
+      {"excluded", counts.excluded},     {"pilot_left_out", counts.pilot},
+      {"incomplete", counts.incomplete}, {"screened", counts.screened},
+      {"simulated", counts.simulated},   {"forgotten", analysis.log.forgotten_participants}};
   json["include_pilot"] = analysis.include_pilot;
   json["bootstrap"] = {{"replicates", analysis.resampling.replicates}, {"seed", analysis.resampling.seed}};
   json["intervals"] =
@@ -131,6 +119,7 @@ std::string thresholds_json(const Analysis& analysis) {
   json["artifacts"] = Json::array();
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
     json["artifacts"].push_back(artifact_json(analysis, i, rows));
+  json.update(checks_json(analysis));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

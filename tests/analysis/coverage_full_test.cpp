@@ -7,11 +7,13 @@
 
 #include "analysis/interval.h"
 #include "analysis/thresholds.h"
+#include "tests/analysis/coverage_tally.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline {
 namespace {
 
+using testing::CoverageTally;
 using testing::planted_thresholds;
 using testing::Population;
 using testing::simulate_scores;
@@ -20,50 +22,34 @@ constexpr int studies = 1000;
 constexpr int people = 20;
 constexpr int replicates = 999;
 
-/// How often intervals held a planted value, and by which end they missed it.
-struct Tally {
-  int held = 0, too_high = 0, too_low = 0, open = 0;
-  void add(const WidthInterval& interval, double log2_px) {
-    if (interval.low_log2_px > log2_px)
-      ++too_high;
-    else if (interval.high_log2_px < log2_px)
-      ++too_low;
-    else
-      ++held;
-    open += std::isfinite(interval.low_log2_px) && std::isfinite(interval.high_log2_px) ? 0 : 1;
-  }
-  [[nodiscard]] double percent() const { return 100.0 * held / studies; }
-};
-
-void print(const char* population, Artifact artifact, const char* quantity, double planted,
-           const Tally& tally, const Tally* bootstrap) {
-  std::printf("| %s | %s | %s | %.0f | %.1f | %.1f | %.1f | %.0f | %s |\n", population, word(artifact).data(),
-              quantity, std::exp2(planted), tally.percent(), 100.0 * tally.too_high / studies,
-              100.0 * tally.too_low / studies, 100.0 * tally.open / studies,
-              bootstrap == nullptr ? "" : std::to_string(bootstrap->percent()).substr(0, 4).c_str());
-}
-
 void measure(const char* name, const Population& population) {
   for (Artifact artifact : paper_artifacts) {
     const CurveThresholds planted = planted_thresholds(population, artifact);
-    const double pt = *planted.perceptual.log2_px, sn = *planted.slightly_noticeable.log2_px,
-                 ip = *planted.inflection.log2_px;
-    Tally pt_score, sn_score, ip_score, pt_bootstrap, sn_bootstrap;
+    CoverageTally pt, sn, ip, pt_logistic, sn_logistic, pt_bootstrap, sn_bootstrap, pt_logistic_bootstrap,
+        sn_logistic_bootstrap;
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
       const ArtifactThresholds found = estimate_thresholds(
           simulate_scores(population, artifact, people, seed), {.replicates = replicates, .seed = seed});
-      pt_score.add(found.estimates.perceptual.ci95, pt);
-      sn_score.add(found.estimates.slightly_noticeable.ci95, sn);
-      ip_score.add(found.estimates.inflection.ci95, ip);
-      pt_bootstrap.add(found.perceptual_bootstrap, pt);
-      sn_bootstrap.add(found.slightly_noticeable_bootstrap, sn);
+      pt.add(found.estimates.perceptual, planted.perceptual);
+      sn.add(found.estimates.slightly_noticeable, planted.slightly_noticeable);
+      ip.add(found.estimates.inflection, planted.inflection);
+      pt_logistic.add(found.estimates.perceptual_logistic, planted.perceptual_logistic);
+      sn_logistic.add(found.estimates.slightly_noticeable_logistic, planted.slightly_noticeable_logistic);
+      pt_bootstrap.add(found.perceptual_bootstrap, *planted.perceptual.log2_px);
+      sn_bootstrap.add(found.slightly_noticeable_bootstrap, *planted.slightly_noticeable.log2_px);
+      pt_logistic_bootstrap.add(found.perceptual_logistic_bootstrap, planted.perceptual_logistic);
+      sn_logistic_bootstrap.add(found.slightly_noticeable_logistic_bootstrap,
+                                planted.slightly_noticeable_logistic);
     }
-    print(name, artifact, "PT", pt, pt_score, &pt_bootstrap);
-    print(name, artifact, "SN", sn, sn_score, &sn_bootstrap);
-    print(name, artifact, "IP", ip, ip_score, nullptr);
-    for (const Tally* tally : {&pt_score, &sn_score, &ip_score}) {
-      EXPECT_GE(tally->percent(), 93) << name << " " << word(artifact);
-      EXPECT_LE(tally->percent(), 97.5) << name << " " << word(artifact);
+    const char* of = word(artifact).data();
+    pt.print(name, of, "PT", planted.perceptual, &pt_bootstrap);
+    sn.print(name, of, "SN", planted.slightly_noticeable, &sn_bootstrap);
+    ip.print(name, of, "IP", planted.inflection, nullptr);
+    pt_logistic.print(name, of, "PT, logistic", planted.perceptual_logistic, &pt_logistic_bootstrap);
+    sn_logistic.print(name, of, "SN, logistic", planted.slightly_noticeable_logistic, &sn_logistic_bootstrap);
+    for (const CoverageTally* tally : {&pt, &sn, &ip}) {
+      EXPECT_GE(tally->percent(), 93) << name << " " << of;
+      EXPECT_LE(tally->percent(), 97.5) << name << " " << of;
     }
   }
 }

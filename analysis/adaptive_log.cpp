@@ -1,0 +1,32 @@
+#include "analysis/adaptive_log.h"
+
+namespace seamline {
+namespace {
+
+void give_reason(CurveThresholds& estimates, const char* reason) {
+  for (WidthEstimate* width : {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
+    width->reason = reason;
+}
+
+}  // namespace
+
+bool is_adaptive(const LogContents& log) {
+  std::vector<std::string> unused;
+  const std::optional<StudyDefinition> study = study_of_log(log, unused);
+  return study && std::holds_alternative<QuestPlusDefinition>(study->procedure);
+}
+
+void set_aside_adaptive(Analysis& analysis) {
+  for (ArtifactScores& scores : analysis.data.artifacts) {
+    scores = {.artifact = scores.artifact,
+              .width_px = scores.width_px,
+              .people = {},
+              .noticeability = {},
+              .cells = {},
+              .left_out = {}};
+    analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
+    give_reason(analysis.thresholds.back().estimates, "widths were placed by the answers");
+  }
+}
+
+}  // namespace seamline

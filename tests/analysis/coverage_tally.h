@@ -1,0 +1,49 @@
+#pragma once
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/estimate.h"
+
+namespace seamline::testing {
+
+/// How often intervals held a planted value, and by which end they missed it.
+struct CoverageTally {
+  int studies = 0, held = 0, too_high = 0, too_low = 0, open = 0, estimated = 0;
+
+  void add(const WidthInterval& interval, double log2_px) {
+    ++studies;
+    if (interval.low_log2_px > log2_px)
+      ++too_high;
+    else if (interval.high_log2_px < log2_px)
+      ++too_low;
+    else
+      ++held;
+    open += std::isfinite(interval.low_log2_px) && std::isfinite(interval.high_log2_px) ? 0 : 1;
+  }
+  void add(const WidthInterval& interval, const WidthEstimate& planted) {
+    if (planted.log2_px) add(interval, *planted.log2_px);
+  }
+  void add(const WidthEstimate& found, const WidthEstimate& planted) {
+    if (planted.log2_px) add(found.ci95, *planted.log2_px);
+    estimated += found.log2_px ? 1 : 0;
+  }
+  [[nodiscard]] double share(int count) const { return 100.0 * count / studies; }
+  [[nodiscard]] double percent() const { return share(held); }
+
+  /// A line of the documentation's tables; `other` is an interval of the same quantity for comparison.
+  void print(const char* population, const char* artifact, const char* quantity, const WidthEstimate& planted,
+             const CoverageTally* other) const {
+    if (!planted.log2_px) {
+      std::printf("| %s | %s | %s | %s |  |  |  |  |  |\n", population, artifact, quantity,
+                  planted.reason.c_str());
+      return;
+    }
+    std::printf("| %s | %s | %s | %.0f | %.1f | %.1f | %.1f | %.0f | ", population, artifact, quantity,
+                std::exp2(*planted.log2_px), percent(), share(too_high), share(too_low), share(open));
+    if (other != nullptr) std::printf("%.1f", other->percent());
+    std::printf(" |\n");
+    std::fflush(stdout);
+  }
+};
+
+}  // namespace seamline::testing
