@@ -94,8 +94,8 @@ TEST_F(SmallSubject, IndependentRenderingsKeepCoverageAndTheLevelOfLight) {
     };
     EXPECT_EQ(rest(joined), rest(with));
     if (rest(without) != rest(with)) continue;
-    const Rgb expected = without.halves[0][i].no.total() + without.halves[1][i].no.total();
-    EXPECT_LT((joined.halves[0][i].no.total() - expected).abs().maxCoeff(), 1e-4F);
+    const Rgb expected = without.halves[0][i].no + without.halves[1][i].no;
+    EXPECT_LT((joined.halves[0][i].no - expected).abs().maxCoeff(), 1e-4F);
   }
   // Joined with itself, a rendering is what it was.
   const Image same = compose(join_independent(with, with)).picture, itself = compose(with).picture;
