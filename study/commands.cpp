@@ -34,7 +34,7 @@ ObserverKind parse_observer(const std::string& text) {
   for (const ObserverKind kind : every_observer_kind) known.emplace_back(word(kind));
   const std::string nearest = nearest_word(text, known);
   throw input_error({.field = "--observer",
-                     .wanted = fmt::format("threshold, guesser or perfect{}",
+                     .wanted = fmt::format("threshold, image, guesser or perfect{}",
                                            nearest.empty() ? "" : " (did you mean " + nearest + "?)"),
                      .found = "\"" + text + "\""});
 }
@@ -97,7 +97,7 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   command->add_option("--participant", study_options->participant, "a person's code, never a name");
   command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
   command->add_option("--observer", study_options->observer,
-                      "simulated people: threshold, guesser or perfect");
+                      "simulated people: threshold, image (looks at the pictures), guesser or perfect");
   command->add_option("--count", study_options->count, "how many simulated people")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
