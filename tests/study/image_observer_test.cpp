@@ -67,8 +67,8 @@ TEST(ImageObserver, AStimulusItHasNoPictureOfIsWrongInput) {
 
 /// A set whose coarse pictures differ from the reference and whose fine ones do not.
 StudySet write_pictures(const std::filesystem::path& folder) {
-  StudySet set = write_set(folder, "64, 512");
-  Manifest manifest = set.manifest;
+  const std::string text = study_text("tiny", "64, 512") + "[observer]\nimage_gain = 20\n";
+  Manifest manifest = write_set_of_text(folder, text).manifest;
   manifest.width_px = 64;
   manifest.height_px = 36;
   const ByteImage plain{64, 36, 3, std::vector<std::uint8_t>(64 * 36 * 3, 120)};
