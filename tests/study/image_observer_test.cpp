@@ -5,6 +5,7 @@
 
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
+#include "study/log.h"
 #include "study/observer.h"
 #include "study/simulation.h"
 #include "tests/study/temporary_set.h"
