@@ -94,7 +94,9 @@ TEST_F(PlanStudy, TheDesignFoundMeetsTheWishAndNoSmallerOneDoes) {
   EXPECT_TRUE(meets(answers->width_set, answers->participants));
   for (std::size_t set = 0; set < 3; ++set)
     for (const int participants : {5, 20, 60})
-      if (participants < people->participants) EXPECT_FALSE(meets(set, participants));
+      if (participants < people->participants) {
+        EXPECT_FALSE(meets(set, participants));
+      }
   plan.wanted_octaves = 0.001;
   EXPECT_FALSE(fewest_participants(plan));
   EXPECT_NE(plan_text(plan).find("no design"), std::string::npos);
