@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/paper_values.h"
 #include "stimuli/support/error.h"
 #include "study/observer.h"
 #include "study/study_set.h"
@@ -41,9 +42,10 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
     for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.width_px));
     return largest_log2_width_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
   }
-  throw input_error({.field = "--calibrate",
-                     .wanted = "a set with stimuli of the artifact receiver",
-                     .found = "one without"});
+  throw input_error(
+      {.field = "the gain",
+       .wanted = "--gain, observer.image_gain, or a set with the artifact receiver to fix it on",
+       .found = "none of them"});
 }
 
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
@@ -99,7 +101,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
         {.field = "--calibrate",
          .wanted = fmt::format("a gain that puts the receiver's threshold at {:.0f} px", receiver_px),
          .found = "none: the threshold jumps over that width"});
-  return observer.image_gain;
+  return *observer.image_gain;
 }
 
 Prediction predict_thresholds(const PredictionRequest& request) {
@@ -114,9 +116,11 @@ Prediction predict_thresholds(const PredictionRequest& request) {
   prediction.floor_known = !known.empty();
   for (const auto& [key, floor] : known) prediction.highest_floor = std::max(prediction.highest_floor, floor);
   if (request.gain) prediction.observer.image_gain = *request.gain;
-  if (request.calibrate_receiver_px)
+  prediction.calibrated = request.calibrate || !prediction.observer.image_gain;
+  if (prediction.calibrated)
     prediction.observer.image_gain =
-        calibrated_gain(set.manifest, differences, prediction.observer, *request.calibrate_receiver_px);
+        calibrated_gain(set.manifest, differences, prediction.observer,
+                        paper_thresholds(Artifact::receiver).value().perceptual_px.value());
   prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer);
   if (prediction.artifacts.empty())
     throw input_error({.file = (request.set_folder / "manifest.json").string(),

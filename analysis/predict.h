@@ -16,7 +16,7 @@ struct PredictionRequest {
   std::filesystem::path set_folder;
   std::filesystem::path none_set_folder;  ///< empty: floors come from the set's own `none` stimuli, or are 0
   std::optional<double> gain;             ///< none: the study's `observer.image_gain`
-  std::optional<double> calibrate_receiver_px;  ///< chooses the gain so that the receiver's PT is this
+  bool calibrate = false;  ///< fixes the gain on this set; also done when neither request nor study has one
   int threads = 0;
 };
 
@@ -35,6 +35,7 @@ struct PredictedArtifact {
 
 struct Prediction {
   ObserverDefinition observer;  ///< with the gain that was used
+  bool calibrated = false;      ///< the gain was fixed so that the receiver's PT is the paper's
   bool floor_known = false;     ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
   std::vector<PredictedArtifact> artifacts;  ///< in the order of `every_artifact`, without `none`

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "analysis/paper_values.h"
 #include "analysis/predict.h"
 
 namespace seamline {
@@ -22,11 +21,9 @@ void predict(const PredictOptions& options) {
   PredictionRequest request{.set_folder = options.set_folder,
                             .none_set_folder = options.none_set_folder,
                             .gain = std::nullopt,
-                            .calibrate_receiver_px = std::nullopt,
+                            .calibrate = options.calibrate,
                             .threads = options.threads};
   if (options.gain > 0) request.gain = options.gain;
-  if (options.calibrate)
-    request.calibrate_receiver_px = paper_thresholds(Artifact::receiver).value().perceptual_px;
   std::printf("%s", prediction_text(predict_thresholds(request)).c_str());
 }
 

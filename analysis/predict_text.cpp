@@ -76,8 +76,10 @@ std::string prediction_text(const Prediction& prediction) {
   text += fmt::format(
       "FLIP at {:g} pixels per degree, pooled with exponent {:g}; gain {:.6g} (seen half of the time: "
       "{:.4g}).\n",
-      prediction.observer.pixels_per_degree, pooling_exponent, prediction.observer.image_gain,
-      1 / prediction.observer.image_gain);
+      prediction.observer.pixels_per_degree, pooling_exponent, prediction.observer.image_gain.value(),
+      1 / prediction.observer.image_gain.value());
+  if (prediction.calibrated)
+    text += "The gain was fixed so that the receiver's PT is the paper's: that number is no prediction.\n";
   text += prediction.floor_known
               ? fmt::format("Floor: the difference of stimuli without a seam (none), at most {:.4g}.\n",
                             prediction.highest_floor)

@@ -66,7 +66,6 @@ struct SessionDefinition {
   int break_every_trials = 28;
 };
 
-inline constexpr double default_image_gain = 1.0;
 /// A picture shown pixel for pixel on a full-HD screen 0.531 m wide (24 inches) from 0.6 m, rounded.
 inline constexpr double default_pixels_per_degree = 38;
 
@@ -79,10 +78,9 @@ struct ObserverDefinition {
   double scale_octaves = 0.5;      ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
   double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
   /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
-  /// stimulus and reference (stimuli/visible_difference.h); 1 / gain is what is seen half of the time. The
-  /// default makes the receiver artifact's perceptual threshold the paper's 426 px on
-  /// `depth_resolution_isolated` (documentation/predict_and_plan.md).
-  double image_gain = default_image_gain;
+  /// stimulus and reference (stimuli/visible_difference.h); 1 / gain is what is seen half of the time. None:
+  /// `seamline predict` fixes it on the receiver artifact (documentation/predict_and_plan.md).
+  std::optional<double> image_gain = {};
   double pixels_per_degree = default_pixels_per_degree;  ///< at which people see the pictures
 };
 

@@ -61,7 +61,7 @@ SessionDefinition read_session(const TomlTable& table) {
 ObserverDefinition read_observer(const TomlTable& table) {
   ObserverDefinition observer;
   observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
-  observer.image_gain = table.number("image_gain", observer.image_gain, {1e-9, 1e9});
+  if (table.has("image_gain")) observer.image_gain = table.number("image_gain", 1, {1e-9, 1e9});
   observer.pixels_per_degree =
       table.number("pixels_per_degree", observer.pixels_per_degree, {1, 1000, "pixels per degree"});
   observer.people_sd_octaves =

@@ -22,6 +22,13 @@ double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact
   return found->second;
 }
 
+double gain_of(const ObserverDefinition& definition) {
+  if (definition.image_gain) return *definition.image_gain;
+  throw input_error({.field = "observer.image_gain",
+                     .wanted = "a gain for the observer image (seamline predict SET prints one)",
+                     .found = "none"});
+}
+
 /// P(seen) of the person whose shift is 0.
 PsychometricFunction average_person(const ObserverDefinition& definition, Artifact artifact) {
   return {.sigmoid = Sigmoid::logistic,
@@ -52,7 +59,7 @@ Response image_response(const ImageObserver& observer, const Stimulus& stimulus,
   const auto found = observer.differences->find(id);
   if (found == observer.differences->end())
     throw input_error({.field = id, .wanted = "a picture to look at", .found = "none in the set"});
-  const double visible_octaves = std::log2(observer.definition.image_gain * found->second.above_floor);
+  const double visible_octaves = std::log2(gain_of(observer.definition) * found->second.above_floor);
   const double z = (visible_octaves + observer.shift_octaves) / observer.definition.scale_octaves;
   return seeing_response(sigmoid_value(Sigmoid::logistic, z), stimulus, random);
 }
@@ -161,7 +168,7 @@ double expected_noticeability(const ObserverDefinition& definition, Artifact art
 }
 
 double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {
-  return mean_over_people(definition, -std::log2(definition.image_gain * visible_difference));
+  return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
 }
 
 }  // namespace seamline

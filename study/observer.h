@@ -58,7 +58,7 @@ struct Response {
                                      std::shared_ptr<const VisibleDifferences> differences = nullptr);
 
 /// The observer's answer. Throws InputError when the definition has no midpoint for the stimulus' artifact,
-/// or an `image` observer knows no visible difference of the stimulus.
+/// or an `image` observer knows no gain or no visible difference of the stimulus.
 [[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus, Random& random);
 
 /// Planted value of the `threshold` observer: its exact mean noticeability over people at one depth width,

@@ -36,6 +36,7 @@ using SharedDifferences = std::shared_ptr<const VisibleDifferences>;
 /// What `image` observers look at, once for all of them; none for the other kinds.
 SharedDifferences look_at_pictures(const SimulationRequest& request, const StudySet& set) {
   if (request.observer != ObserverKind::image) return nullptr;
+  static_cast<void>(expected_noticeability_of_difference(set.study.observer, 1));  // throws without a gain
   return std::make_shared<const VisibleDifferences>(
       visible_differences(set.folder, set.manifest, set.study.observer.pixels_per_degree));
 }
@@ -108,6 +109,7 @@ SimulationSummary run_simulated_study(const SimulationRequest& request) {
   SimulatedStudy study{
       .request = request, .set = load_study_set(request.set_folder), .plan = {}, .differences = {}};
   study.plan = make_procedure_plan(study.set);
+  if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
   study.differences = look_at_pictures(request, study.set);
   LogWriter log(request.log, study.set);
   SimulationSummary summary;

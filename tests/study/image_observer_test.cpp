@@ -108,6 +108,10 @@ TEST(ImageObserver, LooksAtTheSetAndAnswersByWhatIsThere) {
   EXPECT_EQ(log.participants.front().observer, "image");
 }
 
+TEST(ImageObserver, WithoutAGainIsWrongInput) {
+  EXPECT_THROW((void)expected_noticeability_of_difference({}, 0.5), InputError);
+}
+
 TEST(ImageObserver, ASetWithoutPicturesIsWrongInputAndBeginsNoLog) {
   const TemporaryFolder folder;
   const StudySet set = write_set(folder / "set");
@@ -121,10 +125,8 @@ TEST(ImageObserver, ASetWithoutPicturesIsWrongInputAndBeginsNoLog) {
 TEST(ImageObserver, SettingsAreReadAndOldStudiesKeepTheirHash) {
   const std::string text = study_text("tiny", "64, 512");
   const StudyDefinition plain = read_study_text(text, "study.toml");
-  const StudyDefinition stated =
-      read_study_text(text + fmt::format("[observer]\nimage_gain = {}\npixels_per_degree = {}\n",
-                                         default_image_gain, default_pixels_per_degree),
-                      "study.toml");
+  const StudyDefinition stated = read_study_text(
+      text + fmt::format("[observer]\npixels_per_degree = {}\n", default_pixels_per_degree), "study.toml");
   const StudyDefinition other =
       read_study_text(text + "[observer]\nimage_gain = 7.5\npixels_per_degree = 60\n", "study.toml");
   EXPECT_EQ(other.observer.image_gain, 7.5);
