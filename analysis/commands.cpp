@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "analysis/analyze.h"
+#include "analysis/plan_command.h"
+#include "analysis/predict_command.h"
 #include "analysis/psychometric/fit_command.h"
 
 namespace seamline {
@@ -40,6 +42,8 @@ void add_analysis_commands(CLI::App& app) {
   command->callback([request] { run_analyze(*request); });
 
   add_fit_command(app);
+  add_predict_command(app);
+  add_plan_command(app);
 }
 
 }  // namespace seamline

@@ -26,6 +26,10 @@ std::string session_text(const SessionDefinition& session, const ObserverDefinit
   out += fmt::format("observer {} {}\n", observer.scale_octaves, observer.people_sd_octaves);
   for (const auto& [artifact, width_px] : observer.midpoint_width_px)
     out += fmt::format("midpoint {} {}\n", word(artifact), width_px);
+  // Only where they differ, so that studies that were rendered before keep their hash.
+  if (observer.image_gain) out += fmt::format("image gain {}\n", *observer.image_gain);
+  if (observer.pixels_per_degree != default_pixels_per_degree)
+    out += fmt::format("pixels per degree {}\n", observer.pixels_per_degree);
   return out;
 }
 

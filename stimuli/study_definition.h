@@ -66,7 +66,10 @@ struct SessionDefinition {
   int break_every_trials = 28;
 };
 
-/// What the simulated observer `threshold` is made of. The planted widths are not the paper's.
+/// A picture shown pixel for pixel on a full-HD screen 0.531 m wide (24 inches) from 0.6 m, rounded.
+inline constexpr double default_pixels_per_degree = 38;
+
+/// What the simulated observers `threshold` and `image` are made of. The planted widths are not the paper's.
 struct ObserverDefinition {
   std::map<Artifact, double> midpoint_width_px = {{Artifact::receiver, 300},  {Artifact::shadow, 180},
                                                   {Artifact::occlusion, 620}, {Artifact::overlap, 900},
@@ -74,6 +77,11 @@ struct ObserverDefinition {
                                                   {Artifact::none, 1}};
   double scale_octaves = 0.5;      ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
   double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
+  /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
+  /// stimulus and reference (stimuli/visible_difference.h); 1 / gain is what is seen half of the time. None:
+  /// `seamline predict` fixes it on the receiver artifact (documentation/predict_and_plan.md).
+  std::optional<double> image_gain = {};
+  double pixels_per_degree = default_pixels_per_degree;  ///< at which people see the pictures
 };
 
 enum class MeshDensity { adaptive, full };

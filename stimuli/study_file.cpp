@@ -61,6 +61,9 @@ SessionDefinition read_session(const TomlTable& table) {
 ObserverDefinition read_observer(const TomlTable& table) {
   ObserverDefinition observer;
   observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
+  if (table.has("image_gain")) observer.image_gain = table.number("image_gain", 1, {1e-9, 1e9});
+  observer.pixels_per_degree =
+      table.number("pixels_per_degree", observer.pixels_per_degree, {1, 1000, "pixels per degree"});
   observer.people_sd_octaves =
       table.number("people_sd_octaves", observer.people_sd_octaves, {0, 100, "octaves"});
   if (const auto midpoints = table.table("midpoint_width_px")) {

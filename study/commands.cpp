@@ -20,6 +20,7 @@ struct StudyOptions {
   bool pilot = false;
   int count = 20;
   std::uint64_t seed = 1;
+  double gain = 0;  // 0: the study's
 };
 
 struct LogOptions {
@@ -34,7 +35,7 @@ ObserverKind parse_observer(const std::string& text) {
   for (const ObserverKind kind : every_observer_kind) known.emplace_back(word(kind));
   const std::string nearest = nearest_word(text, known);
   throw input_error({.field = "--observer",
-                     .wanted = fmt::format("threshold, guesser or perfect{}",
+                     .wanted = fmt::format("threshold, image, guesser or perfect{}",
                                            nearest.empty() ? "" : " (did you mean " + nearest + "?)"),
                      .found = "\"" + text + "\""});
 }
@@ -42,9 +43,12 @@ ObserverKind parse_observer(const std::string& text) {
 void simulate(const StudyOptions& options) {
   if (options.pilot)
     throw input_error({.field = "--pilot", .wanted = "a person (--participant)", .found = "--observer"});
+  std::optional<double> gain;
+  if (options.gain > 0) gain = options.gain;
   const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
                                                          .log = options.log,
                                                          .observer = parse_observer(options.observer),
+                                                         .image_gain = gain,
                                                          .count = options.count,
                                                          .seed = options.seed});
   fmt::print("{}: {} simulated participants run ({} answers), {} were complete before\n", options.log,
@@ -97,11 +101,15 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   command->add_option("--participant", study_options->participant, "a person's code, never a name");
   command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
   command->add_option("--observer", study_options->observer,
-                      "simulated people: threshold, guesser or perfect");
+                      "simulated people: threshold, image (looks at the pictures), guesser or perfect");
   command->add_option("--count", study_options->count, "how many simulated people")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("--seed", study_options->seed, "of the simulated people")->capture_default_str();
+  command
+      ->add_option("--gain", study_options->gain,
+                   "of the observer image, as `predict` prints it (else the study's observer.image_gain)")
+      ->check(CLI::Range(1e-9, 1e9));
   command->callback([study_options, run_participant] { study(*study_options, run_participant); });
 
   const auto log_options = std::make_shared<LogOptions>();

@@ -1,7 +1,9 @@
 #include "study/observer.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "stimuli/support/error.h"
 #include "study/overloaded.h"
@@ -20,6 +22,13 @@ double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact
   return found->second;
 }
 
+double gain_of(const ObserverDefinition& definition) {
+  if (definition.image_gain) return *definition.image_gain;
+  throw input_error({.field = "observer.image_gain",
+                     .wanted = "a gain for the observer image (seamline predict SET prints one)",
+                     .found = "none"});
+}
+
 /// P(seen) of the person whose shift is 0.
 PsychometricFunction average_person(const ObserverDefinition& definition, Artifact artifact) {
   return {.sigmoid = Sigmoid::logistic,
@@ -33,12 +42,26 @@ Response guess(Random& random) {
   return {.chosen_index = 1 + static_cast<int>(random.below(objects_per_stimulus)), .rating = 1};
 }
 
+/// The answer of a person who sees the seam of this stimulus with probability `seen`.
+Response seeing_response(double seen, const Stimulus& stimulus, Random& random) {
+  if (random.uniform() >= seen) return guess(random);
+  return {.chosen_index = stimulus.object_index, .rating = 1 + random.binomial(highest_rating - 1, seen)};
+}
+
 Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus, Random& random) {
   PsychometricFunction person = average_person(observer.definition, stimulus.artifact);
   person.threshold *= std::exp2(observer.shift_octaves);
-  const double seen = response_probability(person, stimulus.condition.depth_width_px);
-  if (random.uniform() >= seen) return guess(random);
-  return {.chosen_index = stimulus.object_index, .rating = 1 + random.binomial(highest_rating - 1, seen)};
+  return seeing_response(response_probability(person, stimulus.condition.depth_width_px), stimulus, random);
+}
+
+Response image_response(const ImageObserver& observer, const Stimulus& stimulus, Random& random) {
+  const std::string id = stimulus_id(stimulus);
+  const auto found = observer.differences->find(id);
+  if (found == observer.differences->end())
+    throw input_error({.field = id, .wanted = "a picture to look at", .found = "none in the set"});
+  const double visible_octaves = std::log2(gain_of(observer.definition) * found->second.above_floor);
+  const double z = (visible_octaves + observer.shift_octaves) / observer.definition.scale_octaves;
+  return seeing_response(sigmoid_value(Sigmoid::logistic, z), stimulus, random);
 }
 
 /// Mean noticeability of a person who sees with probability P.
@@ -75,12 +98,25 @@ double mean_over_people_by_parts(double z0, double r) {
   return expected_score(1) - sum * step;
 }
 
+/// The mean over people of whom the average one sees with P = logistic(-octaves / scale), and the others
+/// differ by a shift of the octaves.
+double mean_over_people(const ObserverDefinition& definition, double octaves_past_midpoint) {
+  const double sd = definition.people_sd_octaves, scale = definition.scale_octaves;
+  if (sd <= 0) return expected_score(sigmoid_value(Sigmoid::logistic, -octaves_past_midpoint / scale));
+  const double threshold_z = octaves_past_midpoint / sd;
+  const double relative_scale = scale / sd;
+  return relative_scale > 1 ? mean_over_people_direct(threshold_z, relative_scale)
+                            : mean_over_people_by_parts(threshold_z, relative_scale);
+}
+
 }  // namespace
 
 std::string_view word(ObserverKind kind) {
   switch (kind) {
     case ObserverKind::threshold:
       return "threshold";
+    case ObserverKind::image:
+      return "image";
     case ObserverKind::guesser:
       return "guesser";
     case ObserverKind::perfect:
@@ -95,11 +131,17 @@ std::optional<ObserverKind> observer_kind_from_word(std::string_view text) {
   return std::nullopt;
 }
 
-Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random) {
+Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
+                       std::shared_ptr<const VisibleDifferences> differences) {
   switch (kind) {
     case ObserverKind::threshold:
       return ThresholdObserver{.definition = definition,
                                .shift_octaves = definition.people_sd_octaves * random.normal()};
+    case ObserverKind::image:
+      assert(differences != nullptr);
+      return ImageObserver{.definition = definition,
+                           .differences = std::move(differences),
+                           .shift_octaves = definition.people_sd_octaves * random.normal()};
     case ObserverKind::guesser:
       return GuessingObserver{};
     case ObserverKind::perfect:
@@ -112,6 +154,7 @@ Response respond(const Observer& observer, const Stimulus& stimulus, Random& ran
   return std::visit(
       Overloaded{
           [&](const ThresholdObserver& person) { return threshold_response(person, stimulus, random); },
+          [&](const ImageObserver& person) { return image_response(person, stimulus, random); },
           [&](const GuessingObserver&) { return guess(random); },
           [&](const PerfectObserver&) {
             return Response{.chosen_index = stimulus.object_index, .rating = highest_rating};
@@ -120,13 +163,12 @@ Response respond(const Observer& observer, const Stimulus& stimulus, Random& ran
 }
 
 double expected_noticeability(const ObserverDefinition& definition, Artifact artifact, double width_px) {
-  const double sd = definition.people_sd_octaves;
-  const PsychometricFunction average = average_person(definition, artifact);
-  if (sd <= 0) return expected_score(response_probability(average, width_px));
-  const double threshold_z = (std::log2(width_px) - std::log2(average.threshold)) / sd;
-  const double relative_scale = average.scale / sd;
-  return relative_scale > 1 ? mean_over_people_direct(threshold_z, relative_scale)
-                            : mean_over_people_by_parts(threshold_z, relative_scale);
+  return mean_over_people(definition,
+                          std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact)));
+}
+
+double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {
+  return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
 }
 
 }  // namespace seamline

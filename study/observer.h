@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -8,13 +9,14 @@
 #include "stimuli/stimulus.h"
 #include "stimuli/study_definition.h"
 #include "stimuli/support/random.h"
+#include "stimuli/visible_difference.h"
 
 namespace seamline {
 
 /// The simulated people that `--observer` knows.
-enum class ObserverKind { threshold, guesser, perfect };
-inline constexpr std::array<ObserverKind, 3> every_observer_kind = {
-    ObserverKind::threshold, ObserverKind::guesser, ObserverKind::perfect};
+enum class ObserverKind { threshold, image, guesser, perfect };
+inline constexpr std::array<ObserverKind, 4> every_observer_kind = {
+    ObserverKind::threshold, ObserverKind::image, ObserverKind::guesser, ObserverKind::perfect};
 
 [[nodiscard]] std::string_view word(ObserverKind kind);
 [[nodiscard]] std::optional<ObserverKind> observer_kind_from_word(std::string_view text);
@@ -27,13 +29,22 @@ struct ThresholdObserver {
   double shift_octaves = 0;  ///< this person's: added to log2 of every midpoint
 };
 
+/// Looks at the pictures: sees the seam with probability P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)),
+/// F the visible difference between stimulus and reference above the floor of *none*. Answers as
+/// ThresholdObserver does.
+struct ImageObserver {
+  ObserverDefinition definition;
+  std::shared_ptr<const VisibleDifferences> differences;  ///< of the whole set, shared by all people
+  double shift_octaves = 0;                               ///< this person's: added to log2 of the gain
+};
+
 /// Never sees anything: a uniform guess of the three, rated 1. Expected noticeability 1/3.
 struct GuessingObserver {};
 
 /// Always sees the seam: the right object, rated 4.
 struct PerfectObserver {};
 
-using Observer = std::variant<ThresholdObserver, GuessingObserver, PerfectObserver>;
+using Observer = std::variant<ThresholdObserver, ImageObserver, GuessingObserver, PerfectObserver>;
 
 /// What an observer answers to one stimulus.
 struct Response {
@@ -42,9 +53,12 @@ struct Response {
 };
 
 /// One simulated person of a kind. Draws the person's shift, Normal(0, people_sd_octaves), from `random`.
-[[nodiscard]] Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random);
+/// `differences` is needed by `image` alone.
+[[nodiscard]] Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
+                                     std::shared_ptr<const VisibleDifferences> differences = nullptr);
 
-/// The observer's answer. Throws InputError when the definition has no midpoint for the stimulus' artifact.
+/// The observer's answer. Throws InputError when the definition has no midpoint for the stimulus' artifact,
+/// or an `image` observer knows no gain or no visible difference of the stimulus.
 [[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus, Random& random);
 
 /// Planted value of the `threshold` observer: its exact mean noticeability over people at one depth width,
@@ -56,5 +70,9 @@ struct Response {
 /// Absolute error under 1e-12. Throws InputError when the definition has no midpoint for the artifact.
 [[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, Artifact artifact,
                                             double width_px);
+
+/// The same of the `image` observer, for a visible difference above the floor, at least 0.
+[[nodiscard]] double expected_noticeability_of_difference(const ObserverDefinition& definition,
+                                                          double visible_difference);
 
 }  // namespace seamline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/random.h"
@@ -30,10 +31,21 @@ struct SimulatedPerson {
   Observer observer;
 };
 
-SimulatedPerson make_person(const SimulationRequest& request, const StudySet& set, int number) {
+using SharedDifferences = std::shared_ptr<const VisibleDifferences>;
+
+/// What `image` observers look at, once for all of them; none for the other kinds.
+SharedDifferences look_at_pictures(const SimulationRequest& request, const StudySet& set) {
+  if (request.observer != ObserverKind::image) return nullptr;
+  static_cast<void>(expected_noticeability_of_difference(set.study.observer, 1));  // throws without a gain
+  return std::make_shared<const VisibleDifferences>(
+      visible_differences(set.folder, set.manifest, set.study.observer.pixels_per_degree));
+}
+
+SimulatedPerson make_person(const SimulationRequest& request, const StudySet& set,
+                            const SharedDifferences& differences, int number) {
   const std::uint64_t seed = person_seed(request.seed, number);
   Random random(seed, 0);
-  return {.seed = seed, .observer = make_observer(request.observer, set.study.observer, random)};
+  return {.seed = seed, .observer = make_observer(request.observer, set.study.observer, random, differences)};
 }
 
 Response answer_of(const SimulatedPerson& person, const StudySet& set, const Session& session) {
@@ -68,8 +80,16 @@ int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, con
   return tracks_on_edge;
 }
 
-void simulate(LogWriter& log, const SimulationRequest& request, const StudySet& set,
-              const ProcedurePlan& plan, int number, SimulationSummary& summary) {
+/// What all simulated people of a run share.
+struct SimulatedStudy {
+  const SimulationRequest& request;
+  StudySet set;
+  ProcedurePlan plan;
+  SharedDifferences differences;
+};
+
+void simulate(LogWriter& log, const SimulatedStudy& study, int number, SimulationSummary& summary) {
+  const SimulationRequest& request = study.request;
   OpenSession place = log.open_session({.code = fmt::format("sim-{:04}", number),
                                         .simulated = Simulated{request.observer, request.seed},
                                         .slot = number - 1});
@@ -77,7 +97,8 @@ void simulate(LogWriter& log, const SimulationRequest& request, const StudySet& 
   ++(complete ? summary.participants_complete : summary.participants_run);
   if (complete) return;
   const int before = place.answered;
-  summary.tracks_on_edge += run_participant(log, place, set, plan, make_person(request, set, number));
+  summary.tracks_on_edge += run_participant(log, place, study.set, study.plan,
+                                            make_person(request, study.set, study.differences, number));
   summary.answers_added += place.answered - before;
 }
 
@@ -85,15 +106,18 @@ void simulate(LogWriter& log, const SimulationRequest& request, const StudySet& 
 
 SimulationSummary run_simulated_study(const SimulationRequest& request) {
   assert(request.count >= 1);
-  const StudySet set = load_study_set(request.set_folder);
-  const ProcedurePlan plan = make_procedure_plan(set);
-  LogWriter log(request.log, set);
+  SimulatedStudy study{
+      .request = request, .set = load_study_set(request.set_folder), .plan = {}, .differences = {}};
+  study.plan = make_procedure_plan(study.set);
+  if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
+  study.differences = look_at_pictures(request, study.set);
+  LogWriter log(request.log, study.set);
   SimulationSummary summary;
   for (int first = 1; first <= request.count; first += participants_a_transaction) {
     if (interrupted()) throw Interrupted{};
     const int last = std::min(request.count, first + participants_a_transaction - 1);
     log.transaction([&] {
-      for (int number = first; number <= last; ++number) simulate(log, request, set, plan, number, summary);
+      for (int number = first; number <= last; ++number) simulate(log, study, number, summary);
     });
   }
   return summary;

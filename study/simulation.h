@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "study/observer.h"
 
@@ -11,8 +12,9 @@ struct SimulationRequest {
   std::filesystem::path set_folder = {};
   std::filesystem::path log = {};
   ObserverKind observer = ObserverKind::threshold;
-  int count = 20;          ///< participants sim-0001 to sim-N
-  std::uint64_t seed = 1;  ///< same seed, same answers, on every machine
+  std::optional<double> image_gain = {};  ///< of `image`, instead of the study's; the log does not keep it
+  int count = 20;                         ///< participants sim-0001 to sim-N
+  std::uint64_t seed = 1;                 ///< same seed, same answers, on every machine
 };
 
 struct SimulationSummary {

@@ -59,7 +59,7 @@ double noticeability_by_simpson(const ObserverDefinition& definition, Artifact a
 
 TEST(Observer, KindsHaveWords) {
   for (const ObserverKind kind : every_observer_kind) EXPECT_EQ(observer_kind_from_word(word(kind)), kind);
-  EXPECT_EQ(observer_kind_from_word("image"), std::nullopt);
+  EXPECT_EQ(observer_kind_from_word("picture"), std::nullopt);
 }
 
 TEST(Observer, PerfectIsAlwaysRightAndRates4) {

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// Adds `seamline predict SET`.
+void add_predict_command(CLI::App& app);
+
+}  // namespace seamline

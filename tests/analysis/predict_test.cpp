@@ -1,0 +1,118 @@
+#include "analysis/predict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stimuli/support/error.h"
+#include "study/observer.h"
+
+namespace seamline {
+namespace {
+
+constexpr int widths_px[] = {64, 128, 256, 512, 1024, 2048, 4096};
+
+/// A manifest with differences that fall with width as c / W, so that PT, with every width an octave apart,
+/// follows the gain.
+struct Study {
+  Manifest manifest;
+  VisibleDifferences differences;
+
+  void add(Artifact artifact, const std::string& object, double c) {
+    for (const int width_px : widths_px) {
+      ManifestStimulus record;
+      record.stimulus = {.scene = "room",
+                         .artifact = artifact,
+                         .object = object,
+                         .object_index = 1,
+                         .condition = {.depth_width_px = width_px}};
+      record.id = stimulus_id(record.stimulus);
+      const double difference = artifact == Artifact::none ? 0.001 : c / width_px;
+      differences[record.id] = {.pooled = difference, .above_floor = difference};
+      manifest.stimuli.push_back(record);
+    }
+  }
+};
+
+Study example() {
+  Study study;
+  study.add(Artifact::receiver, "left", 40);
+  study.add(Artifact::receiver, "right", 80);
+  study.add(Artifact::shadow, "left", 15);
+  study.add(Artifact::overlap, "left", 4000);
+  study.add(Artifact::none, "left", 0);
+  return study;
+}
+
+const PredictedArtifact& find(const std::vector<PredictedArtifact>& artifacts, Artifact artifact) {
+  for (const PredictedArtifact& predicted : artifacts)
+    if (predicted.artifact == artifact) return predicted;
+  throw std::logic_error("no such artifact");
+}
+
+TEST(Predict, CellsAreTheObserversExpectedMeansOverObjects) {
+  const Study study = example();
+  const ObserverDefinition observer{.image_gain = 10};
+  const std::vector<PredictedArtifact> artifacts =
+      predict_artifacts(study.manifest, study.differences, observer);
+  ASSERT_EQ(artifacts.size(), 3U);  // none is not a seam
+  const PredictedCell& cell = find(artifacts, Artifact::receiver).cells[2];
+  EXPECT_EQ(cell.width_px, 256);
+  EXPECT_NEAR(cell.visible_difference, 60.0 / 256, 1e-12);
+  EXPECT_NEAR(cell.expected_noticeability,
+              (expected_noticeability_of_difference(observer, 40.0 / 256) +
+               expected_noticeability_of_difference(observer, 80.0 / 256)) /
+                  2,
+              1e-12);
+}
+
+/// With differences c / W the `image` observer is the `threshold` observer with midpoint gain * c.
+TEST(Predict, ThresholdsAreThoseOfTheThresholdObserverWithTheSameCurve) {
+  Study study;
+  study.add(Artifact::receiver, "left", 30);
+  const ObserverDefinition image{.image_gain = 10};
+  ObserverDefinition threshold;
+  threshold.midpoint_width_px[Artifact::receiver] = 300;
+  std::vector<double> log2_px, means;
+  for (const int width_px : widths_px) {
+    log2_px.push_back(std::log2(width_px));
+    means.push_back(expected_noticeability(threshold, Artifact::receiver, width_px));
+  }
+  const CurveThresholds expected = thresholds_of_means(log2_px, means);
+  const CurveThresholds found = predict_artifacts(study.manifest, study.differences, image)[0].thresholds;
+  EXPECT_NEAR(found.perceptual.log2_px.value(), expected.perceptual.log2_px.value(), 1e-9);
+  EXPECT_NEAR(found.slightly_noticeable.log2_px.value(), expected.slightly_noticeable.log2_px.value(), 1e-9);
+}
+
+TEST(Predict, CalibrationMeetsTheReceiversThreshold) {
+  const Study study = example();
+  ObserverDefinition observer;
+  observer.image_gain = calibrated_gain(study.manifest, study.differences, observer, 426);
+  const auto artifacts = predict_artifacts(study.manifest, study.differences, observer);
+  EXPECT_NEAR(std::exp2(find(artifacts, Artifact::receiver).thresholds.perceptual.log2_px.value()), 426,
+              1e-3);
+  EXPECT_EQ(demanding_order(artifacts),
+            (std::vector<Artifact>{Artifact::overlap, Artifact::receiver, Artifact::shadow}));
+}
+
+TEST(Predict, CalibrationWithoutReceiverOrBeyondTheWidthsIsWrongInput) {
+  Study study;
+  study.add(Artifact::shadow, "left", 15);
+  EXPECT_THROW((void)calibrated_gain(study.manifest, study.differences, {}, 426), InputError);
+  EXPECT_THROW((void)calibrated_gain(example().manifest, example().differences, {}, 5000), InputError);
+}
+
+TEST(Predict, TextSaysWhatItRestsOn) {
+  const Study study = example();
+  const Prediction prediction{
+      .observer = {.image_gain = 10},
+      .artifacts = predict_artifacts(study.manifest, study.differences, {.image_gain = 10})};
+  const std::string text = prediction_text(prediction);
+  EXPECT_NE(text.find("nobody was asked"), std::string::npos);
+  EXPECT_NE(text.find("426"), std::string::npos);
+  EXPECT_NE(text.find("gain 10"), std::string::npos);
+  EXPECT_NE(text.find("Floor: 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace seamline
