@@ -13,7 +13,12 @@ body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 70rem; background
   font: 16px/1.55 system-ui, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .4rem; }
 h2 { font-size: 1.3rem; margin: 2.8rem 0 .8rem; }
+h3 { font-size: 1.05rem; margin: 1.6rem 0 .5rem; }
 p { max-width: 46rem; }
+nav { display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; margin: 1.2rem 0; font-size: .95rem; }
+.plain { padding-left: 1.1rem; max-width: 46rem; font-size: .94rem; }
+.quote { border-left: 3px solid var(--line); padding-left: 1.1rem; }
+details { margin: 1rem 0; } summary { cursor: pointer; color: var(--accent); }
 .soft, figcaption, .facts dt { color: var(--soft); }
 .badge { display: inline-block; margin: .6rem 0; padding: .15rem .7rem; border: 1px solid var(--note-line); border-radius: 1rem;
   background: var(--note); font-size: .92rem; }
