@@ -15,15 +15,21 @@ std::vector<int> tested_widths(const NoticeabilityData& data) {
   return widths;
 }
 
-std::string width_axis(const std::vector<int>& widths_px) {
+std::string width_tics(const std::vector<int>& widths_px, bool labelled) {
   std::string ticks;
-  for (int width : widths_px) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", width, width);
+  for (int width : widths_px)
+    ticks +=
+        fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", labelled ? std::to_string(width) : "", width);
+  return "set xtics (" + ticks + ")\n";
+}
+
+std::string width_axis(const std::vector<int>& widths_px) {
   return fmt::format(
       "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
-      "set xtics ({1})\nset logscale x 2\nset xrange [{2:.4f}:{3:.4f}]\n"
+      "{1}set logscale x 2\nset xrange [{2:.4f}:{3:.4f}]\n"
       "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
       "set key textcolor rgb '{0}' Left reverse samplen 2\n",
-      plot_ink, ticks, widths_px.front() / 1.25, widths_px.back() * 1.25);
+      plot_ink, width_tics(widths_px, true), widths_px.front() / 1.25, widths_px.back() * 1.25);
 }
 
 std::string axis_labels(const std::string& y) {
@@ -35,16 +41,16 @@ std::string axis_labels(const std::string& y) {
 PanelGrid panel_grid(std::size_t panels, int panel_height_px) {
   const std::size_t columns = panels > 1 ? 2 : 1, rows = (panels + columns - 1) / columns;
   PanelGrid grid{.width_px = columns == 1 ? 640 : 1080,
-                 .height_px = 36 + panel_height_px * static_cast<int>(rows),
+                 .height_px = 30 + panel_height_px * static_cast<int>(rows),
                  .panels = {}};
   const double width = 1.0 / static_cast<double>(columns);
   for (std::size_t i = 0; i < panels; ++i) {
     const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-    const double top_px = 36 + panel_height_px * row;
-    grid.panels.push_back({.left = column * width + 70.0 / grid.width_px,
+    const double top_px = 30 + panel_height_px * row;
+    grid.panels.push_back({.left = column * width + 74.0 / grid.width_px,
                            .right = (column + 1) * width - 16.0 / grid.width_px,
-                           .bottom = 1 - (top_px + panel_height_px - 62) / grid.height_px,
-                           .top = 1 - (top_px + 34) / grid.height_px});
+                           .bottom = 1 - (top_px + panel_height_px - 76) / grid.height_px,
+                           .top = 1 - (top_px + 44) / grid.height_px});
   }
   return grid;
 }

@@ -12,6 +12,9 @@ namespace seamline {
 /// Widths seen in the data, rising.
 [[nodiscard]] std::vector<int> tested_widths(const NoticeabilityData& data);
 
+/// A tic at each width, with or without its number.
+[[nodiscard]] std::string width_tics(const std::vector<int>& widths_px, bool labelled);
+
 /// Borders, tics and the log2 axis of widths, a little wider than what was tested.
 [[nodiscard]] std::string width_axis(const std::vector<int>& widths_px);
 

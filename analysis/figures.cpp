@@ -15,7 +15,8 @@ namespace seamline {
 
 namespace {
 
-constexpr const char* ink = plot_ink;  ///< `inline_svg` replaces it by the page's text colour
+constexpr std::size_t plot_colours = 6;  ///< of `plot_style` that the style sheet has dark variants of
+constexpr const char* ink = plot_ink;    ///< `inline_svg` replaces it by the page's text colour
 
 std::string axes(const Analysis& analysis) {
   return width_axis(tested_widths(analysis.data)) + axis_labels("mean noticeability") +
@@ -154,6 +155,14 @@ std::string inline_svg(const Figure& figure) {
   replace_all(svg, "rgb( 51,  51,  52)", "currentColor");
   replace_all(svg, "rgb(51,51,52)", "currentColor");
   replace_all(svg, ink, "currentColor");
+  // Lines take the page's colours: on a dark page each is a lighter one of the same hue (report_style.cpp).
+  for (std::size_t i = 0; i < plot_colours; ++i) {
+    const std::string colour = plot_style(i).colour;
+    const auto part = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16); };
+    const std::string variable = fmt::format("var(--line-{})", i);
+    replace_all(svg, fmt::format("rgb({:3d}, {:3d}, {:3d})", part(1), part(3), part(5)), variable);
+    replace_all(svg, fmt::format("rgb({},{},{})", part(1), part(3), part(5)), variable);
+  }
   return svg;
 }
 

@@ -40,7 +40,7 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
                     "(PT) and 1.0 (SN). Data: " +
                     source_text(analysis) + ".",
                 .svg = folder / "corrected_for_guessing.svg"};
-  const PanelGrid grid = panel_grid(guessing.curves.size(), 400);
+  const PanelGrid grid = panel_grid(guessing.curves.size(), 420);
   std::string script = width_axis(tested_widths(analysis.data)) + axis_labels("mean noticeability") +
                        "set ytics 0, 1, 4\nset yrange [0:4.15]\nset key top right font ',12'\n" +
                        multiplot(analysis);

@@ -16,7 +16,7 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, s
     const auto n = static_cast<double>(level.counts.trials);
     block += fmt::format(
         "{:.6g} {:.6g} {:.4g} {:.6g}\n", level.counts.level, static_cast<double>(level.counts.correct) / n,
-        0.35 + 0.8 * std::sqrt(n / static_cast<double>(most_trials)), level.deviance_residual);
+        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
   }
   return block + "EOD\n";
 }
@@ -65,10 +65,9 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
   return block_of_levels(levels, curve, most_trials) + block_of_band(band, curve) + margins(above) +
          fmt::format(
              "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
-             "textcolor rgb '{1}' offset 1,0\nunset xlabel\nset format x ''\nset yrange [0.2:1.03]\nset "
-             "ytics 0.2, 0.2, "
-             "1\nunset arrow\n{2}",
-             gnuplot_text(artifact_title(curve.artifact)), plot_ink,
+             "textcolor rgb '{1}' offset 1.2,0\nunset xlabel\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n"
+             "unset arrow\n{2}{3}",
+             gnuplot_text(artifact_title(curve.artifact)), plot_ink, width_tics(widths, false),
              threshold_mark(curve, widths.front(), widths.back(), colour)) +
          fmt::format(
              "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
@@ -82,14 +81,14 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
          margins(below) +
          fmt::format(
              "unset title\nunset label 1\nunset arrow\nset ylabel \"residual\" textcolor rgb '{0}' offset "
-             "1,0\nset xlabel \"depth map width W (px)\" textcolor rgb '{0}'\nset format x '%g'\nset yrange "
+             "1.2,0\nset xlabel \"depth map width W (px)\" textcolor rgb '{0}'\n{5}set yrange "
              "[-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, {2}\n"
              "plot 0 with lines lc rgb '{0}' lw 1 notitle, \\\n"
              "     1.96 with lines lc rgb '{0}' lw 1 dt '.' notitle, -1.96 with lines lc rgb '{0}' lw 1 dt "
              "'.' notitle, \\\n"
              "     ${3} using 1:4 with impulses lc rgb '{4}' lw 2 notitle, \\\n"
              "     ${3} using 1:4 with points pt 7 ps 0.6 lc rgb '{4}' notitle\n",
-             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour);
+             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, width_tics(widths, true));
 }
 
 }  // namespace
@@ -110,7 +109,7 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
           "1/3, above. Data: " +
           source_text(analysis) + ".",
       .svg = folder / "psychometric.svg"};
-  const PanelGrid grid = panel_grid(fitted, 470);
+  const PanelGrid grid = panel_grid(fitted, 490);
   const std::vector<int> widths = tested_widths(analysis.data);
   const double residual = largest_residual(numbers.choices);
   std::string script = width_axis(widths) + multiplot(analysis);

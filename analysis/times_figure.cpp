@@ -38,7 +38,7 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
                 .svg = folder / "response_times.svg"};
   std::string script = width_axis(tested_widths(analysis.data)) + axis_labels("time to the choice (s)") +
                        fmt::format(
-                           "set yrange [0:*]\nset offsets graph 0, 0, 0.05, 0\nset key top right "
+                           "set yrange [0:*]\nset offsets graph 0, 0, 0.05, 0\nset key above horizontal "
                            "font ',13'\nset lmargin 8\nset rmargin 2\n"
                            "set title \"{}\" font ',13' textcolor rgb '{}'\n",
                            gnuplot_text(source_text(analysis)), plot_ink);
