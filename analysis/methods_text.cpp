@@ -34,7 +34,7 @@ std::string people_text(const Analysis& analysis) {
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used) trials += person.answers;
   text += left_out.empty() ? "; none was left out"
-                           : fmt::format("; {} were left out ({})", counts.in_log - counts.used, left_out);
+                           : fmt::format("; left out: {} ({})", counts.in_log - counts.used, left_out);
   text += fmt::format(". The analysis is of {} with {} trials.", source_text(analysis), trials);
   if (analysis.log.forgotten_participants > 0)
     text += fmt::format(" {} more asked for their data to be deleted.", analysis.log.forgotten_participants);
@@ -90,13 +90,17 @@ constexpr const char* checks_method_text =
     "Beside them stand: PT and SN read off the logistic (expanded percentile intervals); thresholds of the "
     "curve corrected for guessing by a latent-class model (saw it, or guessed) fitted by expectation "
     "maximisation (Dempster, Laird and Rubin, 1977), with guessers' positions and ratings estimated from "
-    "wrong choices and reference trials; "
-    "and "
-    "the range found when each object in turn is left out. Participants were screened by ITU-R BT.500 "
-    "(kurtosis) "
-    "and by correlation with the mean of the others; those named are counted and the thresholds are given "
-    "with "
-    "and without them.";
+    "wrong choices and reference trials; and the range found when each object in turn is left out.";
+
+std::string screening_text(const Analysis& analysis) {
+  std::string text =
+      "Participants were screened by ITU-R BT.500 (kurtosis) and by correlation with the mean of the "
+      "others: ";
+  text += fmt::format("{} of {} were named and {}.", analysis.screening.named().size(),
+                      analysis.screening.people.size(),
+                      analysis.options.exclude_screened ? "left out" : "used all the same");
+  return text;
+}
 
 std::string software(const Analysis& analysis) {
   return fmt::format("Analysed with Seamline {} (study {}, study hash {}, set hash {}).", program_version(),
@@ -213,6 +217,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
       paragraphs.push_back(comparisons_text(*numbers.comparisons));
     paragraphs.emplace_back(checks_method_text);
   }
+  paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(times_text);
   paragraphs.push_back(software(analysis));
   if (!analysis.planted.empty()) paragraphs.emplace_back(planted_text);

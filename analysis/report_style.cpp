@@ -35,6 +35,7 @@ tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr.group { border-top: 1px solid var(--soft); }
 td.number, th.number { text-align: right; }
 td.number { white-space: normal; max-width: 11rem; }
+td:last-child:not(.number) { white-space: normal; min-width: 12rem; }
 figure { margin: 1.2rem 0 2rem; }
 figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }
 figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }

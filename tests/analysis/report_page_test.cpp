@@ -13,6 +13,7 @@
 #include "analysis/report_html.h"
 #include "analysis/report_json.h"
 #include "analysis/thresholds_json.h"
+#include "stimuli/support/html.h"
 #include "study/simulation.h"
 #include "tests/analysis/report_people.h"
 #include "tests/study/temporary_set.h"
@@ -109,7 +110,7 @@ TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
   }
   ASSERT_FALSE(tables["comparisons_contrasts"].empty());
   for (const Json& row : tables["comparisons_contrasts"]) {
-    EXPECT_THAT(report.html, HasSubstr(row["conclusion"].get<std::string>()));
+    EXPECT_THAT(report.html, HasSubstr(html_escape(row["conclusion"].get<std::string>())));
     EXPECT_THAT(terminal, HasSubstr(row["conclusion"].get<std::string>()));
   }
   EXPECT_EQ(tables["participants"].size(), 12U);
@@ -123,7 +124,7 @@ TEST(ReportPage, MethodsNameNumbersSeedsVersionAndReferences) {
   const Report report = report_of(std::move(log));
   const std::string text = plain_text(report.methods);
   for (const char* words :
-       {"8 participants are in the log", "1 were left out (1 excluded by the researcher)",
+       {"8 participants are in the log", "left out: 1 (1 excluded by the researcher)",
         "7 participants with 588 trials", "seed 3", "Seamline ", "Wichmann and Hill", "Response times"})
     EXPECT_THAT(text, HasSubstr(words));
   EXPECT_THAT(report.methods.references, Contains(HasSubstr("Wichmann, F. A.")));
