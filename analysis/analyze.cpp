@@ -1,10 +1,13 @@
 #include "analysis/analyze.h"
 
 #include "analysis/analysis.h"
-#include "analysis/checks_tables.h"
 #include "analysis/checks_text.h"
 #include "analysis/figures.h"
+#include "analysis/methods_text.h"
+#include "analysis/numbers_text.h"
+#include "analysis/report_dictionary.h"
 #include "analysis/report_html.h"
+#include "analysis/report_json.h"
 #include "analysis/stimulus_samples.h"
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"
@@ -24,20 +27,24 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
 
+  const ReportNumbers numbers = report_numbers(analysis);
   const std::filesystem::path& folder = request.report_folder;
   const std::filesystem::path figures_folder = folder / "figures";
   prepare_output_folder(folder);
   prepare_output_folder(figures_folder);
-  const std::vector<Figure> figures = draw_figures(analysis, figures_folder);
+  const std::vector<Figure> figures = draw_figures(analysis, numbers, figures_folder);
   const StimulusSamples samples = sample_stimuli(analysis, folder);
-  std::vector<CsvTable> tables = report_tables(analysis);
-  for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
+  const std::vector<CsvTable> tables = all_tables(analysis, numbers);
   for (const CsvTable& table : tables) write_file_atomically(folder / (table.name + ".csv"), csv_text(table));
-  write_file_atomically(folder / "data_dictionary.csv", csv_text(data_dictionary(tables)));
+  write_file_atomically(folder / "data_dictionary.csv", csv_text(report_dictionary(tables)));
   write_file_atomically(folder / "thresholds.json", thresholds_json(analysis));
-  write_file_atomically(folder / "report.html", report_html(analysis, figures, samples));
+  const MethodsText methods = methods_text(analysis, numbers);
+  write_file_atomically(folder / "report.json", report_json(analysis, methods, tables));
+  write_file_atomically(folder / "methods.txt", plain_text(methods));
+  write_file_atomically(folder / "report.html", report_html(analysis, numbers, figures, samples));
   return {.table = table_text(analysis),
           .checks = checks_text(analysis),
+          .sections = numbers_text(numbers),
           .notes = analysis.notes,
           .report_html = folder / "report.html"};
 }

@@ -21,14 +21,15 @@ struct AnalysisRequest {
 struct AnalysisSummary {
   std::string table;                  ///< Table 1 from the data beside the paper's, for a terminal
   std::string checks;                 ///< the same thresholds otherwise estimated and with others left out
+  std::string sections;               ///< psychometric functions, comparisons, tracks, response times
   std::vector<std::string> notes;     ///< what a reader must know, a sentence each
   std::filesystem::path report_html;  ///< one file that opens offline
 };
 
-/// Reads the log, computes everything and writes the report folder: report.html, thresholds.json, CSV files
-/// with their data dictionary, figures as SVG. Throws InputError when the log is wrong, nobody in it can be
-/// used, gnuplot is missing, or the folder cannot be written; nothing is written before the first three are
-/// known.
+/// Reads the log, computes everything and writes the report folder: report.html, thresholds.json, report.json
+/// with every table, the same tables as CSV files with their data dictionary, methods.txt, figures as SVG.
+/// Throws InputError when the log is wrong, nobody in it can be used, gnuplot is missing, or the folder
+/// cannot be written; nothing is written before the first three are known.
 [[nodiscard]] AnalysisSummary analyze_log(const AnalysisRequest& request);
 
 }  // namespace seamline

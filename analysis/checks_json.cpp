@@ -113,8 +113,12 @@ Json artifact_checks_json(const Analysis& analysis, std::size_t index) {
   json["logistic_thresholds"] = {
       {"perceptual_threshold_px", json_width(found.perceptual_logistic, 1)},
       {"slightly_noticeable_px", json_width(found.slightly_noticeable_logistic, 1)}};
-  json["corrected_for_guessing"] = corrected_json(analysis.guessing.curves[index]);
-  json["one_object_left_out"] = objects_json(analysis.object_influence[index]);
+  json["corrected_for_guessing"] = index < analysis.guessing.curves.size()
+                                       ? corrected_json(analysis.guessing.curves[index])
+                                       : Json(nullptr);
+  json["one_object_left_out"] = index < analysis.object_influence.size()
+                                    ? objects_json(analysis.object_influence[index])
+                                    : Json(nullptr);
   json["field_of_view"] = {{"degrees", json_number(view_deg)},
                            {"perceptual_threshold", view_json(found.perceptual, view_deg)},
                            {"slightly_noticeable", view_json(found.slightly_noticeable, view_deg)},

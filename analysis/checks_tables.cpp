@@ -5,23 +5,12 @@
 #include <cmath>
 
 #include "analysis/angular_resolution.h"
+#include "analysis/table_columns.h"
 #include "analysis/threshold_rows.h"
 
 namespace seamline {
 
 namespace {
-
-const CsvColumn artifact_column{"artifact", "word",
-                                "receiver, shadow, occlusion or overlap (types 1 to 4 of the paper)"};
-const CsvColumn quantity_column{"quantity", "word",
-                                "PT perceptual threshold, SN slightly noticeable, IP inflection point"};
-const CsvColumn width_column{"width_px", "px", "width W of the depth map; its height is W / 2"};
-const CsvColumn source_column{"source", "text", "who answered: participants or simulated observers"};
-const CsvColumn participant_column{"participant", "text", "code"};
-
-std::int64_t whole(auto value) {
-  return static_cast<std::int64_t>(value);
-}
 
 CsvValue px(std::optional<double> value) {
   return value ? CsvValue(*value) : CsvValue(std::monostate{});

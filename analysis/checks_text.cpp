@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/threshold_rows.h"
 
 namespace seamline {
@@ -82,9 +84,12 @@ std::string screening_sentence(const Screening& screening) {
 }
 
 std::string checks_text(const Analysis& analysis) {
-  std::string text = beside_table(analysis) + guessers_text(analysis.guessing) + "\n\n" +
-                     screening_sentence(analysis.screening) + "\n";
+  std::string text;
+  if (!analysis.guessing.curves.empty())
+    text = beside_table(analysis) + guessers_text(analysis.guessing) + "\n\n";
+  text += screening_sentence(analysis.screening) + "\n";
   if (analysis.screened.size() > 1) text += screened_table(analysis);
+  if (std::isnan(analysis.sos.a)) return text;
   return text + fmt::format("SOS parameter a = {:.3f} ({:.3f} to {:.3f}) over {} stimuli.\n", analysis.sos.a,
                             analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);
 }

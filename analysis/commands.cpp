@@ -15,7 +15,7 @@ namespace {
 
 void run_analyze(const AnalysisRequest& request) {
   const AnalysisSummary summary = analyze_log(request);
-  std::printf("%s\n%s", summary.table.c_str(), summary.checks.c_str());
+  std::printf("%s\n%s\n%s", summary.table.c_str(), summary.checks.c_str(), summary.sections.c_str());
   for (const std::string& note : summary.notes) std::printf("Note: %s\n", note.c_str());
   std::printf("Report: %s\n", summary.report_html.c_str());
 }

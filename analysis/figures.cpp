@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "analysis/figure_parts.h"
 #include "analysis/threshold_rows.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/gnuplot.h"
@@ -13,31 +15,12 @@ namespace seamline {
 
 namespace {
 
-constexpr const char* ink = plot_ink;  ///< `inline_svg` replaces it by the page's text colour
-
-/// Widths seen in the data, rising.
-std::vector<int> all_widths(const NoticeabilityData& data) {
-  std::vector<int> widths;
-  for (const ArtifactScores& scores : data.artifacts)
-    widths.insert(widths.end(), scores.width_px.begin(), scores.width_px.end());
-  std::sort(widths.begin(), widths.end());
-  widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
-  return widths;
-}
+constexpr std::size_t plot_colours = 6;  ///< of `plot_style` that the style sheet has dark variants of
+constexpr const char* ink = plot_ink;    ///< `inline_svg` replaces it by the page's text colour
 
 std::string axes(const Analysis& analysis) {
-  const std::vector<int> widths = all_widths(analysis.data);
-  std::string ticks;
-  for (int width : widths) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", width, width);
-  return fmt::format(
-      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
-      "set xtics ({1})\nset ytics 0, 1, 4\nset mytics 2\nset logscale x 2\n"
-      "set xrange [{2:.4f}:{3:.4f}]\nset yrange [0:4.15]\n"
-      "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
-      "set xlabel \"depth map width W (px)\" textcolor rgb '{0}'\nset ylabel \"mean noticeability\" "
-      "textcolor rgb '{0}'\n"
-      "set key textcolor rgb '{0}' Left reverse samplen 2\n",
-      ink, ticks, widths.front() / 1.25, widths.back() * 1.25);
+  return width_axis(tested_widths(analysis.data)) + axis_labels("mean noticeability") +
+         "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
 }
 
 /// A data block `width mean sem`, the widths moved by a share of an octave so that error bars of several
@@ -147,8 +130,16 @@ void replace_all(std::string& text, const std::string& old, const std::string& f
 
 }  // namespace
 
-std::vector<Figure> draw_figures(const Analysis& analysis, const std::filesystem::path& folder) {
-  return {average_figure(analysis, folder), object_figure(analysis, folder)};
+std::vector<Figure> draw_figures(const Analysis& analysis, const ReportNumbers& numbers,
+                                 const std::filesystem::path& folder) {
+  std::vector<Figure> figures;
+  if (!numbers.adaptive) figures.push_back(average_figure(analysis, folder));
+  figures.push_back(object_figure(analysis, folder));
+  for (std::optional<Figure>& figure :
+       std::array{psychometric_figure(analysis, numbers, folder), guessing_figure(analysis, folder),
+                  times_figure(analysis, numbers, folder)})
+    if (figure) figures.push_back(std::move(*figure));
+  return figures;
 }
 
 std::string inline_svg(const Figure& figure) {
@@ -164,6 +155,14 @@ std::string inline_svg(const Figure& figure) {
   replace_all(svg, "rgb( 51,  51,  52)", "currentColor");
   replace_all(svg, "rgb(51,51,52)", "currentColor");
   replace_all(svg, ink, "currentColor");
+  // Lines take the page's colours: on a dark page each is a lighter one of the same hue (report_style.cpp).
+  for (std::size_t i = 0; i < plot_colours; ++i) {
+    const std::string colour = plot_style(i).colour;
+    const auto part = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16); };
+    const std::string variable = fmt::format("var(--line-{})", i);
+    replace_all(svg, fmt::format("rgb({:3d}, {:3d}, {:3d})", part(1), part(3), part(5)), variable);
+    replace_all(svg, fmt::format("rgb({},{},{})", part(1), part(3), part(5)), variable);
+  }
   return svg;
 }
 

@@ -5,6 +5,7 @@
 #include "analysis/angular_resolution.h"
 #include "analysis/checks_text.h"
 #include "analysis/report_html.h"
+#include "analysis/report_parts.h"
 #include "analysis/threshold_rows.h"
 #include "stimuli/support/html.h"
 
@@ -13,19 +14,6 @@ namespace seamline {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-/// A table of text cells; the first cell of a line is its header.
-std::string table_html(const Cells& head, const std::vector<Cells>& lines) {
-  std::string html = "<div class=\"scroll\"><table>\n<thead><tr>";
-  for (const std::string& cell : head) html += "<th>" + html_escape(cell) + "</th>";
-  html += "</tr></thead>\n<tbody>\n";
-  for (const Cells& line : lines) {
-    html += "<tr><th scope=\"row\">" + html_escape(line.front()) + "</th>";
-    for (std::size_t i = 1; i < line.size(); ++i) html += "<td>" + html_escape(line[i]) + "</td>";
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
 
 std::string beside_html(const Analysis& analysis) {
   const double view_deg = analysis.options.field_of_view_deg;
@@ -48,8 +36,13 @@ std::string beside_html(const Analysis& analysis) {
                                         pinhole_width_px(width_px, view_deg))
                           : "–"});
   }
-  return table_html({"artifact", "", "isotonic", "logistic", "corrected for guessing", "one object left out",
-                     fmt::format("px for {:.3g}°, equirectangular / pinhole", view_deg)},
+  return html_table({{"artifact"},
+                     {""},
+                     {"isotonic"},
+                     {"logistic"},
+                     {"corrected for guessing"},
+                     {"one object left out"},
+                     {fmt::format("px for {:.3g}°, equirectangular / pinhole", view_deg)}},
                     lines);
 }
 
@@ -68,17 +61,22 @@ std::string screened_html(const Analysis& analysis) {
                          text(thresholds.estimates.slightly_noticeable),
                          text(thresholds.estimates.inflection)});
       }
-  return table_html({"thresholds", "artifact", "PT", "SN", "IP"}, lines);
+  return html_table({{"thresholds"}, {"artifact"}, {"PT"}, {"SN"}, {"IP"}}, lines);
 }
 
 }  // namespace
 
-std::string checks_html(const Analysis& analysis) {
-  std::string html =
-      "<h2>Checks</h2>\n<p>The thresholds otherwise estimated: width W in px, 95 % interval in "
-      "brackets.</p>\n" +
-      beside_html(analysis) + "<p>" + html_escape(guessers_text(analysis.guessing)) + "</p>\n<p>" +
-      html_escape(screening_sentence(analysis.screening)) + "</p>\n";
+std::string checks_html(const Analysis& analysis, const std::vector<Figure>& figures) {
+  std::string html = "<h2 id=\"checks\">Checks</h2>\n";
+  if (analysis.guessing.curves.empty())
+    html +=
+        "<p>Thresholds are not estimated otherwise, nor corrected for guessing: there are no curves of "
+        "mean noticeability.</p>\n";
+  else
+    html += "<p>The thresholds otherwise estimated: width W in px, 95 % interval in brackets.</p>\n" +
+            beside_html(analysis) + html_paragraph(guessers_text(analysis.guessing)) +
+            figure_html(figures, "corrected_for_guessing");
+  html += html_paragraph(screening_sentence(analysis.screening));
   if (analysis.screened.size() > 1) html += screened_html(analysis);
   html += "<p class=\"soft\">Rules of the screens:";
   for (Screen screen : every_screen) html += " " + html_escape(std::string(rule_of(screen))) + ".";

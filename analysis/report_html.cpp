@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report_text.h"
+#include "analysis/methods_text.h"
+#include "analysis/report_parts.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/html.h"
 
@@ -43,7 +44,7 @@ std::string header(const Analysis& analysis) {
 }
 
 std::string thresholds_section(const Analysis& analysis) {
-  std::string html = "<h2>Thresholds</h2>\n" + threshold_table_html(analysis);
+  std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
   html +=
       "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. IP: "
       "inflection point. Width × "
@@ -58,44 +59,57 @@ std::string thresholds_section(const Analysis& analysis) {
   return html;
 }
 
-std::string figure_html(const Figure& figure) {
-  return fmt::format("<figure role=\"img\" aria-label=\"{}\">\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
-                     html_escape(figure.title), inline_svg(figure), html_escape(figure.caption));
+std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive) {
+  std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
+  if (adaptive)
+    html +=
+        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the answers. The "
+        "means of objects below are over different people at different widths.</p>\n";
+  return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
 }
 
-std::string methods_section(const Analysis& analysis) {
-  std::string html = "<h2>Method</h2>\n";
-  for (const std::string& paragraph : method_paragraphs(analysis))
-    html += "<p>" + html_escape(paragraph) + "</p>\n";
-  return html +
-         "<p class=\"soft\">The paper: “Visual Perception of Real World Depth Map Resolution for Mixed "
-         "Reality Rendering”.</p>\n";
+std::string methods_section(const Analysis& analysis, const ReportNumbers& numbers) {
+  const MethodsText methods = methods_text(analysis, numbers);
+  std::string html =
+      "<h2 id=\"methods\">Methods</h2>\n<p class=\"soft\">Text for a paper; also in "
+      "<code>methods.txt</code>.</p>\n<div class=\"quote\">\n";
+  for (const std::string& paragraph : methods.paragraphs) html += html_paragraph(paragraph);
+  html += "<h3>References</h3>\n<ul class=\"plain\">\n";
+  for (const std::string& reference : methods.references) html += "<li>" + html_escape(reference) + "</li>\n";
+  return html + "</ul>\n</div>\n";
 }
+
+constexpr const char* contents =
+    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> "
+    "<a href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> "
+    "<a href=\"#checks\">Checks</a> <a href=\"#times\">Response times</a> "
+    "<a href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> "
+    "<a href=\"#methods\">Methods</a> <a href=\"#data\">Data</a></nav>\n";
+
+constexpr const char* data_section =
+    "<h2 id=\"data\">Data</h2>\n<p>Every number of this page is also beside it, as CSV files and as JSON: "
+    "<code>report.json</code> holds all the tables, <code>thresholds.json</code> the thresholds and what "
+    "they "
+    "rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> holds "
+    "the "
+    "figures as SVG and as gnuplot scripts.</p>\n";
 
 }  // namespace
 
-std::string report_html(const Analysis& analysis, const std::vector<Figure>& figures,
-                        const StimulusSamples& samples) {
+std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
+                        const std::vector<Figure>& figures, const StimulusSamples& samples) {
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Seamline: "
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), report_style());
-  html += header(analysis) + thresholds_section(analysis) + "<h2>Noticeability</h2>\n";
-  for (const Figure& figure : figures) html += figure_html(figure);
-  html += checks_html(analysis);
-  html += "<h2>Stimuli</h2>\n" + samples_html(samples) + methods_section(analysis);
-  html += "<h2>Participants</h2>\n" + participant_table_html(analysis);
-  html +=
-      "<h2>Data</h2>\n<p>Every number of this page is also beside it: <code>thresholds.json</code>, "
-      "<code>thresholds.csv</code>, "
-      "<code>curves.csv</code>, <code>cells.csv</code>, <code>participants.csv</code>, "
-      "<code>answers.csv</code>, <code>thresholds_beside.csv</code>, <code>curves_corrected.csv</code>, "
-      "<code>guessers.csv</code>, <code>screening.csv</code>, <code>thresholds_screened.csv</code>, "
-      "<code>opinion_scores.csv</code>; "
-      "<code>data_dictionary.csv</code> explains their columns. <code>figures</code> holds the figures as "
-      "SVG and as gnuplot scripts.</p>\n";
+  html += header(analysis) + contents + thresholds_section(analysis) +
+          noticeability_section(figures, numbers.adaptive) + psychometric_html(numbers, figures) +
+          comparisons_html(numbers) + checks_html(analysis, figures) + times_html(numbers, figures);
+  html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(numbers);
+  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples) + methods_section(analysis, numbers) +
+          data_section;
   return html + "</body>\n</html>\n";
 }
 

@@ -34,14 +34,6 @@ std::string threshold_line(const ThresholdRow& row, bool planted) {
   return line + "</tr>\n";
 }
 
-std::string share_text(double share) {
-  return std::isnan(share) ? "–" : fmt::format("{:.0f} %", 100 * share);
-}
-
-std::string seconds_text(double seconds) {
-  return std::isnan(seconds) ? "–" : fmt::format("{:.1f} s", seconds);
-}
-
 }  // namespace
 
 std::string threshold_table_html(const Analysis& analysis) {
@@ -54,25 +46,6 @@ std::string threshold_table_html(const Analysis& analysis) {
       html_escape(analysis.counts.simulated > 0 ? "simulated observers" : "this study"),
       planted ? "<th class=\"number\">planted</th>" : "");
   for (const ThresholdRow& row : threshold_rows(analysis)) table += threshold_line(row, planted);
-  return table + "</tbody></table></div>\n";
-}
-
-std::string participant_table_html(const Analysis& analysis) {
-  std::string table =
-      "<div class=\"scroll\"><table>\n<thead><tr><th>participant</th><th>kind</th><th>use</th><th "
-      "class=\"number\">answers</th>"
-      "<th class=\"number\">right choices</th><th class=\"number\">median time to "
-      "choose</th></tr></thead>\n<tbody>\n";
-  for (const ParticipantUse& person : analysis.people) {
-    const std::string kind = person.record.simulated ? "simulated: " + person.record.observer : "person";
-    table += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}{}</td><td class=\"number\">{}</td><td "
-        "class=\"number\">{}</td>"
-        "<td class=\"number\">{}</td></tr>\n",
-        html_escape(person.record.code), html_escape(kind), word(person.use),
-        person.record.pilot && person.use == Use::used ? " (pilot)" : "", person.answers,
-        share_text(person.correct), seconds_text(person.median_choice_s));
-  }
   return table + "</tbody></table></div>\n";
 }
 

@@ -3,28 +3,18 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/table_columns.h"
 #include "analysis/threshold_rows.h"
 
 namespace seamline {
 
 namespace {
 
-const CsvColumn artifact_column{"artifact", "word",
-                                "receiver, shadow, occlusion or overlap (types 1 to 4 of the paper)"};
-const CsvColumn scene_column{"scene", "text", "name of the scene in the study file"};
-const CsvColumn object_column{"object", "text", "name of the inserted object"};
-const CsvColumn index_column{"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"};
-const CsvColumn width_column{"width_px", "px", "width W of the depth map; its height is W / 2"};
-const CsvColumn source_column{"source", "text", "who answered: participants or simulated observers"};
 const std::vector<CsvColumn> mean_columns = {
     {"n", "participants", "participants in the mean"},
     {"mean", "noticeability 0 to 4", "mean over participants; 0 is a wrong choice, else the rating"},
     {"sem", "noticeability", "standard error of the mean over participants; NaN with one participant"},
     {"correct", "share 0 to 1", "share of right choices; 1/3 is chance"}};
-
-std::int64_t whole(int value) {
-  return value;
-}
 
 CsvValue px(std::optional<double> value) {
   return value ? CsvValue(*value) : CsvValue(std::monostate{});
@@ -102,30 +92,9 @@ CsvTable thresholds_table(const Analysis& analysis) {
   return table;
 }
 
-CsvTable participants_table(const Analysis& analysis) {
-  CsvTable table{
-      .name = "participants",
-      .columns = {{"participant", "text", "code"},
-                  {"kind", "word", "person, or the kind of simulated observer"},
-                  {"use", "word",
-                   "used, excluded, pilot (left out), incomplete (left out) or screened (left out)"},
-                  {"pilot", "0 or 1", "pilot data"},
-                  {"answers", "count", "answers in the log"},
-                  {"correct", "share 0 to 1", "share of right choices; NaN without answers"},
-                  {"median_choice_s", "s", "median time from the image to the choice; NaN when simulated"}},
-      .rows = {}};
-  for (const ParticipantUse& person : analysis.people)
-    table.rows.push_back(
-        {person.record.code,
-         person.record.simulated ? "simulated: " + person.record.observer : std::string("person"),
-         std::string(word(person.use)), whole(person.record.pilot ? 1 : 0), whole(person.answers),
-         person.correct, person.median_choice_s});
-  return table;
-}
-
 CsvTable answers_table(const Analysis& analysis) {
   CsvTable table{.name = "answers",
-                 .columns = {{"participant", "text", "code"},
+                 .columns = {participant_column,
                              {"use", "word", "what became of the participant, see participants.csv"},
                              {"trial_index", "count", "0-based place in the participant's order"},
                              {"stimulus_id", "text", "id in the set's manifest"},
@@ -156,8 +125,7 @@ CsvTable answers_table(const Analysis& analysis) {
 }  // namespace
 
 std::vector<CsvTable> report_tables(const Analysis& analysis) {
-  return {cells_table(analysis), curves_table(analysis), thresholds_table(analysis),
-          participants_table(analysis), answers_table(analysis)};
+  return {cells_table(analysis), curves_table(analysis), thresholds_table(analysis), answers_table(analysis)};
 }
 
 }  // namespace seamline

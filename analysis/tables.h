@@ -6,7 +6,7 @@
 
 namespace seamline {
 
-/// Every number of the report as tables: cells, curves, thresholds, participants and answers.
+/// The numbers of Figures 6 and 7 and of Table 1 as tables: cells, curves, thresholds and answers.
 [[nodiscard]] std::vector<CsvTable> report_tables(const Analysis& analysis);
 
 }  // namespace seamline

@@ -16,8 +16,16 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
   const ArtifactThresholds& thresholds = analysis.thresholds[index];
   const ArtifactScores& scores = analysis.data.artifacts[index];
   const PlantedValues& planted = analysis.planted;
-  const ObjectInfluence& objects = analysis.object_influence[index];
-  const CorrectedCurve& corrected = analysis.guessing.curves[index];
+  // Neither is computed of adaptive logs, which have no curves.
+  const ObjectInfluence objects =
+      index < analysis.object_influence.size() ? analysis.object_influence[index] : ObjectInfluence{};
+  CorrectedCurve corrected;
+  if (index < analysis.guessing.curves.size())
+    corrected = analysis.guessing.curves[index];
+  else
+    for (auto width :
+         {&CurveThresholds::perceptual, &CurveThresholds::slightly_noticeable, &CurveThresholds::inflection})
+      (corrected.estimates.*width).reason = (thresholds.estimates.*width).reason;
   const std::optional<PaperThresholds> paper = paper_thresholds(thresholds.artifact);
   const auto found = planted.find(thresholds.artifact);
   const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;

@@ -160,7 +160,7 @@ TEST(Checks, InTheReportAreEscaped) {
   log.participants[2].code = evil;
   for (Answer& answer : log.answers)
     if (answer.participant == "sim-2") answer.participant = evil;
-  const std::string html = checks_html(analyze(std::move(log), false, few));
+  const std::string html = checks_html(analyze(std::move(log), false, few), {});
   EXPECT_THAT(html, Not(HasSubstr(evil)));
   EXPECT_THAT(html, HasSubstr("&lt;b&gt;sim"));
   EXPECT_THAT(html, HasSubstr("corrected for guessing"));

@@ -6,12 +6,12 @@
 
 #include "analysis/analysis.h"
 #include "analysis/figures.h"
-#include "stimuli/support/html.h"
 #include "analysis/report_html.h"
 #include "analysis/tables.h"
 #include "analysis/threshold_rows.h"
 #include "analysis/thresholds_json.h"
 #include "stimuli/support/csv.h"
+#include "stimuli/support/html.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline {
@@ -118,13 +118,14 @@ TEST(Report, IsOneEscapedPageWithFiguresThatSayWhoAnswered) {
   const Analysis analysis = analysed(log);
   const std::filesystem::path folder = std::filesystem::path(SEAMLINE_TEST_OUTPUT) / "report";
   std::filesystem::create_directories(folder);
-  const std::vector<Figure> figures = draw_figures(analysis, folder);
-  const std::string html = report_html(analysis, figures, sample_stimuli(analysis, folder));
+  const ReportNumbers numbers = report_numbers(analysis);
+  const std::vector<Figure> figures = draw_figures(analysis, numbers, folder);
+  const std::string html = report_html(analysis, numbers, figures, sample_stimuli(analysis, folder));
   EXPECT_THAT(html, Not(HasSubstr(evil)));
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
   EXPECT_THAT(html, HasSubstr("set was not found"));
   EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
-  ASSERT_EQ(figures.size(), 2U);
+  ASSERT_EQ(figures.size(), 4U);  // simulated observers have no response times
   for (const Figure& figure : figures)
     EXPECT_THAT(inline_svg(figure), HasSubstr("5 simulated observers (threshold)")) << figure.name;
   EXPECT_FALSE(std::filesystem::exists("x"));

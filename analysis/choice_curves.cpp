@@ -1,0 +1,151 @@
+#include "analysis/choice_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/psychometric/overdispersion.h"
+#include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/parallel.h"
+#include "stimuli/support/random.h"
+#include "study/trial.h"
+
+namespace seamline {
+
+namespace {
+
+/// Keeps these draws apart from those of other bootstraps with the same seed.
+constexpr std::uint64_t band_domain = 0x62616e6463757276ULL;
+constexpr int band_points = 61;
+
+std::vector<std::string> used_codes(const Analysis& analysis) {
+  std::vector<std::string> codes;
+  for (const ParticipantUse& person : analysis.people)
+    if (person.use == Use::used) codes.push_back(person.record.code);
+  return codes;
+}
+
+/// The sums over people drawn with replacement.
+FitProblem resampled(const PooledChoices& choices, const FitProblem& problem, std::uint64_t seed,
+                     int replicate) {
+  const auto people = static_cast<std::uint64_t>(choices.correct.rows());
+  Random random(seed ^ band_domain, static_cast<std::uint64_t>(replicate));
+  Eigen::RowVectorXd times = Eigen::RowVectorXd::Zero(choices.correct.rows());
+  for (std::uint64_t draw = 0; draw < people; ++draw)
+    times[static_cast<Eigen::Index>(random.below(people))] += 1;
+  const Eigen::RowVectorXd right = times * choices.correct, all = times * choices.trials;
+  FitProblem drawn = problem;
+  for (std::size_t i = 0; i < drawn.levels.size(); ++i) {
+    drawn.levels[i].k = right[static_cast<Eigen::Index>(i)];
+    drawn.levels[i].n = all[static_cast<Eigen::Index>(i)];
+  }
+  std::erase_if(drawn.levels, [](const UnitCounts& level) { return level.n <= 0; });
+  drawn.rows = drawn.levels;
+  return drawn;
+}
+
+/// 2.5 and 97.5 % quantiles (type 7).
+Interval percentiles(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto quantile = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const double above = values[std::min(below + 1, values.size() - 1)];
+    return values[below] + (place - std::floor(place)) * (above - values[below]);
+  };
+  return {.low = quantile(0.025), .high = quantile(0.975)};
+}
+
+void add_band(ChoiceCurve& curve, const PooledChoices& choices, const ResamplingRequest& request) {
+  const PsychometricFit& fit = curve.pooled->fit;
+  const FitProblem& problem = fit.search.problem;
+  const double first = std::log2(choices.level.front()), last = std::log2(choices.level.back());
+  std::vector<double> places;
+  for (int i = 0; i < band_points; ++i) {
+    const double log2_px = first + (last - first) * i / (band_points - 1);
+    places.push_back(problem.to_unit(log2_px));
+    curve.band.push_back({.width_px = std::exp2(log2_px),
+                          .fitted = probability_at(problem, fit.search.best.theta, places.back()).right});
+  }
+  curve.band_replicates = std::min(request.replicates, most_band_replicates);
+  std::vector<std::vector<double>> shares(places.size());
+  std::vector<double> widths, lapses;
+  for (int r = 0; r < curve.band_replicates; ++r) {
+    const FitProblem drawn = resampled(choices, problem, request.seed, r);
+    const Theta theta = refit(drawn, fit.search.best).theta;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      shares[i].push_back(probability_at(drawn, theta, places[i]).right);
+    widths.push_back(std::exp(theta[parameter::log_scale]) * scales_in_width(fit.options.sigmoid) *
+                     problem.range);
+    lapses.push_back(theta[parameter::lapse]);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Interval band = percentiles(shares[i]);
+    curve.band[i].low = band.low;
+    curve.band[i].high = band.high;
+  }
+  if (!has_threshold(curve)) return;
+  curve.width_ci95 = percentiles(widths);
+  curve.lapse_ci95 = percentiles(lapses);
+}
+
+ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string>& codes, Artifact artifact) {
+  ChoiceCurve curve;
+  curve.artifact = artifact;
+  const PooledChoices choices = pooled_choices(analysis.log, codes, artifact);
+  curve.people = static_cast<int>(choices.people.size());
+  if (curve.people < 2)
+    curve.missing = fmt::format(
+        "No psychometric function of '{}' is fitted: {} participant answered, and intervals over "
+        "participants need at least two.",
+        word(artifact), curve.people == 0 ? "no" : "one");
+  else if (choices.level.size() < 2)
+    curve.missing = fmt::format(
+        "No psychometric function of '{}' is fitted: it was tested at one width only.", word(artifact));
+  if (!curve.missing.empty()) return curve;
+  FitOptions options = options_for_alternatives(objects_per_stimulus);
+  options.direction = Direction::decreasing;
+  curve.pooled = fit_pooled_choices(choices, options);
+  const PsychometricFit& fit = curve.pooled->fit;
+  curve.goodness = goodness_of_fit(fit);
+  curve.deviance_p = curve.goodness.degrees_of_freedom > 0
+                         ? deviance_p(fit, deviance_replicates, analysis.resampling.seed)
+                         : std::nan("");
+  add_band(curve, choices, analysis.resampling);
+  curve.warnings = warnings_on(fit,
+                               {.verdict = curve.pooled->verdict,
+                                .width_ci95 = curve.width_ci95,
+                                .overdispersion = estimate_overdispersion(fit),
+                                .goodness = curve.goodness,
+                                .deviance_p = curve.deviance_p},
+                               "px");
+  return curve;
+}
+
+}  // namespace
+
+bool has_threshold(const ChoiceCurve& curve) {
+  return curve.pooled && curve.pooled->verdict.kind == Verdict::Kind::identified;
+}
+
+std::vector<ChoiceCurve> choice_curves(const Analysis& analysis, bool adaptive) {
+  const std::vector<std::string> codes = used_codes(analysis);
+  std::vector<ChoiceCurve> curves(analysis.data.artifacts.size());
+  run_parallel(static_cast<int>(curves.size()), analysis.resampling.threads, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const Artifact artifact = analysis.data.artifacts[i].artifact;
+    if (!adaptive) {
+      curves[i] = choice_curve(analysis, codes, artifact);
+      return;
+    }
+    curves[i].artifact = artifact;
+    curves[i].missing = fmt::format(
+        "No function of everybody's answers to '{}' is fitted: widths were placed by the answers, so people "
+        "differ from width to width. The thresholds of each participant's track are given instead.",
+        word(artifact));
+  });
+  return curves;
+}
+
+}  // namespace seamline

@@ -1,0 +1,151 @@
+// What the report computes beside the thresholds, against the same from elsewhere or by hand.
+#include "analysis/report_numbers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/number_tables.h"
+#include "study/simulation.h"
+#include "tests/analysis/report_people.h"
+#include "tests/study/temporary_set.h"
+
+namespace seamline {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Analysis analysed(LogContents log, int threads = 1) {
+  return analyze(std::move(log), false, {.replicates = 200, .seed = 3, .threads = threads});
+}
+
+TEST(ReportNumbers, FitOfRightChoicesIsThePooledFit) {
+  const Analysis analysis = analysed(testing::people_log(10, 1));
+  const ReportNumbers numbers = report_numbers(analysis);
+  ASSERT_EQ(numbers.choices.size(), 4U);
+  std::vector<std::string> codes;
+  for (const ParticipantUse& person : analysis.people) codes.push_back(person.record.code);
+  FitOptions options = options_for_alternatives(3);
+  options.direction = Direction::decreasing;
+  for (const ChoiceCurve& curve : numbers.choices) {
+    const PooledFit fit = fit_pooled_choices(pooled_choices(analysis.log, codes, curve.artifact), options);
+    ASSERT_TRUE(curve.pooled);
+    EXPECT_EQ(curve.pooled->fit.function.threshold, fit.fit.function.threshold);
+    EXPECT_EQ(curve.pooled->threshold_ci95.low, fit.threshold_ci95.low);
+    EXPECT_EQ(curve.people, 10);
+    EXPECT_EQ(curve.goodness.residuals.size(), 7U);
+  }
+}
+
+TEST(ReportNumbers, BandHoldsTheCurveWithinZeroAndOneAndIsTheSameForAnyThreads) {
+  const ReportNumbers one = report_numbers(analysed(testing::people_log(12, 2), 1)),
+                      two = report_numbers(analysed(testing::people_log(12, 2), 2));
+  for (std::size_t a = 0; a < one.choices.size(); ++a) {
+    const ChoiceCurve& curve = one.choices[a];
+    EXPECT_EQ(curve.band_replicates, 200);
+    ASSERT_FALSE(curve.band.empty());
+    EXPECT_NEAR(curve.band.front().width_px, 64, 1e-9);
+    EXPECT_NEAR(curve.band.back().width_px, 4096, 1e-6);
+    for (std::size_t i = 0; i < curve.band.size(); ++i) {
+      const BandPoint& point = curve.band[i];
+      EXPECT_LE(0, point.low);
+      EXPECT_LE(point.low, point.fitted + 0.02);
+      EXPECT_LE(point.fitted, point.high + 0.02);
+      EXPECT_LE(point.high, 1);
+      EXPECT_EQ(point.low, two.choices[a].band[i].low);
+      EXPECT_EQ(point.high, two.choices[a].band[i].high);
+    }
+    EXPECT_EQ(curve.deviance_p, two.choices[a].deviance_p);
+  }
+}
+
+TEST(ReportNumbers, QuartilesOfTimes) {
+  const Quartiles times = quartiles({4, 1, 3, 2, 5});
+  EXPECT_DOUBLE_EQ(times.lower_s, 2);
+  EXPECT_DOUBLE_EQ(times.median_s, 3);
+  EXPECT_DOUBLE_EQ(times.upper_s, 4);
+  EXPECT_TRUE(std::isnan(quartiles({}).median_s));
+}
+
+TEST(ReportNumbers, TimesCountEveryAnswerOfPeopleOnceAndLeaveSimulatedObserversOut) {
+  LogContents log = testing::people_log(6, 3);
+  log.participants[2].simulated = true;
+  log.participants[4].excluded = true;
+  const ResponseTimes times = response_times(analysed(std::move(log)));
+  int all = 0, by_choice = 0, by_artifact = 0;
+  for (const ResponseTime& row : times.rows) {
+    EXPECT_LE(row.people, 4);
+    EXPECT_NEAR(row.rating.median_s, 1, 1e-9);
+    EXPECT_LE(row.choice.lower_s, row.choice.upper_s);
+    (row.artifact                     ? by_artifact
+     : row.which == TimedAnswers::all ? all
+                                      : by_choice) +=
+        row.artifact && row.which != TimedAnswers::all ? 0 : row.answers;
+  }
+  EXPECT_EQ(all, 4 * 84);
+  EXPECT_EQ(by_choice, 4 * 84);
+  EXPECT_EQ(by_artifact, 4 * 84);
+}
+
+TEST(ReportNumbers, SimulatedObserversHaveNoTimes) {
+  const ResponseTimes times = response_times(analysed(testing::simulate_log(4, 1)));
+  EXPECT_THAT(times.rows, IsEmpty());
+  EXPECT_THAT(times.missing, HasSubstr("simulated"));
+}
+
+TEST(ReportNumbers, EveryParticipantHasALineThatSaysWhyTheyAreNotUsed) {
+  LogContents log = testing::people_log(5, 3);
+  log.participants[1].excluded = true;
+  log.participants[2].pilot = true;
+  log.participants[3].completed = false;
+  int ratings = 0;
+  for (const Answer& answer : log.answers)
+    if (answer.participant == "sim-0") ratings += answer.rating;
+  const std::vector<ParticipantRow> rows = participant_rows(analysed(std::move(log)));
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[0].why, "");
+  EXPECT_TRUE(rows[0].screened);
+  EXPECT_DOUBLE_EQ(rows[0].mean_rating, ratings / 84.0);
+  EXPECT_EQ(rows[1].why, "excluded by the researcher");
+  EXPECT_FALSE(rows[1].screened);
+  EXPECT_EQ(rows[2].why, "pilot");
+  EXPECT_EQ(rows[3].why, "did not finish: 84 of 84 trials");
+}
+
+TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
+  const ReportNumbers numbers = report_numbers(analysed(testing::people_log(1, 3)));
+  for (const ChoiceCurve& curve : numbers.choices) {
+    EXPECT_FALSE(curve.pooled);
+    EXPECT_THAT(curve.missing, HasSubstr("at least two"));
+  }
+  ASSERT_TRUE(numbers.comparisons);
+  EXPECT_EQ(numbers.comparisons->fit.verdict, OrdinalVerdict::one_participant);
+  EXPECT_THAT(numbers.comparisons->contrasts, IsEmpty());
+  EXPECT_FALSE(numbers.times.rows.empty());
+}
+
+TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
+  const TemporaryFolder folder;
+  std::string text = study_text("adaptive", "64, 128, 256, 512, 1024");
+  text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
+  text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
+  (void)write_set_of_text(folder / "set", text);
+  run_simulated_study({.set_folder = folder / "set", .log = folder / "log", .count = 3});
+  const Analysis analysis = analysed(read_log(folder / "log"));
+  const ReportNumbers numbers = report_numbers(analysis);
+  EXPECT_TRUE(numbers.adaptive);
+  EXPECT_FALSE(numbers.comparisons);
+  EXPECT_THAT(numbers.comparisons_missing, HasSubstr("placed by the answers"));
+  for (const ChoiceCurve& curve : numbers.choices)
+    EXPECT_THAT(curve.missing, HasSubstr("placed by the answers"));
+  EXPECT_EQ(numbers.tracks.size() % 3, 0U);
+  ASSERT_FALSE(numbers.tracks.empty());
+  const std::vector<CsvTable> tables = number_tables(analysis, numbers);
+  EXPECT_EQ(tables.back().name, "tracks");
+  EXPECT_EQ(tables.back().rows.size(), numbers.tracks.size());
+}
+
+}  // namespace
+}  // namespace seamline
