@@ -44,7 +44,8 @@ TEST_F(PlanStudy, MorePeopleGiveNarrowerIntervals) {
   EXPECT_EQ(plan.stimuli_a_width, 6);
   for (std::size_t row = 0; row < plan.rows.size(); row += 3) {
     for (const PlanRow* few : {&plan.rows[row], &plan.rows[row + 1]}) {
-      EXPECT_GT(few->perceptual.median_octaves, few[1].perceptual.median_octaves);
+      // PT may be open in most studies of few people: then the median is infinite at both numbers
+      EXPECT_GE(few->perceptual.median_octaves, few[1].perceptual.median_octaves);
       EXPECT_GE(few->perceptual.open_share, few[1].perceptual.open_share);
       EXPECT_GT(few->slightly_noticeable.median_octaves, few[1].slightly_noticeable.median_octaves);
     }
