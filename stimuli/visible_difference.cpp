@@ -51,6 +51,7 @@ double pooled_difference(const Image& flip, double pixels_per_degree) {
 
 double above_floor(double pooled, double floor) {
   if (pooled <= floor) return 0;
+  if (floor <= 0) return pooled;
   return std::pow(std::pow(pooled, pooling_exponent) - std::pow(floor, pooling_exponent),
                   1 / pooling_exponent);
 }
