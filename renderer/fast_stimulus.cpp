@@ -34,11 +34,7 @@ class StimulusRounds {
       out.layers = layers(filters());
       out.error = error_of(out.layers);
       if (good_enough(out.error)) break;
-      if (leave_biased_tiles_unfiltered(out.error)) {
-        out.layers = layers(filters());
-        out.error = error_of(out.layers);
-        if (good_enough(out.error)) break;
-      }
+      if (leave_biased_tiles_unfiltered(out.error, wanted)) continue;
       if (!plan_more(out.error, wanted)) {
         out.error = error_of(out.layers, LookForBias::always);
         break;
@@ -163,8 +159,9 @@ class StimulusRounds {
     return tiles;
   }
 
-  /// Turns the ratio's filter off in tiles that are too wrong because of it: there, samples have to do it.
-  bool leave_biased_tiles_unfiltered(const ErrorEstimate& error) {
+  /// Turns the ratio's filter off in tiles that are too wrong because of it. There, samples have to do it: as
+  /// many as the photograph has, or the tile's noise would show as a patch.
+  bool leave_biased_tiles_unfiltered(const ErrorEstimate& error, DepthSamples& wanted) {
     bool changed = false;
     const double most = 9 * options_.target->rmse * options_.target->rmse;
     for (std::size_t t = 0; t < filtered_.size(); ++t) {
@@ -173,6 +170,7 @@ class StimulusRounds {
           error.tiles[t].total() + rounding_square < most)
         continue;
       filtered_[t] = 0;
+      if (lights_rest()) wanted.rest[t] = std::max(wanted.rest[t], truth_.sums.spp[t]);
       changed = true;
     }
     return changed;
