@@ -25,15 +25,6 @@ float likeness(const Surface& a, const Surface& b, float reach_divisor) {
   return c16 * c16 * near * near * far * far;
 }
 
-void add(const BounceTexel& from, float weight, BounceTexel& to) {
-  for (std::size_t half = 0; half < 2; ++half) {
-    to.no[half] += weight * from.no[half];
-    to.change[half] += weight * from.change[half];
-    to.no_samples[half] += weight * from.no_samples[half];
-    to.change_samples[half] += weight * from.change_samples[half];
-  }
-}
-
 }  // namespace
 
 Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y) {
@@ -61,8 +52,8 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
     const auto filter_pixel = [&](int x, int y) {
       const std::size_t centre = index(x, y);
       const Surface& surface = surfaces[centre];
-      BounceTexel& out = filtered[centre];
-      out = {};
+      Eigen::Array<float, 16, 1>& sum = filtered[centre].sums;
+      sum.setZero();
       if (surface.normal.isZero()) return;
       for (int dy = -2; dy <= 2; ++dy)
         for (int dx = -2; dx <= 2; ++dx) {
@@ -73,7 +64,7 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
               kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
           const float weight =
               i == centre ? share : share * likeness(surface, surfaces[i], strength.reach_divisor);
-          if (weight > 0.0F) add(texels[i], weight, out);
+          if (weight > 0.0F) sum += weight * texels[i].sums;
         }
     };
     parallel_for(grid.count(), threads, [&](int tile) {

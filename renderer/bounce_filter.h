@@ -9,12 +9,24 @@
 namespace seamline {
 
 /// Bounce light of one pixel without its albedo, in both halves of samples: sums and the number of samples
-/// they are over. Filtering sums and numbers apart lets a pixel count for what it saw.
+/// they are over. Filtering sums and numbers apart lets a pixel count for what it saw. All are one array,
+/// because filtering adds whole texels.
 struct BounceTexel {
-  std::array<Rgb, 2> no = {Rgb::Zero(), Rgb::Zero()};      ///< without the object
-  std::array<Rgb, 2> change = {Rgb::Zero(), Rgb::Zero()};  ///< with it, minus without
-  std::array<float, 2> no_samples = {};
-  std::array<float, 2> change_samples = {};
+  Eigen::Array<float, 16, 1> sums = Eigen::Array<float, 16, 1>::Zero();
+
+  /// Without the object,
+  [[nodiscard]] auto no(std::size_t half) { return sums.segment<3>(first(half)); }
+  [[nodiscard]] auto no(std::size_t half) const { return sums.segment<3>(first(half)); }
+  /// and with it, minus without.
+  [[nodiscard]] auto change(std::size_t half) { return sums.segment<3>(first(half) + 3); }
+  [[nodiscard]] auto change(std::size_t half) const { return sums.segment<3>(first(half) + 3); }
+  [[nodiscard]] float& no_samples(std::size_t half) { return sums[first(half) + 6]; }
+  [[nodiscard]] float no_samples(std::size_t half) const { return sums[first(half) + 6]; }
+  [[nodiscard]] float& change_samples(std::size_t half) { return sums[first(half) + 7]; }
+  [[nodiscard]] float change_samples(std::size_t half) const { return sums[first(half) + 7]; }
+
+ private:
+  [[nodiscard]] static Eigen::Index first(std::size_t half) { return half == 0 ? 0 : 8; }
 };
 
 /// The surface a pixel shows: unit normal (zero: none, the pixel is left alone), position, albedo.

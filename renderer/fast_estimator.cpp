@@ -11,7 +11,14 @@ namespace seamline {
 namespace {
 
 constexpr int first_spp = 16, most_spp = 1 << 14;
-constexpr int tail_every = 4, sky_rays = 2;
+constexpr int tail_every = 4;
+
+/// Sky rays a sample. Beside bounce light, which costs several rays a sample, a second one is worth its
+/// price and a third is not; where there is nothing but sky, the camera ray is what they share.
+int sky_rays_of(const Light& light) {
+  if (light.environment_radiance.isZero(0.0F)) return 1;
+  return light.bounces > 0 && !light.ambient_occlusion ? 2 : 8;
+}
 
 /// From weak to strong; more samples need less of it.
 constexpr std::array<FilterStrength, 6> strengths = {
@@ -89,7 +96,7 @@ class FastEstimator : public SceneEstimator {
  private:
   static TruthScene with_needed_light(TruthScene scene, const EstimateOptions& options) {
     scene.light = needed_light(scene, options.omit, options.error);
-    if (!scene.light.environment_radiance.isZero(0.0F)) scene.light.sky_rays = sky_rays;
+    scene.light.sky_rays = sky_rays_of(scene.light);
     return scene;
   }
   static int tail_every_of(const EstimateOptions& options) {

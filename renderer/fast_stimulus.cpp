@@ -51,11 +51,13 @@ class StimulusRounds {
     const Answers& answers = recipe_.answers;
     if (recipe_.keep == Keep::rest_layer) return false;
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
-    const auto& object = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
-    if (object == nullptr || answers.occlusion == Who::depth) return object != nullptr;
-    const auto covers = [](const ObjectSums& sums) { return sums.covered > 0.0F; };
-    return std::any_of(object->halves[0].begin(), object->halves[0].end(), covers) ||
-           std::any_of(object->halves[1].begin(), object->halves[1].end(), covers);
+    if (answers.occlusion == Who::depth)  // where it may show is not known beforehand
+      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile] != nullptr;
+    const TileGrid::Rectangle r = truth_.sums.grid.rectangle(static_cast<int>(tile));
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x)
+        if (shows_object_[truth_.layers.index(x, y)] != 0) return true;
+    return false;
   }
 
   /// A flag a pixel: whether the object is seen through it, in the truth or in the depth mesh.

@@ -42,10 +42,10 @@ FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth
     for (std::size_t half = 0; half < 2; ++half) {
       const DepthSums& sums = depth.halves[half][i];
       BounceTexel& texel = rest.texels[i];
-      texel.no[half] = sums.no.bounce / surface.albedo;
-      texel.change[half] = (sums.with.bounce - sums.no.bounce) / surface.albedo;
-      texel.no_samples[half] = texel.change_samples[half] = sums.rest;
-      if ((texel.change[half] != 0.0F).any()) change = 1;
+      texel.no(half) = sums.no.bounce / surface.albedo;
+      texel.change(half) = (sums.with.bounce - sums.no.bounce) / surface.albedo;
+      texel.no_samples(half) = texel.change_samples(half) = sums.rest;
+      if ((texel.change(half) != 0.0F).any()) change = 1;
     }
   };
   parallel_for(grid.count(), threads, [&](int tile) {
@@ -75,11 +75,12 @@ FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& dep
     object.surfaces[i] = surface_of(tile->guides[place], covered, truth.scene.camera, x, y);
     for (std::size_t half = 0; half < 2; ++half) {
       const DepthSums& sums = depth.halves[half][i];
-      object.texels[i].no[half] = sums.object.bounce / object.surfaces[i].albedo;
-      object.texels[i].no_samples[half] = sums.covered;
+      object.texels[i].no(half) = sums.object.bounce / object.surfaces[i].albedo;
+      object.texels[i].no_samples(half) = sums.covered;
     }
   });
-  filter_bounce(object.surfaces, truth.sums.grid, strength, threads, object.texels);
+  filter_bounce(object.surfaces, truth.sums.grid, strength, threads, object.texels,
+                tiles_of_object(truth.sums, truth.object_index));
   return object;
 }
 

@@ -130,7 +130,7 @@ Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& dire
 }
 
 Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
-    : scene_(rtcNewScene(device())), parts_(parts.begin(), parts.end()) {
+    : scene_(rtcNewScene(device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
   rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
@@ -175,11 +175,13 @@ Geometry::Geometry(Geometry&& other) noexcept
     : scene_(std::exchange(other.scene_, nullptr)),
       surfaces_(std::move(other.surfaces_)),
       parts_(std::move(other.parts_)),
+      boxes_(std::move(other.boxes_)),
       directions_(std::move(other.directions_)),
       emits_(other.emits_) {}
 
 std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
   ++rays_traced;
+  if (!boxes_.may_meet(ray)) return std::nullopt;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query;
@@ -196,6 +198,7 @@ std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
 
 bool Geometry::occluded(const Ray& ray) const {
   ++rays_traced;
+  if (!boxes_.may_meet(ray)) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay query;
@@ -207,6 +210,10 @@ bool Geometry::occluded(const Ray& ray) const {
 void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
                        Coherence coherence) const {
   rays_traced += static_cast<std::int64_t>(rays.size());
+  if (!boxes_.may_meet(rays)) {
+    std::fill_n(hits.begin(), rays.size(), std::nullopt);
+    return;
+  }
   intersect_in_packets(as_scene(scene_), rays, coherence,
                        [&](std::size_t i, const RTCRayHit8& packet, int lane) {
                          const RTCHit8& hit = packet.hit;
@@ -226,6 +233,10 @@ void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<Surfac
 void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
                         Coherence coherence) const {
   rays_traced += static_cast<std::int64_t>(rays.size());
+  if (!boxes_.may_meet(rays)) {
+    std::fill_n(blocked.begin(), rays.size(), std::uint8_t{0});
+    return;
+  }
   occlude_in_packets(as_scene(scene_), rays, coherence,
                      [&](std::size_t i, bool is_blocked) { blocked[i] = is_blocked ? 1 : 0; });
 }

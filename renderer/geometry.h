@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "renderer/bounding_boxes.h"
 #include "renderer/depth_mesh.h"
 #include "renderer/direction_table.h"
+#include "renderer/ray.h"
 #include "renderer/scene_file.h"
 #include "stimuli/support/colour.h"
 
@@ -45,12 +47,6 @@ struct SurfaceTable {
   const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
   Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
   int object_index = 0;
-};
-
-struct Ray {
-  Eigen::Vector3f origin_m;
-  Eigen::Vector3f direction;  ///< unit
-  float far_m = std::numeric_limits<float>::infinity();
 };
 
 /// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera (DESIGN
@@ -128,6 +124,7 @@ class Geometry {
   void* scene_ = nullptr;
   std::vector<SurfaceTable> surfaces_;  ///< of each part
   std::vector<std::shared_ptr<const Part>> parts_;
+  BoundingBoxes boxes_;                       ///< of virtual objects without the scene around them
   std::optional<DirectionTable> directions_;  ///< of the local scene's one part
   bool emits_ = false;
 };

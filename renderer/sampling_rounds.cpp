@@ -48,6 +48,7 @@ class Planner {
       grow(i);
       push(i, steps);
     }
+    for (std::size_t i = 0; i < tiles_.size(); ++i) wanted_[i] = std::min(wanted_[i], most_next(i));
     return wanted_;
   }
 
@@ -58,8 +59,10 @@ class Planner {
                              : 0.0;
   }
   [[nodiscard]] bool can_grow(std::size_t i) const {
-    return tiles_[i].noise > 0 && next_step(wanted_[i]) <= std::min(tiles_[i].most_spp, 4 * tiles_[i].spp);
+    return tiles_[i].noise > 0 && next_step(wanted_[i]) <= tiles_[i].most_spp;
   }
+  /// Four times what a tile has: two steps of two each, and no need to round.
+  [[nodiscard]] int most_next(std::size_t i) const { return 4 * tiles_[i].spp; }
   void grow(std::size_t i) {
     const int next = next_step(wanted_[i]);
     expected_ -= tiles_[i].share * (noise(i) - noise_with(i, next));

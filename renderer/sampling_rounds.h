@@ -24,11 +24,12 @@ struct TileState {
 
 /// The number of samples each tile should have next: steps go to the tiles that gain most for a sample, until
 /// the target is expected to be met (noise, squared, is taken to fall like samples^-1.1: -1 for independent
-/// numbers, up to -1.5 for Sobol'), over the image and in every tile; none gets more than four times what it
-/// has, because estimates from few samples are rough. `image_square` is the squared error of the whole
-/// picture, without rounding: not the tiles' mean, because a bias below 0 in a tile only means that it is not
-/// known. When the image is not good enough at least a sixteenth of the samples is added, so that there are
-/// few rounds. Equal to what the tiles have when no tile can grow.
+/// numbers, up to -1.5 for Sobol'), over the image and in every tile. Estimates from few samples are rough,
+/// so none gets more than four times what it has at once; what others would have to do for it is not asked of
+/// them, but left to the next round. `image_square` is the squared error of the whole picture, without
+/// rounding: not the tiles' mean, because a bias below 0 in a tile only means that it is not known. When the
+/// image is not good enough at least a sixteenth of the samples is planned, so that there are few rounds.
+/// Equal to what the tiles have when no tile can grow.
 [[nodiscard]] std::vector<int> next_samples(const std::vector<TileState>& tiles, double image_square,
                                             const ErrorTarget& target);
 

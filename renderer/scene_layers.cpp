@@ -48,7 +48,8 @@ class LayerMaker {
     std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
     std::fill(texels_.begin(), texels_.end(), BounceTexel{});
     rows([&](int x, int y) { collect_object(x, y); });
-    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
+    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_,
+                  tiles_of_object(sums_, static_cast<int>(k_)));
     rows([&](int x, int y) { write_object(x, y); });
     return std::move(layers_);
   }
@@ -87,11 +88,11 @@ class LayerMaker {
     for (std::size_t half = 0; half < 2; ++half) {
       const PixelParts pixel = parts(x, y, half);
       const WorldSums& world = sums_.halves[half][i];
-      texels_[i].no[half] = world.seen[k_].bounce / surface.albedo;
-      texels_[i].no_samples[half] = world.surfaces[k_];
+      texels_[i].no(half) = world.seen[k_].bounce / surface.albedo;
+      texels_[i].no_samples(half) = world.surfaces[k_];
       if (pixel.rest <= 0.0F) continue;
-      texels_[i].change[half] = (pixel.with.bounce - pixel.no.bounce) / surface.albedo;
-      texels_[i].change_samples[half] = pixel.rest;
+      texels_[i].change(half) = (pixel.with.bounce - pixel.no.bounce) / surface.albedo;
+      texels_[i].change_samples(half) = pixel.rest;
     }
   }
 
@@ -105,10 +106,10 @@ class LayerMaker {
       const ObjectSums& own = pixel.own;
       TruthSums& out = layers_.halves[half][i];
       const float behind_sky = own.covered - own.behind_surfaces;
-      const Rgb filtered_no = mean(texels_[i].no[half], texels_[i].no_samples[half]) * surfaces_[i].albedo;
+      const Rgb filtered_no = mean(texels_[i].no(half), texels_[i].no_samples(half)) * surfaces_[i].albedo;
       if (options_.filter.levels > 0) {
         pixel.no.bounce = filtered_no * pixel.rest;
-        pixel.with.bounce = pixel.no.bounce + mean(texels_[i].change[half], texels_[i].change_samples[half]) *
+        pixel.with.bounce = pixel.no.bounce + mean(texels_[i].change(half), texels_[i].change_samples(half)) *
                                                   surfaces_[i].albedo * pixel.rest;
       }
       const Rgb behind_bounce =
@@ -132,8 +133,8 @@ class LayerMaker {
     if (covered <= 0.0F) return;
     for (std::size_t half = 0; half < 2; ++half) {
       const ObjectSums& own = tile->halves[half][place];
-      texels_[i].no[half] = own.object.bounce / surfaces_[i].albedo;
-      texels_[i].no_samples[half] = own.covered;
+      texels_[i].no(half) = own.object.bounce / surfaces_[i].albedo;
+      texels_[i].no_samples(half) = own.covered;
     }
   }
 
@@ -147,7 +148,7 @@ class LayerMaker {
       Split object = own.object;
       if (options_.filter.levels > 0)
         object.bounce =
-            mean(texels_[i].no[half], texels_[i].no_samples[half]) * surfaces_[i].albedo * own.covered;
+            mean(texels_[i].no(half), texels_[i].no_samples(half)) * surfaces_[i].albedo * own.covered;
       layers_.halves[half][i].object = scale(x, y) * object;
     }
   }

@@ -39,7 +39,38 @@ class TileSampler {
     const std::span<const Ray> asked(rays.data(), count);
     geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count));
     find_objects(asked);
+    ask_shadow_rays(x, y, from, count);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
+  }
+
+  /// The shadow rays of what the packet's samples see: those to the sun together, those to the sky together.
+  void ask_shadow_rays(int x, int y, int from, std::size_t count) {
+    shadow_rays_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      const int sample = from + static_cast<int>(i);
+      if (const SurfacePoint* front = seen_without(i, 0))
+        append_shadow_rays(geometry_.worlds, *front, scene_.light, Sampler(options_.seed, x, y, sample),
+                           path_plan(sample, options_.tail_every), shadow_rays_);
+      end_of_shadow_rays_[i] = shadow_rays_.size();
+    }
+    ask_room(true, Coherence::together);
+    ask_room(false, Coherence::scattered);
+  }
+
+  void ask_room(bool to_sun, Coherence coherence) {
+    asked_.clear();
+    for (const ShadowRay& shadow_ray : shadow_rays_)
+      if (shadow_ray.to_sun == to_sun) asked_.push_back(shadow_ray.ray);
+    blocked_.resize(asked_.size());
+    geometry_.room.occluded(asked_, blocked_, coherence);
+    std::size_t next = 0;
+    for (ShadowRay& shadow_ray : shadow_rays_)
+      if (shadow_ray.to_sun == to_sun) shadow_ray.room_blocks = blocked_[next++] != 0;
+  }
+
+  [[nodiscard]] std::span<const ShadowRay> shadow_rays_of(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : end_of_shadow_rays_[i - 1];
+    return std::span(shadow_rays_).subspan(begin, end_of_shadow_rays_[i] - begin);
   }
 
   /// Most packets meet no object: one question for all three.
@@ -78,7 +109,9 @@ class TileSampler {
     const int object = front == nullptr ? 0 : front->object_index;
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
-      const Shaded seen = shade(set, *front, sampler, plan);
+      Shaded seen;
+      seen.reach_m = add_leaving(geometry_.worlds, set, *front, scene_.light, sampler, plan,
+                                 shadow_rays_of(i), seen.light);
       for (int v = 0; v <= 3; ++v)
         if (object == 0 || v != object) see(world, v, seen, pixel, *front);
       if (object != 0) {
@@ -168,6 +201,10 @@ class TileSampler {
   int tile_;
   Hits room_;
   std::array<Hits, 3> objects_;
+  std::vector<ShadowRay> shadow_rays_;                       ///< of the packet, sample by sample
+  std::array<std::size_t, packet> end_of_shadow_rays_ = {};  ///< of each sample
+  std::vector<Ray> asked_;
+  std::vector<std::uint8_t> blocked_;
 };
 
 }  // namespace

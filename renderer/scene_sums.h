@@ -69,4 +69,12 @@ struct SceneSums {
   }
 };
 
+/// The tiles that an object (1 to 3) is seen or hidden in.
+[[nodiscard]] inline TileSet tiles_of_object(const SceneSums& sums, int object) {
+  TileSet tiles;
+  for (const auto& there : sums.objects[static_cast<std::size_t>(object - 1)])
+    tiles.push_back(there != nullptr ? 1 : 0);
+  return tiles;
+}
+
 }  // namespace seamline

@@ -75,8 +75,8 @@ class Assembly {
     if (answers_.object_lit == Who::truth && answers_.bounce == Who::truth) return truth;
     if (in.depth.covered <= 0.0F) return truth;  // no sample fell on it
     Split depth = covered / in.depth.covered * in.depth.object;
-    if (filtered != nullptr && filtered->no_samples[half] > 0.0F)
-      depth.bounce = filtered->no[half] * surface->albedo * (covered / filtered->no_samples[half]);
+    if (filtered != nullptr && filtered->no_samples(half) > 0.0F)
+      depth.bounce = filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half));
     return {answers_.object_lit == Who::truth ? truth.direct : depth.direct,
             answers_.bounce == Who::truth ? truth.bounce : depth.bounce};
   }
@@ -130,10 +130,10 @@ class Assembly {
 
   static void filtered_bounce(const BounceTexel& texel, const Surface& surface, std::size_t half, float rest,
                               Split& no, Split& with) {
-    if (texel.no_samples[half] <= 0.0F) return;
-    const Rgb to_rest = surface.albedo * (rest / texel.no_samples[half]);
-    no.bounce = texel.no[half] * to_rest;
-    with.bounce = no.bounce + texel.change[half] * to_rest;
+    if (texel.no_samples(half) <= 0.0F) return;
+    const Rgb to_rest = surface.albedo * (rest / texel.no_samples(half));
+    no.bounce = texel.no(half) * to_rest;
+    with.bounce = no.bounce + texel.change(half) * to_rest;
   }
 
   static void set_rest(float rest, const Rgb& background, const Split& no, const Split& with,

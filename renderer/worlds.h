@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "renderer/light.h"
 #include "renderer/sampler.h"
@@ -29,7 +31,11 @@ struct Worlds {
   [[nodiscard]] bool emits() const { return room->emits() || objects->emits(); }
 
   /// The worlds of `set` in which nothing lies on the ray.
-  [[nodiscard]] WorldSet reached(const Ray& ray, WorldSet set) const;
+  [[nodiscard]] WorldSet reached(const Ray& ray, WorldSet set) const {
+    return room->occluded(ray) ? WorldSet{0} : reached_past_room(ray, set);
+  }
+  /// The same when the room is known not to be in the way.
+  [[nodiscard]] WorldSet reached_past_room(const Ray& ray, WorldSet set) const;
 
   /// Calls `meet(subset, hit)` for subsets that together are `set`: the nearest surface (or none) in all
   /// worlds of the subset.
@@ -76,10 +82,28 @@ struct PathPlan {
           .sky_joins_bounce = sky_joins_bounce};
 }
 
+/// A ray of a path's first vertex that only asks whether something is in the way of sun or sky.
+struct ShadowRay {
+  Ray ray;
+  Rgb radiance = Rgb::Zero();  ///< what the vertex sends to the camera when nothing is
+  bool to_sun = false;
+  bool direct = true;  ///< light that no filter touches
+  bool room_blocks = false;
+};
+
+/// Appends the shadow rays of a first vertex, suns before sky; `room_blocks` is yet to be asked. They do not
+/// depend on worlds, so that those of many samples can be asked together.
+void append_shadow_rays(const Worlds& worlds, const SurfacePoint& point, const Light& light,
+                        const Sampler& sampler, const PathPlan& plan, std::vector<ShadowRay>& out);
+
 /// Adds to `out` the radiance that `point`, seen in all worlds of `set`, sends to the camera. The point's own
 /// emission counts as direct light, so that no filter of bounce light touches it. One sample. Returns how
 /// far its first ray got, infinity for the sky.
 float add_leaving(const Worlds& worlds, WorldSet set, const SurfacePoint& point, const Light& light,
                   const Sampler& sampler, const PathPlan& plan, WorldLight& out);
+/// The same when the vertex' shadow rays have been asked.
+float add_leaving(const Worlds& worlds, WorldSet set, const SurfacePoint& point, const Light& light,
+                  const Sampler& sampler, const PathPlan& plan, std::span<const ShadowRay> shadow_rays,
+                  WorldLight& out);
 
 }  // namespace seamline

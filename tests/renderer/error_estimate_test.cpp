@@ -72,12 +72,12 @@ TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
   std::vector<BounceTexel> texels(static_cast<std::size_t>(width_px * height_px));
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (std::size_t half = 0; half < 2; ++half) {
-      texels[i].no[half] = Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
-      texels[i].no_samples[half] = 4.0F;
+      texels[i].no(half) = Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
+      texels[i].no_samples(half) = 4.0F;
     }
   filter_bounce(floor_and_wall(width_px, height_px), TileGrid{width_px, height_px}, {.levels = 3}, 2, texels);
   for (std::size_t i = 0; i < texels.size(); ++i)
-    ASSERT_NEAR(texels[i].no[1][0] / texels[i].no_samples[1],
+    ASSERT_NEAR(texels[i].no(1)[0] / texels[i].no_samples(1),
                 static_cast<int>(i) % width_px < width_px / 2 ? 2.0F : 0.5F, 1e-5F);
 }
 
@@ -94,8 +94,9 @@ TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
   Random random(5);
   std::vector<BounceTexel> sampled(surfaces.size());
   for (BounceTexel& texel : sampled) {
-    texel.no = {Rgb::Constant(static_cast<float>(random.uniform())), Rgb::Constant(1.0F)};
-    texel.no_samples = {2.0F, 2.0F};
+    texel.no(0) = Rgb::Constant(static_cast<float>(random.uniform()));
+    texel.no(1) = Rgb::Constant(1.0F);
+    texel.no_samples(0) = texel.no_samples(1) = 2.0F;
   }
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
   constexpr int middle = 12;
@@ -109,10 +110,10 @@ TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
   for (int y = r.top - reach_px; y < r.bottom + reach_px; ++y)
     for (int x = r.left - reach_px; x < r.right + reach_px; ++x) {
       const auto i = static_cast<std::size_t>(y * grid.width_px + x);
-      ASSERT_EQ(there[i].no[0][0], everywhere[i].no[0][0]) << x << ", " << y;
+      ASSERT_EQ(there[i].no(0)[0], everywhere[i].no(0)[0]) << x << ", " << y;
     }
-  EXPECT_EQ(there[0].no[0][0], sampled[0].no[0][0]);
-  EXPECT_NE(everywhere[0].no[0][0], sampled[0].no[0][0]);
+  EXPECT_EQ(there[0].no(0)[0], sampled[0].no(0)[0]);
+  EXPECT_NE(everywhere[0].no(0)[0], sampled[0].no(0)[0]);
 }
 
 TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
@@ -120,11 +121,11 @@ TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
   std::vector<Surface> surfaces = floor_and_wall(width_px, height_px);
   for (Surface& surface : surfaces) surface.inverse_reach = 1000.0F;  // a crease: 1 mm
   std::vector<BounceTexel> texels(surfaces.size());
-  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].no_samples = {1.0F, 1.0F};
-  texels[8 * 32 + 8].no[0] = Rgb::Constant(1.0F);
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].no_samples(0) = texels[i].no_samples(1) = 1.0F;
+  texels[8 * 32 + 8].no(0) = Rgb::Constant(1.0F);
   filter_bounce(surfaces, TileGrid{width_px, height_px}, {.levels = 2, .reach_divisor = 2.0F}, 1, texels);
-  EXPECT_EQ(texels[8 * 32 + 9].no[0][0], 0.0F);
-  EXPECT_NEAR(texels[8 * 32 + 8].no[0][0] / texels[8 * 32 + 8].no_samples[0], 1.0F, 1e-6F);
+  EXPECT_EQ(texels[8 * 32 + 9].no(0)[0], 0.0F);
+  EXPECT_NEAR(texels[8 * 32 + 8].no(0)[0] / texels[8 * 32 + 8].no_samples(0), 1.0F, 1e-6F);
 }
 
 }  // namespace
