@@ -78,19 +78,24 @@ std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px) {
   return "";
 }
 
+LogisticBox logistic_box(std::span<const double> log2_px) {
+  const double range = log2_px.back() - log2_px.front();
+  double spacing = range;
+  for (std::size_t i = 1; i < log2_px.size(); ++i) spacing = std::min(spacing, log2_px[i] - log2_px[i - 1]);
+  assert(spacing > 0);
+  return {.lowest_centre = log2_px.front() - margin_octaves,
+          .highest_centre = log2_px.back() + margin_octaves,
+          .smallest_scale = 0.1 * spacing,
+          .largest_scale = range};
+}
+
 Logistic4Fitter::Logistic4Fitter(std::vector<double> log2_px) : log2_px_(std::move(log2_px)) {
   if (log2_px_.size() < 4) return;
-  double spacing = log2_px_.back() - log2_px_.front();
-  const double range = spacing;
-  for (std::size_t i = 1; i < log2_px_.size(); ++i)
-    spacing = std::min(spacing, log2_px_[i] - log2_px_[i - 1]);
-  assert(spacing > 0);
-  const double smallest = 0.1 * spacing;
+  const LogisticBox box = logistic_box(log2_px_);
   for (int s = 0; s < scale_count; ++s)
-    scales_.push_back(smallest * std::pow(range / smallest, s / (scale_count - 1.0)));
-  for (double c = log2_px_.front() - margin_octaves; c <= log2_px_.back() + margin_octaves;
-       c += centre_step_octaves)
-    centres_.push_back(c);
+    scales_.push_back(box.smallest_scale *
+                      std::pow(box.largest_scale / box.smallest_scale, s / (scale_count - 1.0)));
+  for (double c = box.lowest_centre; c <= box.highest_centre; c += centre_step_octaves) centres_.push_back(c);
 
   const auto widths = static_cast<Eigen::Index>(log2_px_.size());
   basis_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(centres_.size() * scales_.size()), widths);

@@ -42,6 +42,16 @@ struct Logistic4Fit {
 /// A sentence for `verdict`; empty when identified.
 [[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px);
 
+/// Where centres and scales are looked for.
+struct LogisticBox {
+  double lowest_centre = 0, highest_centre = 0;  ///< log2 px: 2 octaves beyond the tested widths
+  double smallest_scale = 0;                     ///< octaves: a tenth of the smallest spacing of widths
+  double largest_scale = 0;                      ///< the whole range
+};
+
+/// `log2_px` is rising, at least two widths.
+[[nodiscard]] LogisticBox logistic_box(std::span<const double> log2_px);
+
 /// Fits four-parameter logistics by least squares to means at fixed widths, one after the other, fast enough
 /// for a bootstrap. By variable projection (Golub and Pereyra 1973): for a given centre and scale the two
 /// asymptotes are linear least squares, so the best curve is the (centre, scale) whose logistic has the
