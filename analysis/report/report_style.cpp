@@ -45,10 +45,19 @@ figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }
 .samples img { width: 100%; height: auto; display: block; border-radius: 3px; }
 .sample-title { margin: 1.2rem 0 .4rem; font-weight: 600; }
 a { color: var(--accent); }
-@media print { :root { --page: #fff; --ink: #000; --soft: #444; --line: #bbb; --card: #fff; --note: #fff;
+@page { size: A4; margin: 16mm 15mm; }
+@media print { :root { font-size: 12px; --page: #fff; --ink: #000; --soft: #444; --line: #bbb; --card: #fff; --note: #fff;
   --line-0: #0072b2; --line-1: #d55e00; --line-2: #009e73; --line-3: #cc79a7; --line-4: #e69f00; --line-5: #56b4e9; }
   nav { display: none; }
-  body { max-width: none; padding: 0; font-size: 10.5pt; } figure, tr, .samples div { break-inside: avoid; } .samples { grid-template-columns: repeat(4, 1fr); } h2 { break-after: avoid; } }
+  body { max-width: none; padding: 0; font-size: 10pt; line-height: 1.4; }
+  h2 { margin-top: 1.6rem; } h2, h3, .sample-title { break-after: avoid; }
+  p, figcaption, .plain, .notes { max-width: none; }
+  .scroll { overflow: visible; }
+  table { font-size: 8pt; } thead { display: table-header-group; }
+  th, td { padding: .2rem .6rem .2rem 0; white-space: normal; } td.number { max-width: none; }
+  tbody .sentence { max-width: none; } td:last-child:not(.number) { min-width: 0; }
+  figure, tr, .samples div { break-inside: avoid; } figure { margin: .8rem 0 1.2rem; }
+  figure svg { max-height: 98mm; } .samples { grid-template-columns: repeat(4, 1fr); } }
 )css";
 }
 
