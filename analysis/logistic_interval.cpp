@@ -12,8 +12,8 @@ namespace seamline {
 
 namespace {
 
-/// Every step is a fit; bounds are interpolated between steps of a sixteenth of a gap.
-constexpr int logistic_steps_per_gap = 16;
+/// Every step is a fit; bounds are interpolated between steps of an eighth of a gap.
+constexpr int logistic_steps_per_gap = 8;
 /// A direction of the parameters that moves the curve less than this says nothing (a flat curve's centre).
 constexpr double smallest_share_of_curvature = 1e-9;
 
@@ -46,10 +46,10 @@ Eigen::VectorXd weights_at(const Logistic4& curve, double at_log2_px, const std:
 
 }  // namespace
 
-std::optional<WidthInterval> logistic_level_interval(double level, const Logistic4Fit& fit,
-                                                     const std::vector<double>& log2_px,
-                                                     const MeanVector& means, int people) {
-  if (fit.verdict == Centre::too_few_widths) return std::nullopt;
+WidthInterval logistic_level_interval(double level, const Logistic4Fit& fit,
+                                      const std::vector<double>& log2_px, const MeanVector& means,
+                                      int people) {
+  if (fit.verdict == Centre::too_few_widths) return {};
   const Eigen::MatrixXd correlation = correlations(means.covariance);
   const VarianceFunction variance_of(
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())}), means);
@@ -72,8 +72,8 @@ std::optional<WidthInterval> logistic_level_interval(double level, const Logisti
                             .standard_error = std::sqrt(std::max(0.0, scaled.dot(correlation * scaled)))};
       });
   const WidthInterval estimate = logistic_level_range(level, fit, log2_px);
-  return WidthInterval{.low_log2_px = std::min(interval.low_log2_px, estimate.low_log2_px),
-                       .high_log2_px = std::max(interval.high_log2_px, estimate.high_log2_px)};
+  return {.low_log2_px = std::min(interval.low_log2_px, estimate.low_log2_px),
+          .high_log2_px = std::max(interval.high_log2_px, estimate.high_log2_px)};
 }
 
 }  // namespace seamline

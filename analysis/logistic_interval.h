@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "analysis/estimate.h"
@@ -19,9 +18,9 @@ namespace seamline {
 /// unconstrained curve at w lies above the level, to first order. s0(w)^2 = h' S0 h, S0 the covariance of the
 /// means with each variance read (`VarianceFunction`) at f. Everything is taken where the test supposes the
 /// truth to be: taken at the unconstrained fit instead, the interval covers 91 to 98 %
-/// (documentation/coverage.md). None under four widths. `people` is at least 2.
-[[nodiscard]] std::optional<WidthInterval> logistic_level_interval(double level, const Logistic4Fit& fit,
-                                                                   const std::vector<double>& log2_px,
-                                                                   const MeanVector& means, int people);
+/// (documentation/coverage.md). Open under four widths. `people` is at least 2.
+[[nodiscard]] WidthInterval logistic_level_interval(double level, const Logistic4Fit& fit,
+                                                    const std::vector<double>& log2_px,
+                                                    const MeanVector& means, int people);
 
 }  // namespace seamline
