@@ -145,8 +145,7 @@ std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<
   if (log.study_text.empty()) {
     notes.emplace_back(
         "The log keeps no study text: what simulated observers were made of is not known, and widths are "
-        "taken "
-        "as not placed by the answers.");
+        "taken as not placed by the answers.");
     return std::nullopt;
   }
   try {

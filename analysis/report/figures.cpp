@@ -71,9 +71,8 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
       .title = "Noticeability by artifact and object",
       .caption =
           "Mean noticeability against depth map width, one panel an artifact and one line an object (1 left, "
-          "2 "
-          "middle, 3 right); bars: one standard error of the mean over participants. Points of one width are "
-          "moved apart a little. After Fig. 6 of the paper. Data: " +
+          "2 middle, 3 right); bars: one standard error of the mean over participants. Points of one width "
+          "are moved apart a little. After Fig. 6 of the paper. Data: " +
           source_text(analysis) + ".",
       .svg = folder / "fig6_objects.svg"};
   // Margins in pixels, so that labels keep their room whatever the number of panels.
@@ -97,8 +96,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       .title = "Noticeability by artifact",
       .caption =
           "Mean noticeability over objects against depth map width; bars: one standard error of the mean "
-          "over "
-          "participants. Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
+          "over participants. Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
           "noticeable (SN). After Fig. 7 of the paper. Data: " +
           source_text(analysis) + ".",
       .svg = folder / "fig7_averages.svg"};

@@ -47,51 +47,41 @@ std::string procedure(const Analysis& analysis) {
     if (person.use == Use::used) trials = std::max(trials, person.answers);
   return fmt::format(
       "Each image showed three objects, one of which had been composited into the picture with the help of a "
-      "depth map; {} judged "
-      "up to {} images each, in an order of their own. They chose the object that they took for the inserted "
-      "one (forced choice) and "
-      "rated how noticeable the insertion was: 1 slightly, 2 moderately, 3 very, 4 extremely. Noticeability "
-      "is the rating when the "
-      "choice was right and 0 when it was wrong. Equirectangular depth maps of {} texels were tested.",
+      "depth map; {} judged up to {} images each, in an order of their own. They chose the object that they "
+      "took for the inserted one (forced choice) and rated how noticeable the insertion was: 1 slightly, 2 "
+      "moderately, 3 very, 4 extremely. Noticeability is the rating when the choice was right and 0 when it "
+      "was wrong. Equirectangular depth maps of {} texels were tested.",
       source_text(analysis), trials, widths_text(analysis));
 }
 
 constexpr const char* means_text =
     "Answers were averaged over the objects of an artifact within each participant and then over "
-    "participants; error bars are standard "
-    "errors of the mean over participants. The perceptual threshold (PT) and the width at which an artifact "
-    "becomes slightly noticeable "
-    "(SN) are the largest depth map widths at which the non-increasing isotonic regression of mean "
-    "noticeability, linear in log2 width, "
+    "participants; error bars are standard errors of the mean over participants. The perceptual threshold "
+    "(PT) and the width at which an artifact becomes slightly noticeable (SN) are the largest depth map "
+    "widths at which the non-increasing isotonic regression of mean noticeability, linear in log2 width, "
     "equals 0.5 and 1.0 (Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter "
-    "logistic fitted by "
-    "least squares in log2 width. "
-    "Where a curve does not cross a level within the widths tested, no threshold is given. Because the "
-    "choice is forced, a participant "
-    "who sees nothing is right one time in three and then rates at least 1: the floor of mean noticeability "
-    "is at least 1/3, not 0.";
+    "logistic fitted by least squares in log2 width. Where a curve does not cross a level within the widths "
+    "tested, no threshold is given. Because the choice is forced, a participant who sees nothing is right "
+    "one time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.";
 
 std::string intervals_text(const Analysis& analysis) {
   return fmt::format(
       "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
-      "which a score test does not "
-      "tell the isotonic curve from the level (Student's t with n - 1 degrees of freedom; the variance over "
-      "participants is read at the "
-      "mean that the level implies, as in Wilson's interval). For IP they are expanded percentile intervals "
-      "(Hesterberg, 2015) of {} "
-      "bootstrap samples of participants (seed {}); a sample without an inflection point counts as infinite "
-      "and is never dropped. An "
-      "interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond the widths "
-      "tested.",
+      "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 degrees of "
+      "freedom; the variance over participants is read at the mean that the level implies, as in Wilson's "
+      "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples "
+      "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
+      "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
+      "the widths tested.",
       analysis.resampling.replicates, analysis.resampling.seed);
 }
 
 constexpr const char* checks_method_text =
     "Beside them stand: PT and SN read off the logistic (intervals by the same score test, of the logistic "
-    "that equals the level at a width); thresholds of the "
-    "curve corrected for guessing by a latent-class model (saw it, or guessed) fitted by expectation "
-    "maximisation (Dempster, Laird and Rubin, 1977), with guessers' positions and ratings estimated from "
-    "wrong choices and reference trials; and the range found when each object in turn is left out.";
+    "that equals the level at a width); thresholds of the curve corrected for guessing by a latent-class "
+    "model (saw it, or guessed) fitted by expectation maximisation (Dempster, Laird and Rubin, 1977), with "
+    "guessers' positions and ratings estimated from wrong choices and reference trials; and the range found "
+    "when each object in turn is left out.";
 
 std::string screening_text(const Analysis& analysis) {
   const std::string text =
@@ -115,20 +105,17 @@ std::string choices_text(const Analysis& analysis, int replicates) {
       "rate of 1/3 and a lapse rate estimated up to 0.1, fitted by maximum likelihood to the answers of all "
       "participants (Wichmann and Hill, 2001). The interval of the threshold is that of the profile "
       "likelihood, scaled by the variance of the threshold over participants (leaving out one at a time) "
-      "with "
-      "Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap samples "
-      "of "
-      "participants (seed {}). Goodness of fit is the deviance against {} data sets simulated from the fit.",
+      "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
+      "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
+      "from the fit.",
       replicates, analysis.resampling.seed, deviance_replicates);
 }
 
 std::string comparisons_text(const OrdinalStudy& study) {
   return fmt::format(
       "Artifacts were compared by a cumulative link mixed model (Agresti, 2010) of noticeability with {} "
-      "link, "
-      "a level and a slope over log2 width for each artifact, objects nested in artifacts and a normal "
-      "random "
-      "intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
+      "link, a level and a slope over log2 width for each artifact, objects nested in artifacts and a normal "
+      "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
       word(study.fit.link), study.fit.nodes,
       study.errors == ErrorSource::participants
@@ -141,10 +128,8 @@ std::string comparisons_text(const OrdinalStudy& study) {
 
 constexpr const char* adaptive_text =
     "Widths were placed by QUEST+ (Watson, 2017). The thresholds are means, on log2 width, of the posterior "
-    "of "
-    "each participant's track, with equal-tailed 95 % credible intervals. Because widths depend on the "
-    "answers, "
-    "no mean noticeability by width, no PT, SN or IP and no group function was computed.";
+    "of each participant's track, with equal-tailed 95 % credible intervals. Because widths depend on the "
+    "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.";
 
 constexpr const char* times_text =
     "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
@@ -167,8 +152,7 @@ constexpr Reference works[] = {
      "Order Restrictions. Wiley."},
     {"Dempster, Laird and Rubin, 1977",
      "Dempster, A. P., Laird, N. M., & Rubin, D. B. (1977). Maximum likelihood from incomplete data via the "
-     "EM "
-     "algorithm. Journal of the Royal Statistical Society B, 39(1), 1–38."},
+     "EM algorithm. Journal of the Royal Statistical Society B, 39(1), 1–38."},
     {"Hesterberg, 2015",
      "Hesterberg, T. C. (2015). What teachers should know about the bootstrap. The American Statistician, "
      "69(4), 371–386."},
@@ -179,12 +163,10 @@ constexpr Reference works[] = {
      "ITU-R BT.500. Methodologies for the subjective assessment of the quality of television images."},
     {"Watson, 2017",
      "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive psychometric method. "
-     "Journal "
-     "of Vision, 17(3), 10."},
+     "Journal of Vision, 17(3), 10."},
     {"Wichmann and Hill, 2001",
      "Wichmann, F. A., & Hill, N. J. (2001). The psychometric function: I. Fitting, sampling, and goodness "
-     "of "
-     "fit. Perception & Psychophysics, 63(8), 1293–1313."}};
+     "of fit. Perception & Psychophysics, 63(8), 1293–1313."}};
 
 std::vector<std::string> references_in(const std::vector<std::string>& paragraphs) {
   std::vector<std::string> references;

@@ -30,8 +30,8 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
             "lower end of its 95 % interval over participants (scaled profile likelihood); empty when open"},
            {"threshold_high_px", "px", "upper end of it; empty when open"},
            {"width_octaves", "octaves",
-            "distance between 0.05 and 0.95 of the function, before guess and "
-            "lapse; empty unless it is identified"},
+            "distance between 0.05 and 0.95 of the function, before guess and lapse; empty unless it is "
+            "identified"},
            {"width_low_octaves", "octaves", "lower end of its 95 % percentile interval over participants"},
            {"width_high_octaves", "octaves", "upper end of it"},
            {"lapse", "share 0 to 1", "wrong choices that have nothing to do with the width; bound 0.1"},

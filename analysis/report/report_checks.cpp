@@ -56,9 +56,8 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
   else
     html += fmt::format(
                 "<p>The thresholds otherwise estimated: width W in px, 95 % interval in brackets. Last "
-                "column: as "
-                "fine for a camera of {:.3g}° horizontally, cut from an equirectangular map / through a "
-                "pinhole.</p>\n",
+                "column: as fine for a camera of {:.3g}° horizontally, cut from an equirectangular map / "
+                "through a pinhole.</p>\n",
                 analysis.options.field_of_view_deg) +
             beside_html(analysis) + html_paragraph(guessers_text(analysis.guessing)) +
             figure_html(figures, "corrected_for_guessing");

@@ -47,15 +47,14 @@ std::string thresholds_section(const Analysis& analysis) {
   std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
   html +=
       "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. IP: "
-      "inflection point. Width × "
-      "height of the equirectangular depth map in px. “–” under paper: the paper gives no value. Above or "
-      "below at every width: the curve "
-      "does not cross the level within the widths tested.</p>\n";
+      "inflection point. Width × height of the equirectangular depth map in px. “–” under paper: the paper "
+      "gives no value. Above or below at every width: the curve does not cross the level within the widths "
+      "tested.</p>\n";
   if (!analysis.planted.empty())
     html +=
         "<p>Planted values are PT, SN and IP of the expected answers that the simulated observers were "
-        "given. They check the "
-        "analysis; they are <strong>not</strong> Table 1’s values and say nothing about people.</p>\n";
+        "given. They check the analysis; they are <strong>not</strong> Table 1’s values and say nothing "
+        "about people.</p>\n";
   return html;
 }
 
@@ -80,19 +79,17 @@ std::string methods_section(const Analysis& analysis, const ReportNumbers& numbe
 }
 
 constexpr const char* contents =
-    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> "
-    "<a href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> "
-    "<a href=\"#checks\">Checks</a> <a href=\"#times\">Response times</a> "
-    "<a href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> "
-    "<a href=\"#methods\">Methods</a> <a href=\"#data\">Data</a></nav>\n";
+    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> <a "
+    "href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> <a "
+    "href=\"#checks\">Checks</a> <a href=\"#times\">Response times</a> <a "
+    "href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> <a "
+    "href=\"#methods\">Methods</a> <a href=\"#data\">Data</a></nav>\n";
 
 constexpr const char* data_section =
     "<h2 id=\"data\">Data</h2>\n<p>Every number of this page is also beside it, as CSV files and as JSON: "
     "<code>report.json</code> holds all the tables, <code>thresholds.json</code> the thresholds and what "
-    "they "
-    "rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> holds "
-    "the "
-    "figures as SVG and as gnuplot scripts.</p>\n";
+    "they rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> "
+    "holds the figures as SVG and as gnuplot scripts.</p>\n";
 
 }  // namespace
 

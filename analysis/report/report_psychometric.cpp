@@ -82,8 +82,7 @@ std::string tracks_html(const ReportNumbers& numbers) {
                      alarms.empty() ? "–" : alarms});
   }
   return "<h3>Tracks</h3>\n<p>Each participant’s thresholds from the posterior of QUEST+: the width seen "
-         "half "
-         "of the time (mean on log2, with the 95 % credible interval).</p>\n" +
+         "half of the time (mean on log2, with the 95 % credible interval).</p>\n" +
          html_table({{"participant"},
                      {"track"},
                      {"used"},

@@ -23,8 +23,7 @@ std::string threshold_line(const ThresholdRow& row, bool planted) {
   const std::string paper = row.paper_px ? fmt::format("{} × {}", *row.paper_px, *row.paper_px / 2) : "–";
   std::string line = fmt::format(
       "<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}</td><td "
-      "class=\"number\">{}</td>"
-      "<td class=\"number\">{}</td>",
+      "class=\"number\">{}</td><td class=\"number\">{}</td>",
       row.quantity == "PT" ? " class=\"group\"" : "",
       row.quantity == "PT" ? html_escape(artifact_title(row.artifact)) : "", row.quantity,
       html_escape(size_text(row.here)),
@@ -40,9 +39,8 @@ std::string threshold_table_html(const Analysis& analysis) {
   const bool planted = !analysis.planted.empty();
   std::string table = fmt::format(
       "<div class=\"scroll\"><table>\n<thead><tr><th>artifact</th><th></th><th "
-      "class=\"number\">{}</th><th>95 % interval of W</th>"
-      "<th class=\"number\">texels per degree</th><th class=\"number\">paper,<br>Table "
-      "1</th>{}</tr></thead>\n<tbody>\n",
+      "class=\"number\">{}</th><th>95 % interval of W</th><th class=\"number\">texels per degree</th><th "
+      "class=\"number\">paper,<br>Table 1</th>{}</tr></thead>\n<tbody>\n",
       html_escape(analysis.counts.simulated > 0 ? "simulated observers" : "this study"),
       planted ? "<th class=\"number\">planted</th>" : "");
   for (const ThresholdRow& row : threshold_rows(analysis)) table += threshold_line(row, planted);
