@@ -144,16 +144,17 @@ PlantedValues planted_values(const ObserverDefinition& observer, const Noticeabi
 std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<std::string>& notes) {
   if (log.study_text.empty()) {
     notes.emplace_back(
-        "The log keeps no study text: what simulated observers were made of is not known, and widths are "
-        "taken as not placed by the answers.");
+        "The log keeps no study text: planted values are not known, and widths are taken as not placed by "
+        "the "
+        "answers.");
     return std::nullopt;
   }
   try {
     return read_study_text(log.study_text, "study text of the log");
   } catch (const InputError& error) {
     notes.push_back(
-        "The study of the log cannot be read, so what simulated observers were made of is not known, and "
-        "widths are taken as not placed by the answers: " +
+        "The study of the log cannot be read, so planted values are not known and widths are taken as not "
+        "placed by the answers: " +
         std::string(error.what()));
     return std::nullopt;
   }
