@@ -6,7 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "analysis/analyze.h"
+#include "analysis/commands/analyze.h"
 #include "renderer/render_set.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <new>
 
-#include "analysis/commands.h"
+#include "analysis/commands/commands.h"
 #include "demo.h"
 #include "renderer/commands.h"
 #include "stimuli/support/assets.h"

@@ -12,9 +12,7 @@ void give_reason(CurveThresholds& estimates, const char* reason) {
 
 }  // namespace
 
-bool is_adaptive(const LogContents& log) {
-  std::vector<std::string> unused;
-  const std::optional<StudyDefinition> study = study_of_log(log, unused);
+bool is_adaptive(const std::optional<StudyDefinition>& study) {
   return study && std::holds_alternative<QuestPlusDefinition>(study->procedure);
 }
 

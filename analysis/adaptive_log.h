@@ -3,8 +3,9 @@
 
 namespace seamline {
 
-/// Whether the log is of a study whose widths were placed by the answers (`procedure = "quest_plus"`).
-[[nodiscard]] bool is_adaptive(const LogContents& log);
+/// Whether widths were placed by the answers (`procedure = "quest_plus"`). A study that is not known counts
+/// as one of constant stimuli.
+[[nodiscard]] bool is_adaptive(const std::optional<StudyDefinition>& study);
 
 /// Adaptive placement asks each person at widths that depend on their answers, and how often too: a mean at a
 /// width is then over people who differ from those of the next width, and is biased. No curve is made of such

@@ -95,25 +95,27 @@ Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& r
   analysis.scores = score_matrix(analysis.log, analysis.people);
   analysis.screening = screen_participants(analysis.scores, options.catches);
   static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
-  const bool adaptive = is_adaptive(analysis.log);
-  if (!adaptive)
+  std::vector<std::string> notes_on_study;
+  const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
+  analysis.adaptive = is_adaptive(study);
+  if (!analysis.adaptive)
     analysis.screened =
         thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling);
   if (options.exclude_screened) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people);
-  if (adaptive) set_aside_adaptive(analysis);
+  if (analysis.adaptive) set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
-  if (adaptive) {
+  analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
+  if (analysis.adaptive) {
     analysis.notes.emplace_back(adaptive_note);
   } else {
     analysis.thresholds =
         (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
     add_checks(analysis);
   }
-  if (common_observer(analysis.people) == word(ObserverKind::threshold))
-    if (const std::optional<StudyDefinition> study = study_of_log(analysis.log, analysis.notes))
-      analysis.planted = planted_values(study->observer, analysis.data);
+  if (study && common_observer(analysis.people) == word(ObserverKind::threshold))
+    analysis.planted = planted_values(study->observer, analysis.data);
   return analysis;
 }
 
@@ -141,14 +143,19 @@ PlantedValues planted_values(const ObserverDefinition& observer, const Noticeabi
 
 std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<std::string>& notes) {
   if (log.study_text.empty()) {
-    notes.emplace_back("The log keeps no study text, so planted values are not known.");
+    notes.emplace_back(
+        "The log keeps no study text: planted values are not known, and widths are taken as not placed by "
+        "the "
+        "answers.");
     return std::nullopt;
   }
   try {
     return read_study_text(log.study_text, "study text of the log");
   } catch (const InputError& error) {
-    notes.push_back("Planted values are not known, because the study cannot be read: " +
-                    std::string(error.what()));
+    notes.push_back(
+        "The study of the log cannot be read, so planted values are not known and widths are taken as not "
+        "placed by the answers: " +
+        std::string(error.what()));
     return std::nullopt;
   }
 }

@@ -36,6 +36,7 @@ struct Analysis {
   bool include_pilot = false;
   ResamplingRequest resampling;
   AnalysisOptions options;
+  bool adaptive = false;  ///< widths were placed by the answers, so no curve is made of mean noticeability
   std::vector<ParticipantUse> people;
   ParticipantCounts counts;
   NoticeabilityData data;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/interval.h"
 #include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/parallel.h"
@@ -45,16 +46,9 @@ FitProblem resampled(const PooledChoices& choices, const FitProblem& problem, st
   return drawn;
 }
 
-/// 2.5 and 97.5 % quantiles (type 7).
 Interval percentiles(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto quantile = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const double above = values[std::min(below + 1, values.size() - 1)];
-    return values[below] + (place - std::floor(place)) * (above - values[below]);
-  };
-  return {.low = quantile(0.025), .high = quantile(0.975)};
+  const double low = quantile(values, 0.025);
+  return {.low = low, .high = quantile(values, 0.975)};
 }
 
 void add_band(ChoiceCurve& curve, const PooledChoices& choices, const ResamplingRequest& request) {
@@ -129,13 +123,13 @@ bool has_threshold(const ChoiceCurve& curve) {
   return curve.pooled && curve.pooled->verdict.kind == Verdict::Kind::identified;
 }
 
-std::vector<ChoiceCurve> choice_curves(const Analysis& analysis, bool adaptive) {
+std::vector<ChoiceCurve> choice_curves(const Analysis& analysis) {
   const std::vector<std::string> codes = used_codes(analysis);
   std::vector<ChoiceCurve> curves(analysis.data.artifacts.size());
   run_parallel(static_cast<int>(curves.size()), analysis.resampling.threads, [&](int index) {
     const auto i = static_cast<std::size_t>(index);
     const Artifact artifact = analysis.data.artifacts[i].artifact;
-    if (!adaptive) {
+    if (!analysis.adaptive) {
       curves[i] = choice_curve(analysis, codes, artifact);
       return;
     }

@@ -42,6 +42,6 @@ inline constexpr int deviance_replicates = 1000;
 /// Fits every artifact of `analysis`, in its order: cumulative normal in log2 width, guess 1/3, lapse free to
 /// 0.1, falling. Bands are percentiles over participants drawn with replacement, each replicate fitted again.
 /// Same numbers for any number of threads. Adaptive logs have no curves; each says so in `missing`.
-[[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis, bool adaptive);
+[[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis);
 
 }  // namespace seamline

@@ -162,15 +162,13 @@ std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
   if (!guessers.known()) {
     notes.emplace_back(
         "Nobody chose wrong and there are no reference trials: nothing says how guessers rate, and nobody "
-        "need "
-        "have guessed, so the curves corrected for guessing are the uncorrected ones.");
+        "need have guessed, so the curves corrected for guessing are the uncorrected ones.");
     return notes;
   }
   if (correction.floor >= perceptual_level)
     notes.push_back(
         fmt::format("Guessers rate {:.2f} on average, so uncorrected noticeability cannot fall below {:.2f}: "
-                    "no uncorrected "
-                    "perceptual threshold (level {}) can exist, only a corrected one.",
+                    "no uncorrected perceptual threshold (level {}) can exist, only a corrected one.",
                     guessers.mean_rating(), correction.floor, perceptual_level));
   if (guessers.wrong_answers + guessers.reference_answers < few_guesses)
     notes.push_back(

@@ -10,8 +10,7 @@ namespace seamline {
 
 namespace {
 
-constexpr int grid_steps_per_gap =
-    128;  ///< between neighbouring widths; bounds are interpolated between grid points
+constexpr int isotonic_steps_per_gap = 128;
 
 double student_quantile(int people) {
   return boost::math::quantile(boost::math::students_t(people - 1), 0.975);
@@ -89,21 +88,22 @@ WidthInterval level_interval(double level, const std::vector<double>& log2_px, c
   const IsotonicFit fit =
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())});
   const VarianceFunction variance_of(fit, means);
-  const WidthInterval interval = invert_level_test(level, log2_px, people, [&](std::size_t left, double t) {
-    return isotonic_at(level, left, t, fit, means, variance_of);
-  });
+  const WidthInterval interval = invert_level_test(
+      level, log2_px, people, isotonic_steps_per_gap,
+      [&](std::size_t left, double t) { return isotonic_at(level, left, t, fit, means, variance_of); });
   const double estimate = largest_log2_width_at(level, log2_px, fit.value);
   return {.low_log2_px = std::min(interval.low_log2_px, estimate),
           .high_log2_px = std::max(interval.high_log2_px, estimate)};
 }
 
 WidthInterval invert_level_test(double level, const std::vector<double>& log2_px, int people,
+                                int steps_per_gap,
                                 const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
   assert(people >= 2 && !log2_px.empty());
   const double critical = student_quantile(people);
   std::vector<Excess> tests;
   for (std::size_t left = 0; left < log2_px.size(); ++left) {
-    const int steps = left + 1 < log2_px.size() ? grid_steps_per_gap : 1;
+    const int steps = left + 1 < log2_px.size() ? steps_per_gap : 1;
     for (int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / steps;
       const double w = step == 0 ? log2_px[left] : (1 - t) * log2_px[left] + t * log2_px[left + 1];

@@ -31,11 +31,11 @@ struct CurveAtWidth {
   double value = 0, standard_error = 0;
 };
 
-/// The widths that such a test does not exclude, on a grid of 128 steps between neighbouring widths, bounds
-/// interpolated; open ends as for `level_interval`. `curve_at(left, t)` is asked a share t (0 to 1) of the
-/// way from width number `left` to the next.
+/// The widths that such a test does not exclude, on a grid of `steps_per_gap` between neighbouring widths,
+/// bounds interpolated; open ends as for `level_interval`. `curve_at(left, t)` is asked a share t (0 to 1) of
+/// the way from width number `left` to the next, widths rising.
 [[nodiscard]] WidthInterval invert_level_test(
-    double level, const std::vector<double>& log2_px, int people,
+    double level, const std::vector<double>& log2_px, int people, int steps_per_gap,
     const std::function<CurveAtWidth(std::size_t left, double t)>& curve_at);
 
 /// Variance of a mean over people as a function of that mean: linear between the means of the widths tested,

@@ -18,33 +18,58 @@ constexpr double edge_share = 1.02;   ///< a scale within 2 % of its bound lies 
 constexpr double flat_norm =
     1e-6;  ///< a logistic that varies less than this over the widths explains nothing
 constexpr int polish_steps = 60;
+constexpr double smallest_move = 1e-7;  ///< octaves and log scale
 constexpr std::size_t polished_starts = 3;
 
 double falling_logistic(double z) {
   return 1 / (1 + std::exp(z));
 }
 
-double residual_of(const Logistic4& curve, std::span<const double> log2_px, const Eigen::VectorXd& means) {
-  double sum = 0;
+/// A logistic of given centre and scale with its likeliest asymptotes, and what the next step needs of it.
+struct Projection {
+  Logistic4 curve;
+  double residual_sum_of_squares = 0;
+  std::vector<double> fallen;  ///< 1 at the upper asymptote, 0 at the lower, one a width
+};
+
+/// Linear least squares for the two asymptotes. Fills `into`, so that its memory is used again.
+void project(double centre_log2_px, double scale_octaves, std::span<const double> log2_px,
+             const Eigen::VectorXd& means, Projection& into) {
+  into.fallen.resize(log2_px.size());
+  double sum_f = 0;
+  for (std::size_t i = 0; i < log2_px.size(); ++i)
+    sum_f += into.fallen[i] = falling_logistic((log2_px[i] - centre_log2_px) / scale_octaves);
+  const double mean_f = sum_f / static_cast<double>(log2_px.size()), mean_y = means.mean();
+  double product = 0, square = 0;
   for (std::size_t i = 0; i < log2_px.size(); ++i) {
-    const double residual = means[static_cast<Eigen::Index>(i)] - value_at(curve, log2_px[i]);
-    sum += residual * residual;
+    const double centred = into.fallen[i] - mean_f;
+    product += centred * means[static_cast<Eigen::Index>(i)];
+    square += centred * centred;
   }
-  return sum;
+  const double fall = product / square, lower = mean_y - fall * mean_f;
+  into.curve = {.upper = lower + fall,
+                .lower = lower,
+                .centre_log2_px = centre_log2_px,
+                .scale_octaves = scale_octaves};
+  into.residual_sum_of_squares = 0;
+  for (std::size_t i = 0; i < log2_px.size(); ++i) {
+    const double residual = means[static_cast<Eigen::Index>(i)] - (lower + fall * into.fallen[i]);
+    into.residual_sum_of_squares += residual * residual;
+  }
 }
 
-/// Normal equations of the four parameters (upper, lower, centre, log scale) at `curve`.
-void accumulate(const Logistic4& curve, std::span<const double> log2_px, const Eigen::VectorXd& means,
+/// Normal equations of the four parameters (upper, lower, centre, log scale) at a projection.
+void accumulate(const Projection& at, std::span<const double> log2_px, const Eigen::VectorXd& means,
                 Eigen::Matrix4d& curvature, Eigen::Vector4d& gradient) {
   curvature.setZero();
   gradient.setZero();
-  const double fall = curve.upper - curve.lower;
+  const double fall = at.curve.upper - at.curve.lower;
   for (std::size_t i = 0; i < log2_px.size(); ++i) {
-    const double z = (log2_px[i] - curve.centre_log2_px) / curve.scale_octaves;
-    const double f = falling_logistic(z);
+    const double z = (log2_px[i] - at.curve.centre_log2_px) / at.curve.scale_octaves;
+    const double f = at.fallen[i];
     const double slope = f * (1 - f) * fall;  // d y / d(-z)
-    const Eigen::Vector4d jacobian{f, 1 - f, slope / curve.scale_octaves, slope * z};
-    const double residual = means[static_cast<Eigen::Index>(i)] - (curve.lower + fall * f);
+    const Eigen::Vector4d jacobian{f, 1 - f, slope / at.curve.scale_octaves, slope * z};
+    const double residual = means[static_cast<Eigen::Index>(i)] - (at.curve.lower + fall * f);
     curvature.noalias() += jacobian * jacobian.transpose();
     gradient.noalias() += jacobian * residual;
   }
@@ -78,19 +103,24 @@ std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px) {
   return "";
 }
 
+LogisticBox logistic_box(std::span<const double> log2_px) {
+  const double range = log2_px.back() - log2_px.front();
+  double spacing = range;
+  for (std::size_t i = 1; i < log2_px.size(); ++i) spacing = std::min(spacing, log2_px[i] - log2_px[i - 1]);
+  assert(spacing > 0);
+  return {.lowest_centre = log2_px.front() - margin_octaves,
+          .highest_centre = log2_px.back() + margin_octaves,
+          .smallest_scale = 0.1 * spacing,
+          .largest_scale = range};
+}
+
 Logistic4Fitter::Logistic4Fitter(std::vector<double> log2_px) : log2_px_(std::move(log2_px)) {
   if (log2_px_.size() < 4) return;
-  double spacing = log2_px_.back() - log2_px_.front();
-  const double range = spacing;
-  for (std::size_t i = 1; i < log2_px_.size(); ++i)
-    spacing = std::min(spacing, log2_px_[i] - log2_px_[i - 1]);
-  assert(spacing > 0);
-  const double smallest = 0.1 * spacing;
+  const LogisticBox box = logistic_box(log2_px_);
   for (int s = 0; s < scale_count; ++s)
-    scales_.push_back(smallest * std::pow(range / smallest, s / (scale_count - 1.0)));
-  for (double c = log2_px_.front() - margin_octaves; c <= log2_px_.back() + margin_octaves;
-       c += centre_step_octaves)
-    centres_.push_back(c);
+    scales_.push_back(box.smallest_scale *
+                      std::pow(box.largest_scale / box.smallest_scale, s / (scale_count - 1.0)));
+  for (double c = box.lowest_centre; c <= box.highest_centre; c += centre_step_octaves) centres_.push_back(c);
 
   const auto widths = static_cast<Eigen::Index>(log2_px_.size());
   basis_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(centres_.size() * scales_.size()), widths);
@@ -107,7 +137,7 @@ Logistic4Fitter::Logistic4Fitter(std::vector<double> log2_px) : log2_px_(std::mo
 }
 
 /// The best local optima of the grid, best first. Only falling curves (positive projections) count.
-std::vector<Logistic4> Logistic4Fitter::starts(const Eigen::VectorXd& means) const {
+std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means) const {
   const Eigen::VectorXd projection = basis_ * means;
   const auto columns = static_cast<Eigen::Index>(scales_.size());
   const auto rows = static_cast<Eigen::Index>(centres_.size());
@@ -126,57 +156,44 @@ std::vector<Logistic4> Logistic4Fitter::starts(const Eigen::VectorXd& means) con
                    [&](Eigen::Index a, Eigen::Index b) { return projection[a] > projection[b]; });
   if (optima.size() > polished_starts) optima.resize(polished_starts);
 
-  std::vector<Logistic4> curves;
+  std::vector<Logistic4Start> starts;
   for (Eigen::Index at : optima)
-    curves.push_back(asymptotes(centres_[static_cast<std::size_t>(at / columns)],
-                                scales_[static_cast<std::size_t>(at % columns)], means));
-  return curves;
-}
-
-/// Linear least squares for the two asymptotes.
-Logistic4 Logistic4Fitter::asymptotes(double centre_log2_px, double scale_octaves,
-                                      const Eigen::VectorXd& means) const {
-  Eigen::VectorXd f(means.size());
-  for (Eigen::Index i = 0; i < means.size(); ++i)
-    f[i] = falling_logistic((log2_px_[static_cast<std::size_t>(i)] - centre_log2_px) / scale_octaves);
-  const Eigen::VectorXd centred = f.array() - f.mean();
-  const double fall = centred.dot(means) / centred.squaredNorm();
-  const double lower = means.mean() - fall * f.mean();
-  return {.upper = lower + fall,
-          .lower = lower,
-          .centre_log2_px = centre_log2_px,
-          .scale_octaves = scale_octaves};
+    starts.push_back({.centre_log2_px = centres_[static_cast<std::size_t>(at / columns)],
+                      .scale_octaves = scales_[static_cast<std::size_t>(at % columns)]});
+  return starts;
 }
 
 /// Levenberg-Marquardt within the bounds of the grid. Returns the residual sum of squares.
-double Logistic4Fitter::polish(Logistic4& curve, const Eigen::VectorXd& means) const {
-  double residual = residual_of(curve, log2_px_, means);
+double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorXd& means,
+                               Logistic4& curve) const {
+  Projection best, tried;
+  project(start.centre_log2_px, start.scale_octaves, log2_px_, means, best);
   double damping = 1e-3;
   Eigen::Matrix4d curvature;
   Eigen::Vector4d gradient;
+  bool stale = true;  // the normal equations are not those of `best`
   for (int step = 0; step < polish_steps && damping < 1e8; ++step) {
-    accumulate(curve, log2_px_, means, curvature, gradient);
+    if (stale) accumulate(best, log2_px_, means, curvature, gradient);
     Eigen::Matrix4d damped = curvature;
     damped.diagonal() += damping * (curvature.diagonal().array() + 1e-9).matrix();
     const Eigen::Vector4d move = damped.inverse() * gradient;
-    const Logistic4 tried =
-        asymptotes(std::clamp(curve.centre_log2_px + move[2], centres_.front(), centres_.back()),
-                   std::clamp(curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)), scales_.front(),
-                              scales_.back()),
-                   means);
-    const double tried_residual = residual_of(tried, log2_px_, means);
-    if (!(tried_residual < residual)) {
+    project(std::clamp(best.curve.centre_log2_px + move[2], centres_.front(), centres_.back()),
+            std::clamp(best.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)), scales_.front(),
+                       scales_.back()),
+            log2_px_, means, tried);
+    stale = tried.residual_sum_of_squares < best.residual_sum_of_squares;
+    if (!stale) {
       damping *= 8;
       continue;
     }
-    const double moved = std::abs(tried.centre_log2_px - curve.centre_log2_px) +
-                         std::abs(std::log(tried.scale_octaves / curve.scale_octaves));
-    curve = tried;
-    residual = tried_residual;
+    const double moved = std::abs(tried.curve.centre_log2_px - best.curve.centre_log2_px) +
+                         std::abs(std::log(tried.curve.scale_octaves / best.curve.scale_octaves));
+    std::swap(best, tried);
     damping = std::max(damping / 8, 1e-12);
-    if (moved < 1e-9) break;
+    if (moved < smallest_move) break;
   }
-  return residual;
+  curve = best.curve;
+  return best.residual_sum_of_squares;
 }
 
 Logistic4Fit Logistic4Fitter::judge(const Logistic4& curve, double residual) const {
@@ -211,8 +228,9 @@ Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
       Eigen::Map<const Eigen::VectorXd>(means.data(), static_cast<Eigen::Index>(means.size()));
   Logistic4Fit best;
   bool found = false;
-  for (Logistic4& curve : starts(y)) {
-    const double residual = polish(curve, y);
+  for (const Logistic4Start& start : starts(y)) {
+    Logistic4 curve;
+    const double residual = polish(start, y, curve);
     if (found && residual >= best.residual_sum_of_squares) continue;
     best = judge(curve, residual);
     found = true;

@@ -42,6 +42,21 @@ struct Logistic4Fit {
 /// A sentence for `verdict`; empty when identified.
 [[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px);
 
+/// Where centres and scales are looked for.
+struct LogisticBox {
+  double lowest_centre = 0, highest_centre = 0;  ///< log2 px: 2 octaves beyond the tested widths
+  double smallest_scale = 0;                     ///< octaves: a tenth of the smallest spacing of widths
+  double largest_scale = 0;                      ///< the whole range
+};
+
+/// `log2_px` is rising, at least two widths.
+[[nodiscard]] LogisticBox logistic_box(std::span<const double> log2_px);
+
+/// Where a climb begins; the asymptotes follow by linear least squares.
+struct Logistic4Start {
+  double centre_log2_px = 0, scale_octaves = 1;
+};
+
 /// Fits four-parameter logistics by least squares to means at fixed widths, one after the other, fast enough
 /// for a bootstrap. By variable projection (Golub and Pereyra 1973): for a given centre and scale the two
 /// asymptotes are linear least squares, so the best curve is the (centre, scale) whose logistic has the
@@ -63,10 +78,9 @@ class Logistic4Fitter {
   [[nodiscard]] const std::vector<double>& log2_px() const { return log2_px_; }
 
  private:
-  [[nodiscard]] std::vector<Logistic4> starts(const Eigen::VectorXd& means) const;
-  [[nodiscard]] Logistic4 asymptotes(double centre_log2_px, double scale_octaves,
-                                     const Eigen::VectorXd& means) const;
-  [[nodiscard]] double polish(Logistic4& curve, const Eigen::VectorXd& means) const;
+  [[nodiscard]] std::vector<Logistic4Start> starts(const Eigen::VectorXd& means) const;
+  [[nodiscard]] double polish(const Logistic4Start& start, const Eigen::VectorXd& means,
+                              Logistic4& curve) const;
   [[nodiscard]] Logistic4Fit judge(const Logistic4& curve, double residual) const;
 
   std::vector<double> log2_px_;

@@ -1,15 +1,21 @@
 #include "analysis/logistic_interval.h"
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/interval.h"
 #include "analysis/logistic_level.h"
+#include "analysis/logistic_through_level.h"
 
 namespace seamline {
 
 namespace {
+
+/// Every step is a fit; bounds are interpolated between steps of an eighth of a gap.
+constexpr int logistic_steps_per_gap = 8;
+/// A direction of the parameters that moves the curve less than this says nothing (a flat curve's centre).
+constexpr double smallest_share_of_curvature = 1e-9;
 
 /// Derivatives of the curve at a width by upper, lower, centre and ln scale.
 Eigen::Vector4d derivatives(const Logistic4& curve, double log2_px) {
@@ -25,39 +31,49 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance) {
   return inverse.asDiagonal() * covariance * inverse.asDiagonal();
 }
 
+/// h: how much each mean adds to the fitted curve at w, to first order.
+Eigen::VectorXd weights_at(const Logistic4& curve, double at_log2_px, const std::vector<double>& log2_px) {
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(log2_px.size()), 4);
+  for (std::size_t i = 0; i < log2_px.size(); ++i)
+    jacobian.row(static_cast<Eigen::Index>(i)) = derivatives(curve, log2_px[i]).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> normal(jacobian.transpose() * jacobian);
+  const Eigen::Vector4d curvature = normal.eigenvalues();  // rising
+  const Eigen::Vector4d inverse =
+      (curvature.array() > smallest_share_of_curvature * curvature[3]).select(1 / curvature.array(), 0);
+  const Eigen::Matrix4d axes = normal.eigenvectors();
+  return jacobian * (axes * (inverse.asDiagonal() * (axes.transpose() * derivatives(curve, at_log2_px))));
+}
+
 }  // namespace
 
-std::optional<WidthInterval> logistic_level_interval(double level, const Logistic4Fit& fit,
-                                                     const std::vector<double>& log2_px,
-                                                     const MeanVector& means, int people) {
-  const bool curved = fit.verdict == Centre::identified || fit.verdict == Centre::below_range ||
-                      fit.verdict == Centre::above_range;
-  if (!curved) return std::nullopt;
-  const auto widths = static_cast<Eigen::Index>(log2_px.size());
-  Eigen::MatrixXd jacobian(widths, 4);
-  Eigen::VectorXd fitted(widths);
-  for (Eigen::Index i = 0; i < widths; ++i) {
-    jacobian.row(i) = derivatives(fit.curve, log2_px[static_cast<std::size_t>(i)]).transpose();
-    fitted[i] = value_at(fit.curve, log2_px[static_cast<std::size_t>(i)]);
-  }
-  const Eigen::FullPivLU<Eigen::Matrix4d> normal(jacobian.transpose() * jacobian);
-  if (!normal.isInvertible() || normal.rcond() < 1e-10) return std::nullopt;
-  const Eigen::MatrixXd weights = jacobian * normal.inverse();  // widths x 4
+WidthInterval logistic_level_interval(double level, const Logistic4Fit& fit,
+                                      const std::vector<double>& log2_px, const MeanVector& means,
+                                      int people) {
+  if (fit.verdict == Centre::too_few_widths) return {};
   const Eigen::MatrixXd correlation = correlations(means.covariance);
   const VarianceFunction variance_of(
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())}), means);
+  const LogisticBox box = logistic_box(log2_px);
+  Logistic4 near = fit.curve;
 
-  return invert_level_test(level, log2_px, people, [&](std::size_t left, double t) {
-    const std::size_t right = std::min(left + 1, log2_px.size() - 1);
-    const double w = (1 - t) * log2_px[left] + t * log2_px[right];
-    const double g = value_at(fit.curve, w);
-    const Eigen::VectorXd h = weights * derivatives(fit.curve, w);
-    Eigen::VectorXd scaled(widths);
-    for (Eigen::Index i = 0; i < widths; ++i)
-      scaled[i] = h[i] * std::sqrt(variance_of.at(fitted[i] + level - g));
-    return CurveAtWidth{.value = g,
-                        .standard_error = std::sqrt(std::max(0.0, scaled.dot(correlation * scaled)))};
-  });
+  const WidthInterval interval =
+      invert_level_test(level, log2_px, people, logistic_steps_per_gap, [&](std::size_t left, double t) {
+        const std::size_t right = std::min(left + 1, log2_px.size() - 1);
+        const double w = (1 - t) * log2_px[left] + t * log2_px[right];
+        near = fit_through_level(level, w, log2_px, means.mean, box, &near).curve;
+        const Eigen::VectorXd h = weights_at(near, w, log2_px);
+        Eigen::VectorXd residual(means.mean.size()), scaled(means.mean.size());
+        for (Eigen::Index i = 0; i < means.mean.size(); ++i) {
+          const double fitted = value_at(near, log2_px[static_cast<std::size_t>(i)]);
+          residual[i] = means.mean[i] - fitted;
+          scaled[i] = h[i] * std::sqrt(variance_of.at(fitted));
+        }
+        return CurveAtWidth{.value = level + h.dot(residual),
+                            .standard_error = std::sqrt(std::max(0.0, scaled.dot(correlation * scaled)))};
+      });
+  const WidthInterval estimate = logistic_level_range(level, fit, log2_px);
+  return {.low_log2_px = std::min(interval.low_log2_px, estimate.low_log2_px),
+          .high_log2_px = std::max(interval.high_log2_px, estimate.high_log2_px)};
 }
 
 }  // namespace seamline

@@ -100,13 +100,13 @@ std::string plan_text(const Plan& plan) {
     text += fmt::format("  {}: {} px\n", set.name, fmt::join(set.width_px, ", "));
   text += "\n" + markdown_table(table_of(plan)) + "\n";
   const std::string wish = fmt::format(
-      "95 % intervals of PT and SN of at most {:g} octaves (median over studies), every artifact: ",
-      plan.wanted_octaves);
+      "Wanted: 95 % intervals of PT and SN of at most {:g} octave{} (median over studies) for every "
+      "artifact.\n",
+      plan.wanted_octaves, plan.wanted_octaves == 1 ? "" : "s");
   const std::optional<PlannedDesign> people = fewest_participants(plan), answers = fewest_answers(plan);
-  if (!people || !answers) return text + wish + "no design of the table gives them.\n";
-  text += wish + "fewest participants: " + design_text(plan, *people);
-  text += "; fewest answers: " + design_text(plan, *answers) + ".\n";
-  return text;
+  if (!people || !answers) return text + wish + "There is no design in the table that gives them.\n";
+  return text + wish + "Fewest participants: " + design_text(plan, *people) +
+         ".\nFewest answers: " + design_text(plan, *answers) + ".\n";
 }
 
 }  // namespace seamline

@@ -56,10 +56,6 @@ struct Prediction {
 [[nodiscard]] double calibrated_gain(const Manifest& manifest, const VisibleDifferences& differences,
                                      ObserverDefinition observer, double receiver_px);
 
-/// The table for a terminal: PT, SN and IP of each artifact beside Table 1 of the paper, the order of the
-/// artifacts in both, and what the prediction rests on.
-[[nodiscard]] std::string prediction_text(const Prediction& prediction);
-
 /// The artifacts from the most to the least demanding, by PT, then SN; "above at every width" comes first.
 [[nodiscard]] std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts);
 

@@ -1,10 +1,10 @@
 #include "analysis/response_times.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+
+#include "analysis/interval.h"
 
 namespace seamline {
 
@@ -35,14 +35,8 @@ std::string_view word(TimedAnswers answers) {
 Quartiles quartiles(std::vector<double> values) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {.lower_s = nan, .median_s = nan, .upper_s = nan};
-  std::sort(values.begin(), values.end());
-  const auto quantile = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const double above = values[std::min(below + 1, values.size() - 1)];
-    return values[below] + (place - std::floor(place)) * (above - values[below]);
-  };
-  return {.lower_s = quantile(0.25), .median_s = quantile(0.5), .upper_s = quantile(0.75)};
+  const double lower = quantile(values, 0.25), median = quantile(values, 0.5);
+  return {.lower_s = lower, .median_s = median, .upper_s = quantile(values, 0.75)};
 }
 
 ResponseTimes response_times(const Analysis& analysis) {

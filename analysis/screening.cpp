@@ -34,12 +34,10 @@ std::string_view rule_of(Screen screen) {
       return "attention: right in fewer than 75 % of the catch trials";
     case Screen::kurtosis:
       return "kurtosis (ITU-R BT.500): over 5 % of scores at least 2 S (kurtosis 2 to 4) or sqrt(20) S "
-             "(else) "
-             "from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
+             "(else) from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
     case Screen::correlation:
       return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
-             "somebody "
-             "who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
+             "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
   }
   return "";
 }

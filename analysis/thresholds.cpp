@@ -23,27 +23,25 @@ WidthEstimate level_estimate(double level, const std::vector<double>& log2_px,
 void add_intervals(const ArtifactScores& scores, const std::vector<double>& log2_px,
                    const ResamplingRequest& request, ArtifactThresholds& result) {
   const MeanVector means = mean_and_covariance(scores.noticeability);
-  result.estimates.perceptual.ci95 = level_interval(perceptual_level, log2_px, means, result.participants);
-  result.estimates.slightly_noticeable.ci95 =
-      level_interval(slight_level, log2_px, means, result.participants);
+  const int people = result.participants;
+  CurveThresholds& found = result.estimates;
+  found.perceptual.ci95 = level_interval(perceptual_level, log2_px, means, people);
+  found.slightly_noticeable.ci95 = level_interval(slight_level, log2_px, means, people);
+  found.perceptual_logistic.ci95 =
+      logistic_level_interval(perceptual_level, found.logistic, log2_px, means, people);
+  found.slightly_noticeable_logistic.ci95 =
+      logistic_level_interval(slight_level, found.logistic, log2_px, means, people);
   if (request.replicates < 1) return;
   CurveReplicates replicates(log2_px, request.replicates);
   for_each_replicate(scores.noticeability, request, [&](int replicate, const Eigen::VectorXd& mean) {
     replicates.set(replicate, {mean.data(), static_cast<std::size_t>(mean.size())});
   });
-  const CurveIntervals intervals = replicates.intervals(expanded_levels(result.participants));
+  const CurveIntervals intervals = replicates.intervals(expanded_levels(people));
   result.perceptual_bootstrap = intervals.perceptual;
   result.slightly_noticeable_bootstrap = intervals.slightly_noticeable;
-  result.estimates.inflection.ci95 = intervals.inflection;
+  found.inflection.ci95 = intervals.inflection;
   result.perceptual_logistic_bootstrap = intervals.perceptual_logistic;
   result.slightly_noticeable_logistic_bootstrap = intervals.slightly_noticeable_logistic;
-  CurveThresholds& found = result.estimates;
-  found.perceptual_logistic.ci95 =
-      logistic_level_interval(perceptual_level, found.logistic, log2_px, means, result.participants)
-          .value_or(intervals.perceptual_logistic);
-  found.slightly_noticeable_logistic.ci95 =
-      logistic_level_interval(slight_level, found.logistic, log2_px, means, result.participants)
-          .value_or(intervals.slightly_noticeable_logistic);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ struct ArtifactThresholds {
                                                   const std::vector<double>& means);
 
 /// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test (`level_interval`,
-/// `logistic_level_interval`), IP by the expanded percentile bootstrap over people, which also serves where
-/// the logistic has no score test. A replicate without a width counts as infinite, or as the whole range when
-/// it does not say on which side; none is dropped. With fewer than two people every interval is open.
+/// `logistic_level_interval`), IP by the expanded percentile bootstrap over people. A replicate without a
+/// width counts as infinite, or as the whole range when it does not say on which side; none is dropped. With
+/// fewer than two people every interval is open, and so are those off the logistic under four widths.
 [[nodiscard]] ArtifactThresholds estimate_thresholds(const ArtifactScores& scores,
                                                      const ResamplingRequest& request);
 

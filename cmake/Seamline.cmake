@@ -24,9 +24,10 @@ function(seamline_precompile name)
     target_precompile_headers(${name} PRIVATE
       <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <variant> <vector>
       <Eigen/Dense> ${ARGN})
-    # The same bug of GCC 12; it forgets that precompiled headers are the system's.
-    target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
   endif()
+  # The same bug of GCC 12, with a std::map's values too; and it forgets that precompiled headers are the system's.
+  target_compile_options(${name} PRIVATE
+    -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized)
 endfunction()
 
 # One library a folder. The repository root is the include root, so an include names its folder: "stimuli/manifest.h".

@@ -85,7 +85,7 @@ class Builder {
            .weights = column(a.slope_column) - column(b.slope_column),
            .more = fmt::format("{} falls less steeply with width than {}", name, other),
            .less = fmt::format("{} falls more steeply with width than {}", name, other),
-           .undecided = fmt::format("No difference between the slopes of {} and {} was shown", name, other)});
+           .undecided = fmt::format("No difference was shown between the slopes of {} and {}", name, other)});
     });
     return family;
   }
@@ -122,7 +122,7 @@ class Builder {
            .weights = group(j) - group(i),
            .more = fmt::format("Group '{}' notices artifacts more than '{}'", name, other),
            .less = fmt::format("Group '{}' notices artifacts less than '{}'", name, other),
-           .undecided = fmt::format("No difference between groups '{}' and '{}' was shown", name, other)});
+           .undecided = fmt::format("No difference was shown between groups '{}' and '{}'", name, other)});
     });
     return family;
   }
@@ -133,7 +133,7 @@ class Builder {
             .weights = std::move(weights),
             .more = fmt::format("{} is noticed more than {} {}", name, other, where),
             .less = fmt::format("{} is noticed less than {} {}", name, other, where),
-            .undecided = fmt::format("No difference between {} and {} {} was shown", name, other, where)};
+            .undecided = fmt::format("No difference was shown between {} and {} {}", name, other, where)};
   }
 
   template <class Use>

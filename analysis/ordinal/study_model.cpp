@@ -77,8 +77,7 @@ OrdinalStudy fit_ordinal_study(std::span<const Answer> answers, const Participan
     study.errors = ErrorSource::model;
     study.notes.emplace_back(
         "Standard errors are the model's own: without one of the participants some effect cannot be "
-        "estimated. "
-        "They are too small when participants differ in more than their level.");
+        "estimated. They are too small when participants differ in more than their level.");
   }
   if (study.fit.participants < few_participants)
     study.notes.push_back(fmt::format(

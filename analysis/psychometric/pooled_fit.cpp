@@ -23,7 +23,9 @@ std::vector<LevelCounts> sums(const PooledChoices& choices) {
   return counts;
 }
 
-/// Variance of the threshold (unit axis) by leaving out one participant at a time.
+/// Variance of the threshold (unit axis) by leaving out one participant at a time. Each fit climbs from the
+/// one of everybody: a step that is a little likelier once somebody is left out lies elsewhere, and one such
+/// jump would be taken for a huge variance.
 double jackknife_variance(const PooledChoices& choices, const PsychometricFit& fit) {
   const auto people = choices.correct.rows();
   Eigen::VectorXd thresholds(people);
@@ -41,7 +43,8 @@ double jackknife_variance(const PooledChoices& choices, const PsychometricFit& f
     }
     for (auto* list : {&problem.levels, &problem.rows})
       std::erase_if(*list, [](const UnitCounts& level) { return level.n <= 0; });
-    thresholds[person] = refit(problem, fit.search.best).theta[parameter::threshold];
+    thresholds[person] =
+        maximise(problem, {}, fit.search.best.theta, fit.search.best.eta).theta[parameter::threshold];
   }
   const auto n = static_cast<double>(people);
   return (n - 1) / n * (thresholds.array() - thresholds.mean()).square().sum();

@@ -94,4 +94,19 @@ Verdict verdict_on(const PsychometricFit& fit, const Interval& ci95, const std::
   return {.kind = Verdict::Kind::identified, .text = "identified", .range = ci95};
 }
 
+std::string verdict_sentence(const Verdict& verdict) {
+  constexpr std::string_view unknown = "not identified: ";
+  switch (verdict.kind) {
+    case Verdict::Kind::identified:
+      return "The answers determine the threshold.";
+    case Verdict::Kind::below:
+    case Verdict::Kind::above:
+    case Verdict::Kind::between:
+      return "The threshold lies " + verdict.text + ".";
+    case Verdict::Kind::not_identified:
+      return "The answers do not determine a threshold: " + verdict.text.substr(unknown.size()) + ".";
+  }
+  return verdict.text;
+}
+
 }  // namespace seamline

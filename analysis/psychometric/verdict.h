@@ -30,6 +30,9 @@ struct Verdict {
 [[nodiscard]] Verdict verdict_on(const PsychometricFit& fit, const Interval& threshold_ci95,
                                  const std::string& unit = "");
 
+/// The same as a sentence: "The threshold lies below 64 px."
+[[nodiscard]] std::string verdict_sentence(const Verdict& verdict);
+
 /// All that the warnings are about.
 struct FitEvidence {
   Verdict verdict;

@@ -28,8 +28,7 @@ void warn_of_separation(const PsychometricFit& fit, Warnings& warnings) {
   const auto level = [&](double t) { return level_of(fit.options.axis, problem.to_axis(t)); };
   std::string text = fmt::format(
       "separation: no sigmoid is likelier than a step between {:.4g} and {:.4g}, so that threshold and width "
-      "have no "
-      "single value",
+      "have no single value",
       level(step.low_t), level(step.high_t));
   if (const auto& smooth = fit.search.smooth;
       smooth && smooth->value < step.maximum.value - 1e-4 && smooth->theta[1] > problem.lower[1] + 1e-3)

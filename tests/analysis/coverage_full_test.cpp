@@ -21,6 +21,9 @@ using testing::simulate_scores;
 constexpr int studies = 1000;
 constexpr int people = 20;
 constexpr int replicates = 999;
+constexpr double standard_error = 0.7;  ///< % of a coverage of 95 % over `studies`
+constexpr std::uint64_t more_studies = 3000;
+constexpr std::uint64_t other_seeds = 1'000'000;
 
 void measure(const char* name, const Population& population) {
   for (Artifact artifact : paper_artifacts) {
@@ -47,11 +50,45 @@ void measure(const char* name, const Population& population) {
     ip.print(name, of, "IP", planted.inflection, nullptr);
     pt_logistic.print(name, of, "PT, logistic", planted.perceptual_logistic, &pt_logistic_bootstrap);
     sn_logistic.print(name, of, "SN, logistic", planted.slightly_noticeable_logistic, &sn_logistic_bootstrap);
-    for (const CoverageTally* tally : {&pt, &sn, &ip}) {
-      EXPECT_GE(tally->percent(), 93) << name << " " << of;
-      EXPECT_LE(tally->percent(), 97.5) << name << " " << of;
+    // Within 93 to 97 % but for what 1000 studies leave open; `measure_tests` is sharper.
+    for (const CoverageTally* tally : {&pt, &sn, &ip, &pt_logistic, &sn_logistic}) {
+      EXPECT_GE(tally->percent(), 93 - standard_error) << name << " " << of;
+      EXPECT_LE(tally->percent(), 97 + standard_error) << name << " " << of;
     }
   }
+}
+
+/// The inverted tests alone, which need no bootstrap, on more studies of other seeds.
+void measure_tests(const char* name, const Population& population) {
+  for (Artifact artifact : paper_artifacts) {
+    const CurveThresholds planted = planted_thresholds(population, artifact);
+    CoverageTally pt, sn, pt_logistic, sn_logistic;
+    for (std::uint64_t study = 1; study <= more_studies; ++study) {
+      const ArtifactThresholds found = estimate_thresholds(
+          simulate_scores(population, artifact, people, other_seeds + study), {.replicates = 0});
+      pt.add(found.estimates.perceptual, planted.perceptual);
+      sn.add(found.estimates.slightly_noticeable, planted.slightly_noticeable);
+      pt_logistic.add(found.estimates.perceptual_logistic, planted.perceptual_logistic);
+      sn_logistic.add(found.estimates.slightly_noticeable_logistic, planted.slightly_noticeable_logistic);
+    }
+    const char* of = word(artifact).data();
+    pt.print(name, of, "PT", planted.perceptual, nullptr);
+    sn.print(name, of, "SN", planted.slightly_noticeable, nullptr);
+    pt_logistic.print(name, of, "PT, logistic", planted.perceptual_logistic, nullptr);
+    sn_logistic.print(name, of, "SN, logistic", planted.slightly_noticeable_logistic, nullptr);
+    for (const CoverageTally* tally : {&pt, &sn, &pt_logistic, &sn_logistic}) {
+      if (tally->studies == 0) continue;  // no threshold within the widths
+      EXPECT_GE(tally->percent(), 93) << name << " " << of;
+      EXPECT_LE(tally->percent(), 97) << name << " " << of;
+    }
+  }
+}
+
+Population people_who_differ() {
+  Population population;
+  population.observer.people_sd_octaves = 0.8;
+  population.rating_sd_octaves = 0.5;
+  return population;
 }
 
 TEST(Coverage, OfTheThresholdObserver) {
@@ -59,10 +96,21 @@ TEST(Coverage, OfTheThresholdObserver) {
 }
 
 TEST(Coverage, OfPeopleWhoDifferMoreAndRateByTheirOwnCriteria) {
-  Population population;
-  population.observer.people_sd_octaves = 0.8;
-  population.rating_sd_octaves = 0.5;
-  measure("people", population);
+  measure("people", people_who_differ());
+}
+
+TEST(Coverage, OfOtherSeeds) {
+  measure_tests("observer", {});
+  measure_tests("people", people_who_differ());
+}
+
+/// Thresholds elsewhere, steeper, and ratings that begin further from where people see.
+TEST(Coverage, OfAnotherPopulation) {
+  Population other = people_who_differ();
+  for (auto& [artifact, midpoint_px] : other.observer.midpoint_width_px) midpoint_px *= 0.7;
+  other.observer.scale_octaves = 0.35;
+  other.rating_sd_octaves = 0.8;
+  measure_tests("other", other);
 }
 
 TEST(Coverage, BiasWith2000Observers) {

@@ -1,15 +1,13 @@
 // What the report computes beside the thresholds, against the same from elsewhere or by hand.
-#include "analysis/report_numbers.h"
+#include "analysis/report/report_numbers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/number_tables.h"
-#include "study/simulation.h"
+#include "analysis/report/number_tables.h"
 #include "tests/analysis/report_people.h"
-#include "tests/study/temporary_set.h"
 
 namespace seamline {
 namespace {
@@ -127,15 +125,9 @@ TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
 }
 
 TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
-  const TemporaryFolder folder;
-  std::string text = study_text("adaptive", "64, 128, 256, 512, 1024");
-  text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
-  text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
-  (void)write_set_of_text(folder / "set", text);
-  run_simulated_study({.set_folder = folder / "set", .log = folder / "log", .count = 3});
-  const Analysis analysis = analysed(read_log(folder / "log"));
+  const Analysis analysis = analysed(testing::adaptive_log());
   const ReportNumbers numbers = report_numbers(analysis);
-  EXPECT_TRUE(numbers.adaptive);
+  EXPECT_TRUE(analysis.adaptive);
   EXPECT_FALSE(numbers.comparisons);
   EXPECT_THAT(numbers.comparisons_missing, HasSubstr("placed by the answers"));
   for (const ChoiceCurve& curve : numbers.choices)

@@ -7,16 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "analysis/methods_text.h"
-#include "analysis/numbers_text.h"
-#include "analysis/report_dictionary.h"
-#include "analysis/report_html.h"
-#include "analysis/report_json.h"
-#include "analysis/thresholds_json.h"
+#include "analysis/report/methods_text.h"
+#include "analysis/report/numbers_text.h"
+#include "analysis/report/report_dictionary.h"
+#include "analysis/report/report_html.h"
+#include "analysis/report/report_json.h"
+#include "analysis/report/thresholds_json.h"
 #include "stimuli/support/html.h"
-#include "study/simulation.h"
 #include "tests/analysis/report_people.h"
-#include "tests/study/temporary_set.h"
 
 namespace seamline {
 namespace {
@@ -153,13 +151,7 @@ TEST(ReportPage, OfOnePersonSaysWhatIsMissing) {
 }
 
 TEST(ReportPage, OfAnAdaptiveLogShowsTracksAndSaysWhatIsMissing) {
-  const TemporaryFolder folder;
-  std::string text = study_text("adaptive", "64, 128, 256, 512, 1024");
-  text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
-  text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
-  (void)write_set_of_text(folder / "set", text);
-  run_simulated_study({.set_folder = folder / "set", .log = folder / "log", .count = 3});
-  const Report report = report_of(read_log(folder / "log"));
+  const Report report = report_of(testing::adaptive_log());
   for (const char* words : {"<h3>Tracks</h3>", "There is no curve of everybody", "Artifacts are not compared",
                             "Thresholds are not estimated otherwise", "There are no response times"})
     EXPECT_THAT(report.html, HasSubstr(words));

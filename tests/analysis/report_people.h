@@ -1,5 +1,7 @@
 #pragma once
+#include "study/simulation.h"
 #include "tests/analysis/threshold_people.h"
+#include "tests/study/temporary_set.h"
 
 namespace seamline::testing {
 
@@ -18,6 +20,17 @@ inline LogContents people_log(int people, std::uint64_t seed) {
     answer.rating_ns = answer.choice_ns + 1'000'000'000;
   }
   return log;
+}
+
+/// The log of three simulated observers of an adaptive study of one scene.
+inline LogContents adaptive_log() {
+  const TemporaryFolder folder;
+  std::string text = study_text("adaptive", "64, 128, 256, 512, 1024");
+  text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
+  text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
+  (void)write_set_of_text(folder / "set", text);
+  run_simulated_study({.set_folder = folder / "set", .log = folder / "log", .count = 3});
+  return read_log(folder / "log");
 }
 
 }  // namespace seamline::testing

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/analysis.h"
-#include "analysis/figures.h"
-#include "analysis/report_html.h"
-#include "analysis/tables.h"
-#include "analysis/threshold_rows.h"
-#include "analysis/thresholds_json.h"
+#include "analysis/report/figures.h"
+#include "analysis/report/report_html.h"
+#include "analysis/report/tables.h"
+#include "analysis/report/threshold_rows.h"
+#include "analysis/report/thresholds_json.h"
 #include "stimuli/support/csv.h"
 #include "stimuli/support/html.h"
 #include "tests/analysis/threshold_people.h"

@@ -23,7 +23,11 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"study/app", {"study", "stimuli", "stimuli/support"}},
     {"analysis/psychometric", {"study", "stimuli", "stimuli/support"}},
     {"analysis/ordinal", {"study", "stimuli", "stimuli/support"}},
-    {"analysis", {"analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}}};
+    {"analysis", {"analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}},
+    {"analysis/report",
+     {"analysis", "analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}},
+    {"analysis/commands",
+     {"analysis/report", "analysis", "analysis/psychometric", "study", "stimuli", "stimuli/support"}}};
 
 std::string folder_of(const std::string& include) {
   const std::size_t slash = include.rfind('/');

@@ -240,13 +240,34 @@ TEST(Flip, PixelsPerDegreeMatter) {
               1e-5);
 }
 
+/// White where `white(x)`, else black, 61 x 21.
+template <typename White>
+ByteImage black_and_white(const White& white) {
+  ByteImage image = constant_picture(61, 21, {0, 0, 0});
+  for (int y = 0; y < 21; ++y)
+    for (int x = 0; x < 61; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.values[static_cast<std::size_t>((y * 61 + x) * 3 + c)] = white(x) ? 255 : 0;
+  return image;
+}
+
+/// Against black. Both are grey and constant along y, so every filter is a sum of one line of weights: the
+/// values follow by hand (documentation/predict_and_plan.md). At a line the point detector is the stronger,
+/// at a step the edge detector.
+TEST(Flip, AStepAndALineByHand) {
+  const ByteImage black = constant_picture(61, 21, {0, 0, 0});
+  const Image step = flip_difference(black, black_and_white([](int x) { return x >= 30; }), ppd);
+  EXPECT_NEAR(step.at(30, 10), 0.993944, 1e-5);
+  EXPECT_NEAR(step.at(27, 10), 0.591726, 1e-5);
+  const Image line = flip_difference(black, black_and_white([](int x) { return x == 30; }), ppd);
+  EXPECT_NEAR(line.at(30, 10), 0.975743, 1e-5);
+  EXPECT_NEAR(line.at(28, 10), 0.737783, 1e-5);
+}
+
 /// A step from black to white: at the first white pixel the whole negative lobe lies on white, so the edge is
 /// 1 strong; further away than the filter reaches there is no feature.
 TEST(Flip, AStepIsAnEdgeOfItsHeight) {
-  ByteImage step = constant_picture(61, 21, {0, 0, 0});
-  for (int y = 0; y < 21; ++y)
-    for (int x = 30; x < 61; ++x)
-      for (int c = 0; c < 3; ++c) step.values[static_cast<std::size_t>((y * 61 + x) * 3 + c)] = 255;
+  const ByteImage step = black_and_white([](int x) { return x >= 30; });
   const Image features = flip_picture(step, ppd).features;
   EXPECT_NEAR(features.at(30, 10, 0), 1, 1e-5);
   EXPECT_NEAR(features.at(29, 10, 0), 1, 1e-5);

@@ -1,0 +1,52 @@
+#include "analysis/commands/analyze.h"
+
+#include "analysis/analysis.h"
+#include "analysis/report/checks_text.h"
+#include "analysis/report/figures.h"
+#include "analysis/report/methods_text.h"
+#include "analysis/report/numbers_text.h"
+#include "analysis/report/report_dictionary.h"
+#include "analysis/report/report_html.h"
+#include "analysis/report/report_json.h"
+#include "analysis/report/stimulus_samples.h"
+#include "analysis/report/tables.h"
+#include "analysis/report/threshold_rows.h"
+#include "analysis/report/thresholds_json.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/gnuplot.h"
+
+namespace seamline {
+
+AnalysisSummary analyze_log(const AnalysisRequest& request) {
+  require_gnuplot();
+  AnalysisOptions options;
+  options.field_of_view_deg = request.field_of_view_deg;
+  options.exclude_screened = request.exclude_screened;
+  const Analysis analysis =
+      analyze(read_log(request.log), request.include_pilot,
+              {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
+              options);
+
+  const ReportNumbers numbers = report_numbers(analysis);
+  const std::filesystem::path& folder = request.report_folder;
+  const std::filesystem::path figures_folder = folder / "figures";
+  prepare_output_folder(folder);
+  prepare_output_folder(figures_folder);
+  const std::vector<Figure> figures = draw_figures(analysis, numbers, figures_folder);
+  const StimulusSamples samples = sample_stimuli(analysis, folder);
+  const std::vector<CsvTable> tables = all_tables(analysis, numbers);
+  for (const CsvTable& table : tables) write_file_atomically(folder / (table.name + ".csv"), csv_text(table));
+  write_file_atomically(folder / "data_dictionary.csv", csv_text(report_dictionary(tables)));
+  write_file_atomically(folder / "thresholds.json", thresholds_json(analysis));
+  const MethodsText methods = methods_text(analysis, numbers);
+  write_file_atomically(folder / "report.json", report_json(analysis, methods, tables));
+  write_file_atomically(folder / "methods.txt", plain_text(methods));
+  write_file_atomically(folder / "report.html", report_html(analysis, numbers, figures, samples));
+  return {.table = table_text(analysis),
+          .checks = checks_text(analysis),
+          .sections = numbers_text(numbers),
+          .notes = analysis.notes,
+          .report_html = folder / "report.html"};
+}
+
+}  // namespace seamline

@@ -1,0 +1,49 @@
+#include "analysis/commands/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "analysis/commands/analyze.h"
+#include "analysis/commands/plan_command.h"
+#include "analysis/commands/predict_command.h"
+#include "analysis/psychometric/fit_command.h"
+
+namespace seamline {
+
+namespace {
+
+void run_analyze(const AnalysisRequest& request) {
+  const AnalysisSummary summary = analyze_log(request);
+  std::printf("%s\n%s\n%s", summary.table.c_str(), summary.checks.c_str(), summary.sections.c_str());
+  for (const std::string& note : summary.notes) std::printf("Note: %s\n", note.c_str());
+  std::printf("Report: %s\n", summary.report_html.c_str());
+}
+
+}  // namespace
+
+void add_analysis_commands(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("analyze", "thresholds, figures and a report from a log of answers");
+  const auto request = std::make_shared<AnalysisRequest>();
+  command->add_option("log", request->log, "the log, LOG.sqlite")->required();
+  command->add_option("--out", request->report_folder, "folder of the report; made when missing")->required();
+  command->add_option("--bootstrap", request->bootstrap_replicates, "bootstrap replicates")
+      ->check(CLI::Range(100, 1000000))
+      ->capture_default_str();
+  command->add_option("--seed", request->seed, "seed of the bootstrap")->capture_default_str();
+  command->add_flag("--include-pilot", request->include_pilot, "use pilot data as well");
+  command
+      ->add_option("--field-of-view", request->field_of_view_deg,
+                   "horizontal field of view in degrees for which thresholds are also stated")
+      ->check(CLI::Range(1.0, 179.0))
+      ->capture_default_str();
+  command->add_flag("--exclude-screened", request->exclude_screened,
+                    "leave out the participants whom a screen names (else they are named and used)");
+  command->callback([request] { run_analyze(*request); });
+
+  add_fit_command(app);
+  add_predict_command(app);
+  add_plan_command(app);
+}
+
+}  // namespace seamline

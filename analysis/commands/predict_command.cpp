@@ -1,0 +1,53 @@
+#include "analysis/commands/predict_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "analysis/commands/predict_text.h"
+#include "analysis/predict.h"
+
+namespace seamline {
+namespace {
+
+struct PredictOptions {
+  std::string set_folder, none_set_folder;
+  double gain = 0;  ///< 0: the study's
+  bool calibrate = false;
+  int threads = 0;
+};
+
+void predict(const PredictOptions& options) {
+  PredictionRequest request{.set_folder = options.set_folder,
+                            .none_set_folder = options.none_set_folder,
+                            .gain = std::nullopt,
+                            .calibrate = options.calibrate,
+                            .threads = options.threads};
+  if (options.gain > 0) request.gain = options.gain;
+  std::printf("%s", prediction_text(predict_thresholds(request)).c_str());
+}
+
+}  // namespace
+
+void add_predict_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("predict", "thresholds predicted from a set's pictures, before anyone is asked");
+  const auto options = std::make_shared<PredictOptions>();
+  command->add_option("set", options->set_folder, "folder of the rendered set")->required();
+  command->add_option("--none", options->none_set_folder,
+                      "a set of the same scenes and objects rendered with the artifact none: the floor");
+  CLI::Option* gain =
+      command->add_option("--gain", options->gain, "instead of the study's observer.image_gain")
+          ->check(CLI::Range(1e-9, 1e9));
+  command
+      ->add_flag("--calibrate", options->calibrate,
+                 "choose the gain that makes the receiver's perceptual threshold the paper's 426 px")
+      ->excludes(gain);
+  command->add_option("--threads", options->threads, "0: as many as the machine has")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->callback([options] { predict(*options); });
+}
+
+}  // namespace seamline

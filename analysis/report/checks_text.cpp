@@ -1,0 +1,63 @@
+#include "analysis/report/checks_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/report/checks_lines.h"
+#include "analysis/report/threshold_rows.h"
+
+namespace seamline {
+
+namespace {
+
+std::string beside_table(const Analysis& analysis) {
+  std::vector<std::vector<std::string>> lines = {
+      {"artifact", "", "isotonic", "logistic", "corrected for guessing", "one object left out"}};
+  for (const ThresholdRow& row : threshold_rows(analysis)) lines.push_back(otherwise_estimated_cells(row));
+  return "The same widths W in px, otherwise estimated (95 % interval)\n" + aligned(lines);
+}
+
+std::string screened_table(const Analysis& analysis) {
+  std::vector<std::vector<std::string>> lines = screened_lines(analysis);
+  lines.insert(lines.begin(), {"thresholds", "artifact", "PT", "SN", "IP"});
+  return aligned(lines);
+}
+
+}  // namespace
+
+std::string guessers_text(const GuessCorrection& correction) {
+  const Guessers& guessers = correction.guessers;
+  if (!guessers.known()) return "Nobody chose wrong: there are no guesses to learn from.";
+  return fmt::format(
+      "Guessers choose left, middle and right in {:.0f}, {:.0f} and {:.0f} %{} and rate {:.2f} on average "
+      "(from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability does not "
+      "fall below {:.2f}.",
+      100 * guessers.position[0], 100 * guessers.position[1], 100 * guessers.position[2],
+      guessers.position_estimated ? "" : " (assumed)", guessers.mean_rating(), guessers.wrong_answers,
+      guessers.reference_answers, correction.floor);
+}
+
+std::string screening_sentence(const Screening& screening) {
+  std::string text;
+  for (Screen screen : every_screen) {
+    const bool judged = screen != Screen::attention || screening.catch_trials;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(screen),
+                        judged ? fmt::format("names {}", screening.named_by(screen).size())
+                               : std::string("is not judged (no catch trials)"));
+  }
+  return fmt::format("Screening of {} participants: {}.", screening.people.size(), text);
+}
+
+std::string checks_text(const Analysis& analysis) {
+  std::string text;
+  if (!analysis.guessing.curves.empty())
+    text = beside_table(analysis) + guessers_text(analysis.guessing) + "\n\n";
+  text += screening_sentence(analysis.screening) + "\n";
+  if (analysis.screened.size() > 1) text += screened_table(analysis);
+  if (std::isnan(analysis.sos.a)) return text;
+  return text + fmt::format("SOS parameter a = {:.3f} ({:.3f} to {:.3f}) over {} stimuli.\n", analysis.sos.a,
+                            analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);
+}
+
+}  // namespace seamline

@@ -1,0 +1,120 @@
+#include "analysis/report/stimulus_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stimuli/manifest.h"
+#include "stimuli/support/atomic_file.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+
+namespace {
+
+constexpr double smallest_crop_share = 200.0 / 960;  ///< of the picture's width
+
+ByteImage cut(const ByteImage& image, const Rectangle& area) {
+  ByteImage part{
+      .width_px = area.width_px, .height_px = area.height_px, .channels = image.channels, .values = {}};
+  const auto row_bytes = static_cast<std::ptrdiff_t>(area.width_px) * image.channels;
+  for (int y = area.y; y < area.y + area.height_px; ++y) {
+    const auto begin =
+        image.values.begin() + (static_cast<std::ptrdiff_t>(y) * image.width_px + area.x) * image.channels;
+    part.values.insert(part.values.end(), begin, begin + row_bytes);
+  }
+  return part;
+}
+
+SampleImage sample(const std::filesystem::path& file, const Rectangle& area,
+                   const std::filesystem::path& scratch, const std::string& label) {
+  const ByteImage part = cut(read_bytes_image(file), area);
+  const std::filesystem::path png = scratch / "sample.png";
+  write_png(png, part);
+  SampleImage image{.label = label,
+                    .stimulus_id = {},
+                    .png = read_file(png),
+                    .width_px = part.width_px,
+                    .height_px = part.height_px};
+  std::filesystem::remove(png);
+  return image;
+}
+
+SampleRow sample_row(const std::filesystem::path& set, std::vector<const ManifestStimulus*> stimuli,
+                     const std::filesystem::path& scratch) {
+  std::sort(stimuli.begin(), stimuli.end(), [](const ManifestStimulus* a, const ManifestStimulus* b) {
+    return a->stimulus.condition.depth_width_px > b->stimulus.condition.depth_width_px;
+  });
+  const Stimulus& first = stimuli.front()->stimulus;
+  const Rectangle area = crop_around(read_bytes_image(set / stimuli.front()->object_ids), first.object_index);
+  SampleRow row{.artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}};
+  row.images.push_back(sample(set / stimuli.front()->reference, area, scratch, "reference"));
+  for (const ManifestStimulus* stimulus : stimuli) {
+    row.images.push_back(sample(set / stimulus->image, area, scratch,
+                                std::to_string(stimulus->stimulus.condition.depth_width_px)));
+    row.images.back().stimulus_id = stimulus->id;
+  }
+  return row;
+}
+
+/// The stimuli of an artifact that show its first scene's leftmost object.
+std::vector<const ManifestStimulus*> of_first_object(const Manifest& manifest, Artifact artifact) {
+  const ManifestStimulus* first = nullptr;
+  std::vector<const ManifestStimulus*> found;
+  for (const ManifestStimulus& stimulus : manifest.stimuli)
+    if (stimulus.stimulus.artifact == artifact &&
+        (first == nullptr || (stimulus.stimulus.scene == first->stimulus.scene &&
+                              stimulus.stimulus.object_index < first->stimulus.object_index)))
+      first = &stimulus;
+  for (const ManifestStimulus& stimulus : manifest.stimuli)
+    if (first != nullptr && stimulus.stimulus.artifact == artifact &&
+        stimulus.stimulus.scene == first->stimulus.scene &&
+        stimulus.stimulus.object_index == first->stimulus.object_index)
+      found.push_back(&stimulus);
+  return found;
+}
+
+}  // namespace
+
+Rectangle crop_around(const ByteImage& object_ids, int id) {
+  int left = object_ids.width_px, right = -1, top = object_ids.height_px, bottom = -1;
+  for (int y = 0; y < object_ids.height_px; ++y)
+    for (int x = 0; x < object_ids.width_px; ++x) {
+      const auto at = static_cast<std::size_t>((y * object_ids.width_px + x) * object_ids.channels);
+      if (object_ids.values[at] != id) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  if (right < 0) return {.x = 0, .y = 0, .width_px = object_ids.width_px, .height_px = object_ids.height_px};
+  const int wanted = std::max(static_cast<int>(smallest_crop_share * object_ids.width_px),
+                              2 * std::max(right - left + 1, bottom - top + 1));
+  const int side = std::min({wanted, object_ids.width_px, object_ids.height_px});
+  return {.x = std::clamp((left + right + 1 - side) / 2, 0, object_ids.width_px - side),
+          .y = std::clamp((top + bottom + 1 - side) / 2, 0, object_ids.height_px - side),
+          .width_px = side,
+          .height_px = side};
+}
+
+StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::path& scratch) {
+  const std::filesystem::path& set = analysis.log.set_folder;
+  std::error_code ignored;
+  if (set.empty() || !std::filesystem::is_directory(set, ignored))
+    return "The stimulus set was not found where it was during the sessions, so no stimuli are shown.";
+  try {
+    if (set_hash(set) != analysis.log.set_hash)
+      return "The stimulus set now at the place of the sessions' set is another one, so no stimuli are "
+             "shown.";
+    const Manifest manifest = read_manifest(set);
+    std::vector<SampleRow> rows;
+    for (const ArtifactScores& scores : analysis.data.artifacts)
+      if (const auto stimuli = of_first_object(manifest, scores.artifact); !stimuli.empty())
+        rows.push_back(sample_row(set, stimuli, scratch));
+    return rows;
+  } catch (const InputError& error) {
+    return std::string("The stimulus set cannot be read, so no stimuli are shown: ") + error.what();
+  }
+}
+
+}  // namespace seamline
