@@ -12,6 +12,7 @@
 #include <set>
 
 #include "stimuli/support/error.h"
+#include "study/catch_plan.h"
 #include "study/log.h"
 #include "study/log_admin.h"
 #include "study/log_writer.h"
@@ -89,7 +90,8 @@ TEST_F(SimulationTest, AHalfFinishedParticipantGoesOnAsIfNothingHadHappened) {
     LogWriter log(folder / "half", set);
     OpenSession place =
         log.open_session({.code = "sim-0001", .simulated = Simulated{ObserverKind::threshold, 1}});
-    log.plan_trials(place, plan_order(24, {.study_seed = set.study.seed, .slot = place.slot}));
+    log.plan_trials(place,
+                    interleave(plan_order(24, {.study_seed = set.study.seed, .slot = place.slot}), {}));
     for (int trial = 0; trial < 10; ++trial) {
       const Answer& answer = whole.answers[static_cast<std::size_t>(trial)];
       log.append_answer(place,
