@@ -26,6 +26,7 @@ const std::vector<PhraseEntry>& every_phrase() {
        "From where you sit, with your eyes half closed, the striped and the plain fields should look the "
        "same."},
       {Phrase::display_confirm, "display_confirm", "They look the same"},
+      {Phrase::display_differ, "display_differ", "They look different"},
       {Phrase::display_too_small, "display_too_small",
        "The pictures are {width} x {height} pixels and do not fit into this screen."},
       {Phrase::display_read_back_failed, "display_read_back_failed",

@@ -28,6 +28,7 @@ enum class Phrase {
   display_distance,
   display_gamma,
   display_confirm,
+  display_differ,
   display_too_small,
   display_read_back_failed,
   instructions_title,

@@ -5,8 +5,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "stimuli/support/error.h"
 #include "study/app/characters.h"
@@ -41,6 +43,34 @@ char32_t missing_character(const ImFont& font, const std::string& text) {
     if (font.FindGlyphNoFallback(static_cast<ImWchar>(character)) == nullptr) return character;
   }
   return 0;
+}
+
+/// The lines of a text: as they are written, and broken between words where they are longer than `wrap_px`.
+std::vector<std::string_view> broken_lines(const ImFont& font, std::string_view text, double wrap_px) {
+  std::vector<std::string_view> lines;
+  while (true) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    while (wrap_px > 0 && !line.empty()) {
+      const char* stop = font.CalcWordWrapPositionA(1.0F, line.data(), line.data() + line.size(),
+                                                    static_cast<float>(wrap_px));
+      const std::size_t length = std::max<std::size_t>(1, static_cast<std::size_t>(stop - line.data()));
+      if (length >= line.size()) break;
+      lines.push_back(line.substr(0, length));
+      line.remove_prefix(length);
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    }
+    lines.push_back(line);
+    if (end == text.size()) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Paragraphs are set with room between their lines, and half a line between them; labels are not.
+double line_px(const ImFont& font, std::string_view line, double wrap_px) {
+  const double size_px = static_cast<double>(font.FontSize);
+  if (wrap_px <= 0) return size_px;
+  return std::round(line.empty() ? 0.6 * size_px : 1.32 * size_px);
 }
 
 }  // namespace
@@ -145,16 +175,25 @@ void Canvas::picture(const Texture& texture, const Rect& rect) {
 
 void Canvas::text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px) {
   const ImFont* type = state_->font(font);
-  ImGui::GetBackgroundDrawList()->AddText(
-      type, type->FontSize, vector(std::round(top_left.x_px), std::round(top_left.y_px)), code(colour),
-      text.data(), text.data() + text.size(), static_cast<float>(wrap_px));
+  double y_px = top_left.y_px;
+  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
+    ImGui::GetBackgroundDrawList()->AddText(type, type->FontSize,
+                                            vector(std::round(top_left.x_px), std::round(y_px)), code(colour),
+                                            line.data(), line.data() + line.size());
+    y_px += line_px(*type, line, wrap_px);
+  }
 }
 
 Size Canvas::measure(Font font, std::string_view text, double wrap_px) const {
   const ImFont* type = state_->font(font);
-  const ImVec2 size = type->CalcTextSizeA(type->FontSize, 1e6F, static_cast<float>(wrap_px), text.data(),
-                                          text.data() + text.size());
-  return {static_cast<double>(size.x), static_cast<double>(size.y)};
+  Size size;
+  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
+    const ImVec2 extent =
+        type->CalcTextSizeA(type->FontSize, 1e6F, 0, line.data(), line.data() + line.size());
+    size.width_px = std::max(size.width_px, static_cast<double>(extent.x));
+    size.height_px += line_px(*type, line, wrap_px);
+  }
+  return size;
 }
 
 double Canvas::size_px(Font font) const {

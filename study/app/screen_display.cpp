@@ -53,8 +53,10 @@ void draw_card_step(Stage& stage) {
   stage.canvas().fill(card, grey(206), card_corner_mm / mm_per_px);
   stage.canvas().outline(card, look::ink, 2, card_corner_mm / mm_per_px);
   ui.gap(0.8);
+  ui.prefer("card");
   ui.slider("card", drafts.card_width_px, least_card_px, most_px, 1);
   drafts.card_width_px = std::round(drafts.card_width_px);
+  ui.gap(0.5);
   ui.note(fmt::format("{:.0f} px = 85.60 mm", drafts.card_width_px));
   if (continue_button(stage)) drafts.display_step = DisplayStep::distance;
 }
@@ -63,8 +65,9 @@ void draw_distance_step(Stage& stage) {
   Ui& ui = stage.ui;
   Drafts& drafts = stage.drafts;
   ui.label(stage.phrase(Phrase::display_distance));
+  ui.prefer("distance");
   if (ui.number("distance", drafts.distance_cm, 6)) drafts.distance_wrong = false;
-  ui.gap(0.3);
+  ui.gap(0.5);
   if (drafts.distance_wrong)
     ui.problem(stage.phrase(Phrase::form_out_of_range, {{"least", fmt::format("{:g}", nearest_cm)},
                                                         {"most", fmt::format("{:g}", farthest_cm)}}));

@@ -38,13 +38,16 @@ Outcome draw(const FormScreen& screen, const Visit& visit, Stage& stage) {
   Ui& ui = stage.ui;
   ui.begin_card(36);
   ui.heading(stage.phrase(Phrase::form_title));
+  if (!visit.plan->form.empty()) ui.prefer(visit.plan->form.front().name);
   for (const FormField& field : visit.plan->form) {
     ui.label(field.label);
     if (!field.required) ui.note(stage.phrase(Phrase::form_optional));
     draw_field(field, stage);
     ui.gap(0.3);
     for (const FormProblem& problem : screen.problems)
-      if (problem.field == field.name) ui.problem(problem_text(stage, field, problem.fault));
+      if (problem.field == field.name)
+        if (const auto fault = fault_of(field, stage.drafts.form[field.name]))  // until it is put right
+          ui.problem(problem_text(stage, field, *fault));
     ui.gap(0.5);
   }
   const std::array<Ui::ButtonText, 1> submit = {

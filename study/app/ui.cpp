@@ -17,6 +17,7 @@ void Ui::reset() {
   focus_.clear();
   held_.clear();
   scroll_px_ = 0;
+  changed_ = true;
 }
 
 void Ui::move_focus(int step) {
@@ -28,6 +29,7 @@ void Ui::move_focus(int step) {
   if (at != last_items_.end()) next = (static_cast<int>(at - last_items_.begin()) + step + count) % count;
   const UiItem& wanted = last_items_[static_cast<std::size_t>(next)];
   focus_ = wanted.id;
+  changed_ = true;
   // What has the focus is in view.
   if (wanted.rect.bottom_px() > screen_.height_px - margin_px)
     scroll_px_ += wanted.rect.bottom_px() - (screen_.height_px - 2 * margin_px);

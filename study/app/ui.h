@@ -33,6 +33,10 @@ class Ui {
   /// A new page: nothing has the focus, and the page is at its top.
   void reset();
   [[nodiscard]] bool changed() const { return changed_; }
+  /// Where nothing has the focus yet, this does.
+  void prefer(const std::string& id) {
+    if (focus_.empty()) focus_ = id;
+  }
 
   void begin_card(double width_em);
   void end_card();
@@ -60,7 +64,8 @@ class Ui {
   [[nodiscard]] bool button_in(const ButtonText& text, const Point& middle);
 
   /// Options of which at most one is chosen (-1: none); returns the new choice.
-  [[nodiscard]] int choice(const std::string& id, std::span<const std::string> options, int chosen);
+  [[nodiscard]] int choice(const std::string& id, std::span<const std::string> options, int chosen,
+                           Font font = Font::body);
   /// A line for a number; returns whether it was changed.
   bool number(const std::string& id, std::string& text, double width_em);
   /// A value on a line; arrows change it by a step, with Shift by ten. Returns whether it was changed.

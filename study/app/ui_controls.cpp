@@ -62,13 +62,13 @@ bool Ui::button_in(const ButtonText& text, const Point& middle) {
       true);
 }
 
-int Ui::choice(const std::string& id, std::span<const std::string> options, int chosen) {
+int Ui::choice(const std::string& id, std::span<const std::string> options, int chosen, Font font) {
   // One control for the keyboard: Tab comes to it once, arrows change it.
   double x_px = card_.x_px;
   std::vector<Rect> rects;
-  const double height_px = std::round(control_em * em() * 0.9);
+  const double height_px = std::round(control_em * canvas_.size_px(font) * 0.9);
   for (const std::string& option : options) {
-    const double width_px = std::round(canvas_.measure(Font::body, option).width_px + 1.6 * em());
+    const double width_px = std::round(canvas_.measure(font, option).width_px + 1.6 * canvas_.size_px(font));
     if (x_px > card_.x_px && x_px + width_px > card_.right_px()) {
       x_px = card_.x_px;
       y_px_ += height_px + std::round(0.4 * em());
@@ -110,7 +110,7 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
     const bool on = chosen == i;
     canvas_.fill(rect, on ? look::chosen : hovered ? look::control_hover : look::control, corner_px);
     canvas_.outline(rect, on ? look::chosen : look::control_edge, 1, corner_px);
-    canvas_.text(Font::body, centred(canvas_, Font::body, options[static_cast<std::size_t>(i)], rect),
+    canvas_.text(font, centred(canvas_, font, options[static_cast<std::size_t>(i)], rect),
                  options[static_cast<std::size_t>(i)], on ? look::ink_on_chosen : look::ink);
   }
   if (focused) ring(all);
