@@ -1,4 +1,5 @@
 // What a study file says about participants: consent, form, instructions, training, catch trials, texts.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -246,7 +247,8 @@ TEST(StudyFilePeople, ShippedStudiesKeepTheirHash) {
         read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / name, AssetCheck::not_needed));
   };
   EXPECT_EQ(hash("quick.toml"), "0ad021eba0e98eef9184803add46c2ecd6a43292cc9b12f8dd00f15ca769acea");
-  EXPECT_EQ(hash("depth_resolution.toml"), "8286a820eaf35a1f987693096d2af325083943dc6894cf5048bf6d2c3de50b11");
+  EXPECT_EQ(hash("depth_resolution.toml"),
+            "8286a820eaf35a1f987693096d2af325083943dc6894cf5048bf6d2c3de50b11");
 }
 
 }  // namespace

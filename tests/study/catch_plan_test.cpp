@@ -39,7 +39,9 @@ TEST(CatchPlan, HasAsManyOfEachKindAsAskedAndAllOtherTrialsInOrder) {
     int expected = 0;
     for (const PlannedTrial& trial : planned(84, {.attention = 4, .reference = 6}, slot)) {
       ++count[trial.kind];
-      if (!is_catch(trial)) EXPECT_EQ(trial.stimulus, expected++);
+      if (!is_catch(trial)) {
+        EXPECT_EQ(trial.stimulus, expected++);
+      }
     }
     EXPECT_EQ(count[TrialKind::stimulus], 84);
     EXPECT_EQ(count[TrialKind::attention], 4);
