@@ -192,6 +192,28 @@ TEST_F(VisitStoreTest, ASessionInProgressElsewhereIsRefused) {
   EXPECT_EQ(complaint(set, path, {.code = "p01"}), "no complaint");
 }
 
+/// Two visits take turns in one log.
+TEST_F(VisitStoreTest, TwoSessionsAtOnceBothWork) {
+  ScriptedPerson anna(1), berta(2);
+  VisitStore first(set, path, {.code = "anna"});
+  VisitStore second(set, path, {.code = "berta"});
+  Visit one = first.begin();
+  Visit other = second.begin();
+  while (!is_over(one) || !is_over(other)) {
+    if (!is_over(one)) one = first.step(std::move(one), anna.act(one));
+    if (!is_over(other)) other = second.step(std::move(other), berta.act(other));
+  }
+  EXPECT_TRUE(on<ThanksScreen>(one));
+  EXPECT_TRUE(on<ThanksScreen>(other));
+  const LogContents log = read_log(path);
+  EXPECT_EQ(log.answers.size(), 24U);
+  EXPECT_NE(log.participants[0].slot, log.participants[1].slot);
+  for (const Answer& answer : log.answers) {
+    const ScriptedPerson& person = answer.participant == "anna" ? anna : berta;
+    EXPECT_EQ(answer.rating, person.answer_to(answer.trial_index).rating);
+  }
+}
+
 /// Two newcomers with one code: nobody is in the log when the second window opens.
 TEST_F(VisitStoreTest, ACodeThatAppearsMeanwhileStopsTheSecondVisit) {
   VisitStore first(set, path, {.code = "p01"});
