@@ -10,11 +10,12 @@
 namespace seamline {
 namespace {
 
-/// Two stops brighter, then half of the way to this colour: magenta occurs in no photograph of a room, stays
-/// apart from grey for every kind of colour vision, and the lifted brightness alone would do. A mix, so that
-/// shape and shading are left: it must still look like the object, put in wrongly.
+/// Two stops brighter, then three quarters of the way to this colour. Brightness alone is not enough, because
+/// a surface near white has none to gain; magenta is rare in pictures of places, and with green gone it is
+/// darker than white and brighter than a shadow for every kind of colour vision. The rest of the surface's
+/// own light leaves its shape and shading: it must still look like the object, put in wrongly.
 constexpr float brighter = 4;
-constexpr float tint_share = 0.5F;
+constexpr float tint_share = 0.75F;
 constexpr std::array<float, 3> tint_linear = {1.0F, 0.05F, 0.8F};
 
 std::uint8_t changed(std::uint8_t code, float tint) {

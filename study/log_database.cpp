@@ -161,9 +161,13 @@ InputError log_error(const fs::path& path, const SQLite::Exception& error) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return complaint("a log that no other program has in use", error.what());
+    case SQLITE_FULL:
+      return complaint("room for the log (every answer stored before is kept)", "a full disk");
+    case SQLITE_IOERR:
+      return complaint("a disk that takes what is written to it (every answer stored before is kept)",
+                       std::string(error.what()) + ": the disk is full, files may not grow, or it is broken");
     default:
-      return complaint("an undamaged log on a disk with room (every answer stored before is kept)",
-                       error.what());
+      return complaint("an undamaged log (every answer stored before is kept)", error.what());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 
+#include "study/file_identity.h"
 #include "study/log_database.h"
 #include "study/log_writer.h"
 #include "study/session_claims.h"
@@ -10,11 +11,17 @@ namespace seamline {
 
 struct LogWriter::Tables {
   Tables(SQLite::Database opened, const std::filesystem::path& log, int shared_orders)
-      : path(log), orders(shared_orders), claims(log), database(std::move(opened)) {}
+      : path(log),
+        orders(shared_orders),
+        claims(log),
+        file(file_identity(log)),
+        ahead(file_identity(log.string() + "-wal")),
+        database(std::move(opened)) {}
 
   std::filesystem::path path;
   int orders = 0;  ///< that people share; 0: everybody has an order of their own
   SessionClaims claims;
+  std::optional<FileIdentity> file, ahead;  ///< of the log and its write-ahead log, as they were opened
   SQLite::Database database;
   int depth = 0;  ///< of nested transactions; the outermost one counts
   SQLite::Statement begin{
@@ -35,6 +42,10 @@ struct LogWriter::Tables {
   /// of another kind.
   [[nodiscard]] std::optional<OpenSession> find_participant(const Enrolment& enrolment);
   [[nodiscard]] OpenSession enter_participant(const Enrolment& enrolment);
+
+  /// Throws InputError when the log or its write-ahead log was deleted or moved: SQLite would go on writing
+  /// into a file that nobody can find again.
+  void check_still_there() const;
 
  private:
   [[nodiscard]] int slot_for(const Enrolment& enrolment);

@@ -62,6 +62,13 @@ LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)
 
 LogWriter::~LogWriter() = default;
 
+void LogWriter::Tables::check_still_there() const {
+  if (file_identity(path) == file && file_identity(path.string() + "-wal") == ahead) return;
+  throw input_error({.file = path.string(),
+                     .wanted = "the log where it was when the session began",
+                     .found = "nothing or another file: it was deleted or moved meanwhile"});
+}
+
 void LogWriter::transaction(const std::function<void()>& work) {
   if (tables_->depth > 0) return work();
   with_log_errors(path_, [&] {
@@ -69,6 +76,7 @@ void LogWriter::transaction(const std::function<void()>& work) {
     tables_->depth = 1;
     try {
       work();
+      tables_->check_still_there();
       transaction.commit();
     } catch (...) {
       tables_->depth = 0;

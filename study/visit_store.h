@@ -38,7 +38,8 @@ class VisitStore {
   VisitStore(const VisitStore&) = delete;
   VisitStore& operator=(const VisitStore&) = delete;
 
-  /// The visit at its start: a newcomer's, or where the participant goes on.
+  /// The visit at its start: a newcomer's, or where the participant goes on. Throws InputError when the log
+  /// fails.
   [[nodiscard]] Visit begin();
 
   /// The visit after an event, with everything that it asks to be stored committed, in one transaction with
