@@ -18,8 +18,8 @@ namespace {
 
 struct StudyOptions {
   std::string set_folder, log, participant, observer;
-  std::string frame_times;
-  bool pilot = false, allow_scaling = false;
+  std::string frame_times, trace;
+  bool pilot = false, allow_scaling = false, windowed = false, display_check = false;
   int count = 20;
   std::uint64_t seed = 1;
   double gain = 0;  // 0: the study's
@@ -45,7 +45,8 @@ ObserverKind parse_observer(const std::string& text) {
 void simulate(const StudyOptions& options) {
   for (const auto& [given, flag] :
        {std::pair(options.pilot, "--pilot"), std::pair(options.allow_scaling, "--allow-scaling"),
-        std::pair(!options.frame_times.empty(), "--frame-times")})
+        std::pair(!options.frame_times.empty(), "--frame-times"), std::pair(options.windowed, "--windowed"),
+        std::pair(options.display_check, "--display-check")})
     if (given)
       throw input_error({.field = flag, .wanted = "a person (--participant)", .found = "--observer"});
   std::optional<double> gain;
@@ -76,7 +77,10 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
                    .code = options.participant,
                    .pilot = options.pilot,
                    .allow_scaling = options.allow_scaling,
-                   .frame_times = options.frame_times});
+                   .frame_times = options.frame_times,
+                   .windowed = options.windowed,
+                   .display_check = options.display_check,
+                   .trace = options.trace});
 }
 
 void administer(const LogOptions& options) {
@@ -111,6 +115,11 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   command->add_flag("--allow-scaling", study_options->allow_scaling,
                     "show pictures that do not fit the screen smaller; the log says so with every answer");
   command->add_option("--frame-times", study_options->frame_times, "CSV for the time of every frame");
+  command->add_flag("--windowed", study_options->windowed,
+                    "a window instead of the whole screen, to try things");
+  command->add_flag("--display-check", study_options->display_check,
+                    "measure the screen again, though it is known on this machine");
+  command->add_option("--trace", study_options->trace)->group("");  // for tests that drive the window
   command->add_option("--observer", study_options->observer,
                       "simulated people: threshold, image (looks at the pictures), guesser or perfect");
   command->add_option("--count", study_options->count, "how many simulated people")

@@ -106,6 +106,7 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   for (int i = 0; i < highest_rating; ++i) {
     const Rect& rect = buttons.at(static_cast<std::size_t>(i));
     const bool hovered = rect.contains(stage.input.mouse);
+    stage.ui.mark(fmt::format("rating/{}", i + 1), rect);
     stage.canvas().fill(rect, hovered ? look::control_hover : look::card, 6);
     stage.canvas().outline(rect, look::card_edge, 1, 6);
     if (focus == i) {

@@ -72,6 +72,9 @@ class Ui {
   bool slider(const std::string& id, double& value, double least, double most, double step);
   bool checkbox(const std::string& id, std::string_view text, bool& on);
 
+  /// Something that the page draws and handles itself, for traces.
+  void mark(const std::string& id, const Rect& rect) { items_.push_back({id, rect}); }
+
   [[nodiscard]] double em() const { return canvas_.size_px(Font::body); }
   [[nodiscard]] Canvas& canvas() { return canvas_; }
   [[nodiscard]] const std::vector<UiItem>& items() const { return items_; }
