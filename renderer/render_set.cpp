@@ -76,10 +76,7 @@ class SetRenderer {
   /// Manifest and study file change together, at the end: until then a set stays what it was.
   void write_set() {
     Manifest written = manifest();
-    for (const std::string& file : session_files(study_)) {
-      fs::create_directories((request_.set_folder / file).parent_path());
-      write_file_atomically(request_.set_folder / file, read_file(study_.file.parent_path() / file));
-    }
+    copy_session_files(study_, request_.set_folder);
     write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
     write_manifest(request_.set_folder, written);
     // Another shard may have finished meanwhile: the last to look lists everything.

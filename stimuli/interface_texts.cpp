@@ -14,7 +14,7 @@ const std::vector<PhraseEntry>& every_phrase() {
       {Phrase::form_submit, "form_submit", "Continue"},
       {Phrase::form_optional, "form_optional", "may be left empty"},
       {Phrase::form_missing, "form_missing", "Please answer this."},
-      {Phrase::form_not_a_number, "form_not_a_number", "Please enter a whole number."},
+      {Phrase::form_not_a_number, "form_not_a_number", "Please enter a number, such as 33."},
       {Phrase::form_out_of_range, "form_out_of_range", "Please enter a number from {least} to {most}."},
       {Phrase::form_not_an_option, "form_not_an_option", "Please choose one of the answers."},
       {Phrase::display_title, "display_title", "The screen"},

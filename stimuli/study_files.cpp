@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
@@ -21,6 +22,13 @@ std::vector<std::string> session_files(const StudyDefinition& study) {
     files.insert(files.end(), page.pictures.begin(), page.pictures.end());
   if (!study.session.font.empty()) files.push_back(study.session.font);
   return files;
+}
+
+void copy_session_files(const StudyDefinition& study, const fs::path& set_folder) {
+  for (const std::string& file : session_files(study)) {
+    fs::create_directories((set_folder / file).parent_path());
+    write_file_atomically(set_folder / file, read_file(study.file.parent_path() / file));
+  }
 }
 
 void check_session_files(const StudyDefinition& study, const fs::path* folder) {

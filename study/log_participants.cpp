@@ -134,6 +134,7 @@ void LogWriter::Tables::read_answers(OpenSession& session) {
 
 std::optional<KnownParticipant> LogWriter::find(const Enrolment& enrolment) {
   check_participant_code(enrolment.code);
+  tables_->claims.open();  // before anybody sees anything
   return with_log_errors(path_, [&]() -> std::optional<KnownParticipant> {
     const std::optional<OpenSession> found = tables_->find_participant(enrolment);
     if (!found) return std::nullopt;

@@ -36,29 +36,29 @@ fs::path claims_file(const fs::path& log) {
   return log.string() + "-lock";
 }
 
-SessionClaims::SessionClaims(const fs::path& log) : path_(claims_file(log)) {
+SessionClaims::SessionClaims(const fs::path& log) : path_(claims_file(log)) {}
+
+SessionClaims::~SessionClaims() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void SessionClaims::open() {
+  if (descriptor_ >= 0) return;
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw trouble(path_, "a place where the log's lock file can be written", errno);
 }
 
-SessionClaims::~SessionClaims() {
-  ::close(descriptor_);
-}
-
 bool SessionClaims::claim(std::int64_t participant) {
+  open();
   struct flock lock = byte_of(participant, F_WRLCK);
   if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return true;
   if (errno == EAGAIN || errno == EACCES) return false;
   throw trouble(path_, "a file system that has locks", errno);
 }
 
-bool SessionClaims::claimed_elsewhere(std::int64_t participant) const {
+bool SessionClaims::claimed_elsewhere(std::int64_t participant) {
+  open();
   return locked_by_others(descriptor_, participant);
-}
-
-void SessionClaims::release(std::int64_t participant) {
-  struct flock lock = byte_of(participant, F_UNLCK);
-  static_cast<void>(::fcntl(descriptor_, F_OFD_SETLK, &lock));  // never fails on a lock of ours
 }
 
 bool is_claimed(const fs::path& log, std::int64_t participant) {

@@ -10,18 +10,19 @@ namespace seamline {
 /// sessions of one log at once.
 class SessionClaims {
  public:
-  /// Opens or makes the file. Throws InputError when it cannot be made.
   explicit SessionClaims(const std::filesystem::path& log);
   ~SessionClaims();
   SessionClaims(const SessionClaims&) = delete;
   SessionClaims& operator=(const SessionClaims&) = delete;
 
+  /// Opens or makes the file, which the other calls do by themselves: logs of simulated people need none.
+  /// Throws InputError when it cannot be made.
+  void open();
+
   /// Takes the participant for this program; false when another one has them. Taking twice is taking once.
   /// Throws InputError when the file system knows no locks.
   [[nodiscard]] bool claim(std::int64_t participant);
-  [[nodiscard]] bool claimed_elsewhere(std::int64_t participant) const;
-
-  void release(std::int64_t participant);
+  [[nodiscard]] bool claimed_elsewhere(std::int64_t participant);
 
  private:
   std::filesystem::path path_;

@@ -57,11 +57,14 @@ struct VisitStore::State {
   /// Stores one record; returns the event that says so.
   VisitEvent store(const Record& record);
   void store_noted();
-  void plan_ahead(const Visit& visit);
+  /// An adaptive procedure's trial must be in the plan before its picture is shown.
+  [[nodiscard]] bool must_plan(const Visit& visit) const;
 
   /// Runs `work` as one transaction; when the log fails the visit stops.
   template <class Work>
   Visit guarded(Visit visit, Work&& work);
+
+  /// Stores whatever the visit asks for.
   Visit settle(Visit visit);
 };
 
@@ -107,11 +110,9 @@ void VisitStore::State::store_noted() {
   if (frames.shown > 0 || frames.late > 0) log.add_frames(*place, frames);
 }
 
-/// An adaptive procedure's trial is in the plan before its picture is shown.
-void VisitStore::State::plan_ahead(const Visit& visit) {
-  if (!place || !std::holds_alternative<TrialScreen>(visit.screen)) return;
-  if (static_cast<int>(place->planned.size()) > place->answered) return;
-  log.transaction([&] { plan_due_trial(visit.session.trials, log, *place); });
+bool VisitStore::State::must_plan(const Visit& visit) const {
+  return place && std::holds_alternative<TrialScreen>(visit.screen) &&
+         static_cast<int>(place->planned.size()) <= place->answered;
 }
 
 template <class Work>
@@ -132,20 +133,16 @@ Visit VisitStore::State::guarded(Visit visit, Work&& work) {
 }
 
 Visit VisitStore::State::settle(Visit visit) {
-  if (!visit.pending) {
-    const bool planned = !place || !std::holds_alternative<TrialScreen>(visit.screen) ||
-                         static_cast<int>(place->planned.size()) > place->answered;
-    if (planned) return visit;
-  }
+  if (!visit.pending && !must_plan(visit)) return visit;
   return guarded(std::move(visit), [&](Visit& now) {
     while (now.pending) {
-      const bool completes = std::holds_alternative<CompletionRecord>(*now.pending);
-      if (completes) record_edge_alarms(now.session.trials.procedure, log, *place, last_ns);
+      if (std::holds_alternative<CompletionRecord>(*now.pending))
+        record_edge_alarms(now.session.trials.procedure, log, *place, last_ns);
       const VisitEvent stored = store(*now.pending);
       now = next(std::move(now), stored);
     }
     store_noted();
-    plan_ahead(now);
+    if (must_plan(now)) plan_due_trial(now.session.trials, log, *place);
   });
 }
 

@@ -169,11 +169,20 @@ TEST(StudyFilePeople, FilesOfASessionLieBesideTheStudy) {
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("seamline-people-{}", ::getpid());
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "none.glb", "x");
-  write_file_atomically(folder / "study.toml", text_of("", "[session]\nfont = \"a.ttf\""));
+  write_file_atomically(folder / "study.toml", text_of("",
+                                                       "[session]\nfont = \"a.ttf\"\n[[instructions.page]]\n"
+                                                       "pictures = [\"deep/b.png\"]\n"));
   EXPECT_THROW((void)read_study(folder / "study.toml"), InputError);
   EXPECT_NO_THROW((void)read_study(folder / "study.toml", AssetCheck::not_needed));
-  write_file_atomically(folder / "a.ttf", "x");
-  EXPECT_EQ(read_study(folder / "study.toml").session.font, "a.ttf");
+  write_file_atomically(folder / "a.ttf", "letters");
+  EXPECT_THROW((void)read_study(folder / "study.toml"), InputError);
+  std::filesystem::create_directories(folder / "deep");
+  write_file_atomically(folder / "deep/b.png", "picture");
+  const StudyDefinition study = read_study(folder / "study.toml");
+  EXPECT_EQ(study.session.font, "a.ttf");
+  copy_session_files(study, folder / "set");
+  EXPECT_EQ(read_file(folder / "set/a.ttf"), "letters");
+  EXPECT_EQ(read_file(folder / "set/deep/b.png"), "picture");
   std::filesystem::remove_all(folder);
 }
 

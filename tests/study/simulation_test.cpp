@@ -207,5 +207,19 @@ TEST(Simulation, TwoThousandObserversMeetTheirExpectationFast) {
   }
 }
 
+/// Orders that people share: simulated person n has order n - 1, counted around.
+TEST_F(SimulationTest, PeopleShareOrdersWhereTheStudySaysSo) {
+  std::string text = study_text("tiny", "64, 512");
+  text.insert(text.find("break_every"), "orders = 2\n");
+  set = write_set_of_text(folder / "shared", text);
+  run_simulated_study(request("shared.sqlite", ObserverKind::perfect, 4));
+  const LogContents log = read_log(folder / "shared.sqlite");
+  std::map<std::string, std::vector<std::string>> order;
+  for (const Answer& answer : log.answers) order[answer.participant].push_back(answer.stimulus_id);
+  EXPECT_EQ(order["sim-0001"], order["sim-0003"]);
+  EXPECT_EQ(order["sim-0002"], order["sim-0004"]);
+  EXPECT_NE(order["sim-0001"], order["sim-0002"]);
+}
+
 }  // namespace
 }  // namespace seamline
