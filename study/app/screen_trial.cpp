@@ -180,7 +180,8 @@ Outcome draw(const TrainingScreen&, const Visit& visit, Stage& stage) {
 
 Outcome draw(const TrialScreen&, const Visit& visit, Stage& stage) {
   Outcome outcome = draw_trial(visit.session, stage);
-  draw_progress(stage, answered_trials(visit.session.trials), planned_trials(visit.session.trials));
+  const int done = answered_trials(visit.session.trials), all = planned_trials(visit.session.trials);
+  draw_progress(stage, done, all);
   return outcome;
 }
 

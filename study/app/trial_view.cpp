@@ -1,5 +1,7 @@
 #include "study/app/trial_view.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -60,6 +62,13 @@ void draw_progress(Stage& stage, int done, int all) {
   if (all > 0)
     stage.canvas().fill({0, bottom_px, std::round(stage.screen_px.width_px * done / all), height_px},
                         grey(84));
+  const std::string text = stage.phrase(
+      Phrase::progress, {{"done", fmt::format("{}", done)}, {"all", fmt::format("{}", all)}});
+  const Size size = stage.canvas().measure(Font::small, text);
+  stage.canvas().text(Font::small,
+                      {stage.screen_px.width_px - size.width_px - stage.ui.em(),
+                       bottom_px - size.height_px - 0.4 * stage.ui.em()},
+                      text, grey(88));
 }
 
 }  // namespace seamline::app

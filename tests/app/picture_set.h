@@ -18,7 +18,8 @@ struct PictureSetRequest {
   int width_px = 400, height_px = 240;
   std::string widths = "64, 128";  ///< depth widths: three stimuli for each
   std::string session;             ///< further lines of [session]
-  std::string more;                ///< further tables of the study file
+  std::string top;                 ///< further keys of the top level
+  std::string more;                ///< further tables
 };
 
 inline int disc_at(int x, int y, int width_px, int height_px) {
@@ -57,11 +58,10 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
       "format = \"seamline study 1\"\nname = \"discs\"\nseed = 7\nwidth_px = {}\nheight_px = {}\n"
       "depth_width_px = [{}]\n{}\n[session]\n{}\n"
       "[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n",
-      request.width_px, request.height_px, request.widths, request.more.starts_with("[") ? "" : request.more,
-      request.session);
+      request.width_px, request.height_px, request.widths, request.top, request.session);
   for (const char* object : {"ball", "disc", "coin"})
     text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n", object);
-  if (request.more.starts_with("[")) text += request.more;
+  text += request.more;
   write_file_atomically(folder / "study.toml", text);
   const StudyDefinition study = read_study(folder / "study.toml", AssetCheck::not_needed);
   Manifest manifest;

@@ -68,15 +68,13 @@ inline void expect_sound(const std::filesystem::path& log) {
 /// Kills `kills` sessions, one person after the other.
 inline KillTally kill_sessions(const std::filesystem::path& folder, int kills, std::uint64_t seed) {
   std::filesystem::remove_all(folder);
-  (void)write_picture_set(folder / "set",
-                          {.width_px = 200,
-                           .height_px = 120,
-                           .widths = "64, 128, 256, 512",
-                           .session = "break_every_trials = 5\ninter_trial_s = 0.03\n",
-                           .more = "[consent]\ntext = \"Discs.\"\n[training]\ntrials = 0\n"
-                                   "[[instructions.page]]\ntext = \"Press 1, 2 or 3.\"\n"
-                                   "[[form_field]]\nname = \"age\"\nlabel = \"Age\"\nkind = \"number\"\n"
-                                   "required = false\n"});
+  (void)write_picture_set(folder / "set", {.width_px = 200,
+                                           .height_px = 120,
+                                           .widths = "64, 128, 256, 512",
+                                           .session = "break_every_trials = 5\ninter_trial_s = 0.03\n",
+                                           .top = "participant_form = false",
+                                           .more = "[consent]\ntext = \"Discs.\"\n[training]\ntrials = 0\n"
+                                                   "[[instructions.page]]\ntext = \"Press 1, 2 or 3.\"\n"});
   const XServer server(folder / "screen", 800, 600);
   keep_display_profile(folder / "run" / "config", 800, 600);
   Random random(seed);
