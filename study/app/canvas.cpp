@@ -121,8 +121,7 @@ void Canvas::set_font(const FontRequest& request) {
   atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
   if (!atlas.Build())
     throw input_error({.file = request.file.string(), .wanted = "a TrueType font", .found = "another file"});
-  ImGui_ImplOpenGL3_DestroyFontsTexture();
-  ImGui_ImplOpenGL3_CreateFontsTexture();
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new type
   for (const ImFont* font : state_->fonts)
     if (const char32_t missing = missing_character(*font, request.characters); missing != 0)
       throw input_error({.file = request.file.string(),

@@ -16,17 +16,12 @@ enum class Key {
   space,
   escape,
   backspace,
-  del,
   left,
   right,
   up,
   down,
-  home,
-  end,
   page_up,
   page_down,
-  plus,
-  minus,
   digit,
 };
 

@@ -22,6 +22,10 @@ struct TrialOnScreen {
     const Point at = in_picture(place, stage.input.mouse);
     return object_at(objects, at.x_px, at.y_px);
   }
+  [[nodiscard]] bool mouse_has_moved() const {
+    const Point& before = stage.drafts.mouse_at_onset;
+    return stage.input.mouse.x_px != before.x_px || stage.input.mouse.y_px != before.y_px;
+  }
   void bracket(int object) const {
     if (object >= 1) draw_bracket(stage, place, objects.frames.at(static_cast<std::size_t>(object - 1)));
   }
@@ -59,7 +63,7 @@ Outcome choose(const TrialOnScreen& trial) {
   move_focus(stage, first_object_place, places - 1);
   const int hovered = trial.object_under_mouse();
   const int focused = stage.drafts.trial_focus - first_object_place + 1;
-  trial.bracket(hovered != 0 ? hovered : focused);
+  trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused);
   int chosen = 0;
   if (stage.input.mouse_pressed) chosen = hovered;
   if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus) chosen = digit;
@@ -146,6 +150,7 @@ Outcome draw_trial(const Session& session, Stage& stage) {
                                },
                                [&](const AwaitingImage&) -> Outcome {
                                  stage.drafts.trial_focus = -1;
+                                 stage.drafts.mouse_at_onset = stage.input.mouse;
                                  if (picture == nullptr) draw_fixation(stage);
                                  show_picture();
                                  return std::nullopt;

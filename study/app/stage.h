@@ -27,6 +27,7 @@ struct Drafts {
   double card_width_px = 0;
   std::string distance_cm;
   bool distance_wrong = false;
+  Point mouse_at_onset;  ///< corners follow the mouse once it has moved, not where it happened to rest
   int trial_focus = -1;  ///< what the keyboard is on in a trial: ratings 0..3, then objects; -1: nothing
 };
 

@@ -62,8 +62,8 @@ void draw_progress(Stage& stage, int done, int all) {
   if (all > 0)
     stage.canvas().fill({0, bottom_px, std::round(stage.screen_px.width_px * done / all), height_px},
                         grey(84));
-  const std::string text = stage.phrase(
-      Phrase::progress, {{"done", fmt::format("{}", done)}, {"all", fmt::format("{}", all)}});
+  const std::string text =
+      stage.phrase(Phrase::progress, {{"done", fmt::format("{}", done)}, {"all", fmt::format("{}", all)}});
   const Size size = stage.canvas().measure(Font::small, text);
   stage.canvas().text(Font::small,
                       {stage.screen_px.width_px - size.width_px - stage.ui.em(),

@@ -4,7 +4,9 @@
 
 #include <GLFW/glfw3.h>
 
+#include <array>
 #include <chrono>
+#include <utility>
 
 #include "stimuli/support/error.h"
 
@@ -17,6 +19,21 @@ std::string last_glfw_error() {
   return text == nullptr ? "none" : text;
 }
 
+constexpr std::array<std::pair<int, Key>, 12> named_keys = {{
+    {GLFW_KEY_TAB, Key::tab},
+    {GLFW_KEY_ENTER, Key::enter},
+    {GLFW_KEY_KP_ENTER, Key::enter},
+    {GLFW_KEY_SPACE, Key::space},
+    {GLFW_KEY_ESCAPE, Key::escape},
+    {GLFW_KEY_BACKSPACE, Key::backspace},
+    {GLFW_KEY_LEFT, Key::left},
+    {GLFW_KEY_RIGHT, Key::right},
+    {GLFW_KEY_UP, Key::up},
+    {GLFW_KEY_DOWN, Key::down},
+    {GLFW_KEY_PAGE_UP, Key::page_up},
+    {GLFW_KEY_PAGE_DOWN, Key::page_down},
+}};
+
 KeyPress key_press(int key, int modifiers, bool repeated) {
   KeyPress press{.shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                  .control = (modifiers & GLFW_MOD_CONTROL) != 0,
@@ -27,63 +44,9 @@ KeyPress key_press(int key, int modifiers, bool repeated) {
   } else if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) {
     press.key = Key::digit;
     press.digit = key - GLFW_KEY_KP_0;
-  } else {
-    switch (key) {
-      case GLFW_KEY_TAB:
-        press.key = Key::tab;
-        break;
-      case GLFW_KEY_ENTER:
-      case GLFW_KEY_KP_ENTER:
-        press.key = Key::enter;
-        break;
-      case GLFW_KEY_SPACE:
-        press.key = Key::space;
-        break;
-      case GLFW_KEY_ESCAPE:
-        press.key = Key::escape;
-        break;
-      case GLFW_KEY_BACKSPACE:
-        press.key = Key::backspace;
-        break;
-      case GLFW_KEY_DELETE:
-        press.key = Key::del;
-        break;
-      case GLFW_KEY_LEFT:
-        press.key = Key::left;
-        break;
-      case GLFW_KEY_RIGHT:
-        press.key = Key::right;
-        break;
-      case GLFW_KEY_UP:
-        press.key = Key::up;
-        break;
-      case GLFW_KEY_DOWN:
-        press.key = Key::down;
-        break;
-      case GLFW_KEY_HOME:
-        press.key = Key::home;
-        break;
-      case GLFW_KEY_END:
-        press.key = Key::end;
-        break;
-      case GLFW_KEY_PAGE_UP:
-        press.key = Key::page_up;
-        break;
-      case GLFW_KEY_PAGE_DOWN:
-        press.key = Key::page_down;
-        break;
-      case GLFW_KEY_EQUAL:
-      case GLFW_KEY_KP_ADD:
-        press.key = Key::plus;
-        break;
-      case GLFW_KEY_MINUS:
-      case GLFW_KEY_KP_SUBTRACT:
-        press.key = Key::minus;
-        break;
-      default:
-        press.key = Key::other;
-    }
   }
+  for (const auto& [code, name] : named_keys)
+    if (code == key) press.key = name;
   return press;
 }
 

@@ -16,10 +16,11 @@ namespace seamline::test {
 
 struct PictureSetRequest {
   int width_px = 400, height_px = 240;
-  std::string widths = "64, 128";  ///< depth widths: three stimuli for each
-  std::string session;             ///< further lines of [session]
-  std::string top;                 ///< further keys of the top level
-  std::string more;                ///< further tables
+  std::string widths = "64, 128";   ///< depth widths: three stimuli for each
+  std::size_t different = 1000000;  ///< picture files; stimuli beyond them show the first ones again
+  std::string session;              ///< further lines of [session]
+  std::string top;                  ///< further keys of the top level
+  std::string more;                 ///< further tables
 };
 
 inline int disc_at(int x, int y, int width_px, int height_px) {
@@ -77,13 +78,14 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
     ManifestStimulus record;
     record.id = stimulus_id(stimulus);
     record.stimulus = stimulus;
-    record.image = record.id + ".png";
+    const std::size_t number = manifest.stimuli.size() % request.different;
+    record.image = fmt::format("picture-{:04}.png", number);
     record.object_ids = "room-ids.png";
     record.reference = "room.png";
     record.sha256 = std::string(64, '0');
+    if (number == manifest.stimuli.size())
+      write_png(folder / record.image, noise_with_discs(study.width_px, study.height_px, number + 1));
     manifest.stimuli.push_back(record);
-    write_png(folder / record.image,
-              noise_with_discs(study.width_px, study.height_px, manifest.stimuli.size()));
   }
   write_manifest(folder, manifest);
   return load_study_set(folder);

@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "x_server.h"
@@ -29,7 +32,8 @@ class WindowDriver {
     std::filesystem::create_directories(run.folder);
     std::filesystem::remove(trace_);
     const std::string command = fmt::format(
-        "exec env -u WAYLAND_DISPLAY DISPLAY={} XDG_CONFIG_HOME='{}' LIBGL_ALWAYS_SOFTWARE=1 '{}' "
+        "exec env -u WAYLAND_DISPLAY DISPLAY={} XDG_CONFIG_HOME='{}' LIBGL_ALWAYS_SOFTWARE=1 "
+        "ASAN_OPTIONS=detect_leaks=0 '{}' "
         "study '{}' --log '{}' --participant {} --trace '{}' {} >'{}' 2>&1 </dev/null",
         display_, (run.folder / "config").string(), SEAMLINE_PROGRAM, run.set.string(), run.log.string(),
         run.code, trace_.string(), run.options, output_.string());
@@ -47,8 +51,14 @@ class WindowDriver {
 
   /// The newest complete line of the trace; none before the first frame.
   [[nodiscard]] std::optional<Line> now() const {
-    if (!std::filesystem::exists(trace_)) return std::nullopt;
-    const std::string text = read_file(trace_);
+    std::ifstream in(trace_, std::ios::binary | std::ios::ate);
+    if (!in) return std::nullopt;
+    constexpr std::streamoff enough = 16384;  // for the last lines of a long trace
+    const std::streamoff size = in.tellg();
+    in.seekg(std::max<std::streamoff>(0, size - enough));
+    std::ostringstream tail;
+    tail << in.rdbuf();
+    const std::string text = tail.str();
     const std::size_t end = text.rfind('\n');
     if (end == std::string::npos) return std::nullopt;
     const std::size_t begin = end == 0 ? 0 : text.rfind('\n', end - 1) + 1;
