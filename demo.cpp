@@ -27,7 +27,7 @@ void run_demo(const std::filesystem::path& out) {
   render_set(study, {.set_folder = out / "set", .contact_sheet = true});
 
   const std::filesystem::path log = out / "log.sqlite";
-  for (const char* suffix : {"", "-wal", "-shm"})
+  for (const char* suffix : {"", "-wal", "-shm", "-lock"})
     std::filesystem::remove(log.string() + suffix);  // simulated: made again
   fmt::print("2/3 sessions: {} simulated observers into {}\n", demo_observers, log.string());
   std::fflush(stdout);

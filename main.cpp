@@ -13,6 +13,9 @@
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/memory.h"
 #include "study/commands.h"
+#ifdef SEAMLINE_HAS_WINDOW
+#include "study/app/run_participant.h"
+#endif
 
 namespace {
 
@@ -40,7 +43,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   seamline::add_demo_command(app);
   seamline::add_renderer_commands(app);
+#ifdef SEAMLINE_HAS_WINDOW
+  seamline::add_study_commands(app, seamline::run_participant_in_window);
+#else
   seamline::add_study_commands(app);
+#endif
   seamline::add_analysis_commands(app);
   seamline::catch_interrupts();
   try {

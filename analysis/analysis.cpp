@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/adaptive_log.h"
+#include "analysis/catch_answers.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 #include "study/observer.h"
@@ -82,6 +83,13 @@ void add_checks(Analysis& analysis) {
   analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
 }
 
+/// The options, with the log's catch trials beside those that were given.
+AnalysisOptions with_catch_trials(AnalysisOptions options, const LogContents& log) {
+  for (const ReferenceAnswer& answer : reference_answers(log)) options.references.push_back(answer);
+  for (const CatchAnswer& answer : attention_answers(log)) options.catches.push_back(answer);
+  return options;
+}
+
 }  // namespace
 
 Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
@@ -90,10 +98,10 @@ Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& r
   analysis.log = std::move(log);
   analysis.include_pilot = include_pilot;
   analysis.resampling = resampling;
-  analysis.options = options;
+  analysis.options = with_catch_trials(options, analysis.log);
   analysis.people = select_participants(analysis.log, include_pilot);
   analysis.scores = score_matrix(analysis.log, analysis.people);
-  analysis.screening = screen_participants(analysis.scores, options.catches);
+  analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
   static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
   std::vector<std::string> notes_on_study;
   const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);

@@ -26,8 +26,8 @@ using PlantedValues = std::map<Artifact, CurveThresholds>;
 struct AnalysisOptions {
   double field_of_view_deg = 90;  ///< horizontal, for which thresholds are also stated; over 0, under 180
   bool exclude_screened = false;  ///< leave out whom any screen names; else they are named and used
-  std::vector<ReferenceAnswer> references;  ///< answers where nothing was inserted
-  std::vector<CatchAnswer> catches;         ///< answers where nobody who looks can be wrong
+  std::vector<ReferenceAnswer> references;  ///< where nothing was inserted, besides the log's own
+  std::vector<CatchAnswer> catches;         ///< where nobody who looks can be wrong, besides the log's own
 };
 
 /// Everything that is computed from a log; what tables, figures and report are written from.

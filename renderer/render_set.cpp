@@ -15,6 +15,7 @@
 #include "renderer/set_work.h"
 #include "renderer/timings.h"
 #include "stimuli/difference.h"
+#include "stimuli/study_files.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
@@ -75,6 +76,7 @@ class SetRenderer {
   /// Manifest and study file change together, at the end: until then a set stays what it was.
   void write_set() {
     Manifest written = manifest();
+    copy_session_files(study_, request_.set_folder);
     write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
     write_manifest(request_.set_folder, written);
     // Another shard may have finished meanwhile: the last to look lists everything.

@@ -33,6 +33,25 @@ std::string session_text(const SessionDefinition& session, const ObserverDefinit
   return out;
 }
 
+/// What else decides what people are shown, only where it differs from what it was before it could be said.
+/// Texts, form, consent and what becomes of those who come again are not part of it: they can be edited in a
+/// rendered set.
+std::string shown_text(const StudyDefinition& study) {
+  const SessionDefinition usual;
+  std::string out;
+  if (study.catches != CatchDefinition{})
+    out += fmt::format("catch attention {} reference {}\n", study.catches.attention, study.catches.reference);
+  if (study.training.trials != TrainingDefinition{}.trials || !study.training.stimuli.empty())
+    out += fmt::format("training {}\n", study.training.trials);
+  for (const std::string& id : study.training.stimuli) out += "training stimulus " + id + "\n";
+  if (study.session.minimum_viewing_s != usual.minimum_viewing_s)
+    out += fmt::format("minimum viewing {}\n", study.session.minimum_viewing_s);
+  if (study.session.inter_trial_s != usual.inter_trial_s)
+    out += fmt::format("inter-trial {}\n", study.session.inter_trial_s);
+  if (study.session.orders != usual.orders) out += fmt::format("orders {}\n", study.session.orders);
+  return out;
+}
+
 }  // namespace
 
 std::string_view word(Estimator estimator) {
@@ -79,7 +98,8 @@ std::string canonical_text(const StudyDefinition& study) {
     out += canonical_text(scene);
     for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
   }
-  return out + session_text(study.session, study.observer) + canonical_text(study.procedure);
+  return out + session_text(study.session, study.observer) + canonical_text(study.procedure) +
+         shown_text(study);
 }
 
 std::string study_hash(const StudyDefinition& study) {

@@ -9,7 +9,12 @@
 #include <vector>
 
 #include "stimuli/artifact.h"
+#include "stimuli/consent_definition.h"
+#include "stimuli/form_definition.h"
+#include "stimuli/instructions_definition.h"
+#include "stimuli/interface_texts.h"
 #include "stimuli/procedure_definition.h"
+#include "stimuli/session_definition.h"
 
 namespace seamline {
 
@@ -57,15 +62,6 @@ struct SceneDefinition {
   double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
 };
 
-/// Texts and breaks of a session (paper section 4.2).
-struct SessionDefinition {
-  std::string question = "Which of the three objects was inserted into the picture?";
-  std::string rating_question = "How noticeable was the insertion artifact?";
-  std::array<std::string, 4> rating_labels = {"Slightly noticeable", "Moderately noticeable",
-                                              "Very noticeable", "Extremely noticeable"};
-  int break_every_trials = 28;
-};
-
 /// A picture shown pixel for pixel on a full-HD screen 0.531 m wide (24 inches) from 0.6 m, rounded.
 inline constexpr double default_pixels_per_degree = 38;
 
@@ -107,6 +103,12 @@ struct StudyDefinition {
   SessionDefinition session;
   ProcedureDefinition procedure;
   ObserverDefinition observer;
+  CatchDefinition catches;
+  TrainingDefinition training;
+  ConsentDefinition consent = default_consent();
+  std::vector<FormField> form = default_form();
+  std::vector<InstructionPage> instructions = default_instructions();
+  InterfaceTexts texts;
 };
 
 [[nodiscard]] std::string_view word(MeshDensity density);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "stimuli/study_file_people.h"
 #include "stimuli/study_file_procedure.h"
 #include "stimuli/study_file_scene.h"
+#include "stimuli/study_file_session.h"
+#include "stimuli/study_files.h"
 #include "stimuli/toml_table.h"
 
 namespace seamline {
@@ -40,22 +43,6 @@ std::vector<int> read_widths(const TomlTable& table) {
     throw table.complaint("depth_width_px", "widths that differ", "a width given twice");
   std::sort(widths.begin(), widths.end());
   return widths;
-}
-
-SessionDefinition read_session(const TomlTable& table) {
-  SessionDefinition session;
-  session.question = table.text("question", session.question);
-  session.rating_question = table.text("rating_question", session.rating_question);
-  session.break_every_trials =
-      table.integer("break_every_trials", session.break_every_trials, {1, 100000, "trials"});
-  if (table.has("rating_labels")) {
-    const std::vector<std::string> labels = table.texts("rating_labels");
-    if (labels.size() != session.rating_labels.size())
-      throw table.complaint("rating_labels", "four texts", std::to_string(labels.size()));
-    std::copy(labels.begin(), labels.end(), session.rating_labels.begin());
-  }
-  table.finish();
-  return session;
 }
 
 ObserverDefinition read_observer(const TomlTable& table) {
@@ -95,6 +82,8 @@ StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::
   if (const auto session = table.table("session")) study.session = read_session(*session);
   study.procedure = read_procedure(table, study.depth_width_px);
   if (const auto observer = table.table("observer")) study.observer = read_observer(*observer);
+  if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
+  read_people(table, study);
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
     study.scenes.push_back(read_scene(scene, path, assets));
@@ -102,6 +91,8 @@ StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
   table.finish();
+  const std::filesystem::path folder = path.parent_path();
+  check_session_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
   return study;
 }

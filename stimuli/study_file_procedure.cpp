@@ -4,27 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
-#include <utility>
+
+#include "stimuli/study_file_words.h"
 
 namespace seamline {
 namespace {
-
-template <class Value>
-using Words = std::vector<std::pair<std::string_view, Value>>;
-
-/// The value that the text at `key` names, `fallback` when there is none.
-template <class Value>
-Value one_of(const TomlTable& table, const char* key, Value fallback, const Words<Value>& words) {
-  if (!table.has(key)) return fallback;
-  const std::string text = table.text(key);
-  std::string wanted;
-  for (const auto& [word, value] : words) {
-    if (word == text) return value;
-    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", word);
-  }
-  throw table.complaint(key, wanted, "\"" + text + "\"");
-}
 
 constexpr int most_values = 1001;              // of one parameter
 constexpr std::int64_t most_points = 1000000;  // of the whole grid

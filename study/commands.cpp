@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <memory>
 
 #include "stimuli/support/error.h"
@@ -17,7 +18,8 @@ namespace {
 
 struct StudyOptions {
   std::string set_folder, log, participant, observer;
-  bool pilot = false;
+  std::string frame_times, trace;
+  bool pilot = false, allow_scaling = false, windowed = false, display_check = false;
   int count = 20;
   std::uint64_t seed = 1;
   double gain = 0;  // 0: the study's
@@ -41,8 +43,12 @@ ObserverKind parse_observer(const std::string& text) {
 }
 
 void simulate(const StudyOptions& options) {
-  if (options.pilot)
-    throw input_error({.field = "--pilot", .wanted = "a person (--participant)", .found = "--observer"});
+  for (const auto& [given, flag] :
+       {std::pair(options.pilot, "--pilot"), std::pair(options.allow_scaling, "--allow-scaling"),
+        std::pair(!options.frame_times.empty(), "--frame-times"), std::pair(options.windowed, "--windowed"),
+        std::pair(options.display_check, "--display-check")})
+    if (given)
+      throw input_error({.field = flag, .wanted = "a person (--participant)", .found = "--observer"});
   std::optional<double> gain;
   if (options.gain > 0) gain = options.gain;
   const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
@@ -63,12 +69,18 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
     throw input_error({.field = "seamline study",
                        .wanted = "either --participant CODE or --observer KIND",
                        .found = options.observer.empty() ? "neither" : "both"});
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of the log and not the end of the program
   if (!options.observer.empty()) return simulate(options);
   check_participant_code(options.participant);
   run_participant({.set_folder = options.set_folder,
                    .log = options.log,
                    .code = options.participant,
-                   .pilot = options.pilot});
+                   .pilot = options.pilot,
+                   .allow_scaling = options.allow_scaling,
+                   .frame_times = options.frame_times,
+                   .windowed = options.windowed,
+                   .display_check = options.display_check,
+                   .trace = options.trace});
 }
 
 void administer(const LogOptions& options) {
@@ -100,6 +112,14 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
       ->required();
   command->add_option("--participant", study_options->participant, "a person's code, never a name");
   command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
+  command->add_flag("--allow-scaling", study_options->allow_scaling,
+                    "show pictures that do not fit the screen smaller; the log says so with every answer");
+  command->add_option("--frame-times", study_options->frame_times, "CSV for the time of every frame");
+  command->add_flag("--windowed", study_options->windowed,
+                    "a window instead of the whole screen, to try things");
+  command->add_flag("--display-check", study_options->display_check,
+                    "measure the screen again, though it is known on this machine");
+  command->add_option("--trace", study_options->trace)->group("");  // for tests that drive the window
   command->add_option("--observer", study_options->observer,
                       "simulated people: threshold, image (looks at the pictures), guesser or perfect");
   command->add_option("--count", study_options->count, "how many simulated people")

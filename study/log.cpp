@@ -1,6 +1,7 @@
 #include "study/log.h"
 
 #include "study/log_database.h"
+#include "study/session_claims.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -18,13 +19,31 @@ void read_study_row(SQLite::Database& database, LogContents& log) {
   log.study_text = row.getColumn(4).getString();
 }
 
-std::vector<ParticipantRecord> read_participants(SQLite::Database& database) {
+std::vector<FormAnswer> read_form(SQLite::Database& database, std::int64_t participant) {
+  SQLite::Statement row(database,
+                        "SELECT field, value FROM form_answers WHERE participant = ? ORDER BY field");
+  SQLite::bind(row, participant);
+  std::vector<FormAnswer> form;
+  while (row.executeStep())
+    form.push_back({.field = row.getColumn(0).getString(), .value = row.getColumn(1).getString()});
+  return form;
+}
+
+std::vector<ParticipantRecord> read_participants(SQLite::Database& database, const fs::path& file) {
   SQLite::Statement row(database, R"sql(
       SELECT code, pilot, excluded, observer, completed, seed,
-             (SELECT count(*) FROM trials WHERE trials.participant = participants.participant)
+             (SELECT count(*) FROM trials
+              WHERE trials.participant = participants.participant AND kind = 'stimulus'),
+             participant, slot, image_gain,
+             (SELECT count(*) FROM sessions WHERE sessions.participant = participants.participant),
+             (SELECT coalesce(max(last_unix_s), 0) FROM sessions
+              WHERE sessions.participant = participants.participant),
+             (SELECT coalesce(max(attempt), 0) FROM set_aside_answers
+              WHERE set_aside_answers.participant = participants.participant)
       FROM participants ORDER BY participant)sql");
   std::vector<ParticipantRecord> participants;
-  while (row.executeStep())
+  while (row.executeStep()) {
+    const std::int64_t number = row.getColumn(7).getInt64();
     participants.push_back({.code = row.getColumn(0).getString(),
                             .pilot = row.getColumn(1).getInt() != 0,
                             .excluded = row.getColumn(2).getInt() != 0,
@@ -32,7 +51,17 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database) {
                             .observer = row.getColumn(3).getString(),
                             .completed = row.getColumn(4).getInt() != 0,
                             .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
-                            .planned_trials = row.getColumn(6).getInt()});
+                            .planned_trials = row.getColumn(6).getInt(),
+                            .slot = row.getColumn(8).getInt(),
+                            .sessions = row.getColumn(10).getInt(),
+                            .restarts = row.getColumn(12).getInt(),
+                            .last_seen_unix_s = row.getColumn(11).getInt64()});
+    ParticipantRecord& record = participants.back();
+    if (!row.getColumn(9).isNull()) record.image_gain = row.getColumn(9).getDouble();
+    if (record.simulated) continue;
+    record.in_progress = is_claimed(file, number);
+    record.form = read_form(database, number);
+  }
   return participants;
 }
 
@@ -49,9 +78,10 @@ Artifact artifact_of(const std::string& text, const fs::path& file) {
 std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file) {
   SQLite::Statement row(database, R"sql(
       SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
-             chosen_index, rating, choice_ns, rating_ns
+             chosen_index, rating, choice_ns, rating_ns, image_scale
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
+      WHERE kind = 'stimulus'
       ORDER BY participant, trial_index)sql");
   std::vector<Answer> answers;
   while (row.executeStep())
@@ -66,8 +96,32 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                        .chosen_index = row.getColumn(8).getInt(),
                        .rating = row.getColumn(9).getInt(),
                        .choice_ns = row.getColumn(10).getInt64(),
-                       .rating_ns = row.getColumn(11).getInt64()});
+                       .rating_ns = row.getColumn(11).getInt64(),
+                       .image_scale = row.getColumn(12).getDouble()});
   return answers;
+}
+
+std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns
+      FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
+                   JOIN participants USING (participant)
+      WHERE kind <> 'stimulus'
+      ORDER BY participant, trial_index)sql");
+  std::vector<CatchTrialAnswer> catches;
+  while (row.executeStep()) {
+    const TrialKind kind = trial_kind_from_word(row.getColumn(2).getString()).value();
+    catches.push_back({.participant = row.getColumn(0).getString(),
+                       .trial_index = row.getColumn(1).getInt(),
+                       .kind = kind,
+                       .scene = row.getColumn(3).getString(),
+                       .right_index = kind == TrialKind::attention ? row.getColumn(4).getInt() : 0,
+                       .chosen_index = row.getColumn(5).getInt(),
+                       .rating = row.getColumn(6).getInt(),
+                       .choice_ns = row.getColumn(7).getInt64(),
+                       .rating_ns = row.getColumn(8).getInt64()});
+  }
+  return catches;
 }
 
 LogContents read_tables(SQLite::Database& database, const fs::path& path) {
@@ -75,9 +129,11 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   LogContents log;
   log.file = path;
   read_study_row(database, log);
-  log.participants = read_participants(database);
+  log.participants = read_participants(database, path);
   log.answers = read_answers(database, path);
+  log.catches = read_catches(database);
   log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();
+  log.declined_visits = database.execAndGet("SELECT count(*) FROM declines").getInt();
   return log;
 }
 

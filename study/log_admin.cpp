@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <map>
 
 #include "study/log_database.h"
+#include "study/session_claims.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -30,6 +32,42 @@ std::string state(const ParticipantRecord& participant, int answered) {
   return answered == 0 ? "not begun" : "unfinished";
 }
 
+/// What a participant has answered.
+struct Done {
+  int answered = 0;  ///< stimuli
+  int attention = 0, attention_right = 0, references = 0;
+};
+
+void count(Done& done, const CatchTrialAnswer& answer) {
+  if (answer.kind == TrialKind::reference) ++done.references;
+  if (answer.kind != TrialKind::attention) return;
+  ++done.attention;
+  done.attention_right += answer.right() ? 1 : 0;
+}
+
+/// 2026-01-31 13:45, in universal time.
+std::string minute_text(std::int64_t unix_s) {
+  const std::time_t time = unix_s;
+  std::tm parts = {};
+  ::gmtime_r(&time, &parts);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday,
+                     parts.tm_hour, parts.tm_min);
+}
+
+/// What is said only where there is something to say.
+std::string more(const ParticipantRecord& participant, const Done& done) {
+  std::string text;
+  if (done.attention > 0) text += fmt::format("  attention {} of {}", done.attention_right, done.attention);
+  if (done.references > 0) text += fmt::format("  references {}", done.references);
+  if (participant.simulated) return text;
+  text += fmt::format("  order {}  last seen {} UTC", participant.slot,
+                      minute_text(participant.last_seen_unix_s));
+  if (participant.sessions > 1) text += fmt::format("  {} sessions", participant.sessions);
+  if (participant.restarts > 0) text += fmt::format("  began again {} times", participant.restarts);
+  if (participant.in_progress) text += "  in a session now";
+  return text;
+}
+
 std::int64_t now_unix_s() {
   using namespace std::chrono;
   return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
@@ -43,7 +81,7 @@ void delete_rows(SQLite::Database& database, const fs::path& log, const std::str
       FROM participants WHERE code = ?)sql");
   run(record, now_unix_s(), code);
   SQLite::Statement forget(database, "DELETE FROM participants WHERE code = ?");
-  run(forget, code);  // trials, answers, sessions and events go with it
+  run(forget, code);  // everything that hangs on the participant goes with it
   if (forget.getChanges() == 0) throw unknown_code(log, code);
   transaction.commit();
 }
@@ -57,18 +95,20 @@ void erase_free_pages(SQLite::Database& database) {
 }  // namespace
 
 std::string status_text(const LogContents& log) {
-  std::map<std::string, int> answered;
-  for (const Answer& answer : log.answers) ++answered[answer.participant];
+  std::map<std::string, Done> done;
+  for (const Answer& answer : log.answers) ++done[answer.participant].answered;
+  for (const CatchTrialAnswer& answer : log.catches) count(done[answer.participant], answer);
   std::size_t width = 4;
   for (const ParticipantRecord& participant : log.participants)
     width = std::max(width, participant.code.size());
-  std::string text =
-      fmt::format("{}: study {}, {} participants, {} answers, {} forgotten\n", log.file.string(),
-                  log.study_name, log.participants.size(), log.answers.size(), log.forgotten_participants);
+  std::string text = fmt::format("{}: study {}, {} participants, {} answers, {} forgotten, {} declined\n",
+                                 log.file.string(), log.study_name, log.participants.size(),
+                                 log.answers.size(), log.forgotten_participants, log.declined_visits);
   for (const ParticipantRecord& participant : log.participants) {
-    const int done = answered[participant.code];
-    text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {}\n", participant.code, width, who(participant),
-                        done, participant.planned_trials, state(participant, done));
+    const Done& own = done[participant.code];
+    text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {:<10}{}\n", participant.code, width,
+                        who(participant), own.answered, participant.planned_trials,
+                        state(participant, own.answered), more(participant, own));
   }
   return text;
 }
@@ -87,6 +127,7 @@ void forget_participant(const fs::path& log, const std::string& code) {
   with_log_errors(log, [&] {
     delete_rows(database, log, code);
     erase_free_pages(database);
+    fs::remove(claims_file(log));  // nobody has it open: the log is ours alone
   });
 }
 

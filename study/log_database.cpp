@@ -95,10 +95,15 @@ void check_log_format(SQLite::Database& database, const fs::path& path) {
     throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (version != log_schema_version)
-    throw input_error({.file = path.string(),
-                       .field = "user_version",
-                       .wanted = fmt::format("a log of schema version {}", log_schema_version),
-                       .found = fmt::format("version {}", version)});
+    throw input_error(
+        {.file = path.string(),
+         .field = "user_version",
+         .wanted = fmt::format("a log of schema version {}", log_schema_version),
+         .found = fmt::format("version {} ({})", version,
+                              version < log_schema_version
+                                  ? "written by an older seamline: go on with that one, or begin "
+                                    "a new log; nothing in it was changed"
+                                  : "written by a newer seamline: use that one")});
   if (!has_schema(database))
     throw input_error({.file = path.string(),
                        .wanted = fmt::format("the tables of schema version {}", log_schema_version),
@@ -156,9 +161,13 @@ InputError log_error(const fs::path& path, const SQLite::Exception& error) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return complaint("a log that no other program has in use", error.what());
+    case SQLITE_FULL:
+      return complaint("room for the log (every answer stored before is kept)", "a full disk");
+    case SQLITE_IOERR:
+      return complaint("a disk that takes what is written to it (every answer stored before is kept)",
+                       std::string(error.what()) + ": the disk is full, files may not grow, or it is broken");
     default:
-      return complaint("an undamaged log on a disk with room (every answer stored before is kept)",
-                       error.what());
+      return complaint("an undamaged log (every answer stored before is kept)", error.what());
   }
 }
 

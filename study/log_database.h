@@ -13,9 +13,10 @@
 namespace seamline {
 
 /// The log's format: a SQLite database with this application_id and, in user_version, this schema version.
-/// Raise the version with every change of the tables in log_schema.cpp. Version 1 is the first.
+/// Raise the version with every change of the tables in log_schema.cpp. Version 2 has kinds of trials,
+/// consents, forms, displays and training.
 inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
-inline constexpr int log_schema_version = 1;
+inline constexpr int log_schema_version = 2;
 
 /// How long to wait for other writers.
 inline constexpr int log_patience_ms = 5000;

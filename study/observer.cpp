@@ -162,6 +162,19 @@ Response respond(const Observer& observer, const Stimulus& stimulus, Random& ran
       observer);
 }
 
+Response respond_to_attention(const Observer& observer, int right_index, Random& random) {
+  const Response seen{.chosen_index = right_index, .rating = highest_rating};
+  return std::visit(
+      Overloaded{[&](const ThresholdObserver&) { return seen; }, [&](const ImageObserver&) { return seen; },
+                 [&](const GuessingObserver&) { return guess(random); },
+                 [&](const PerfectObserver&) { return seen; }},
+      observer);
+}
+
+Response respond_to_reference(Random& random) {
+  return guess(random);
+}
+
 double expected_noticeability(const ObserverDefinition& definition, Artifact artifact, double width_px) {
   return mean_over_people(definition,
                           std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact)));

@@ -61,6 +61,13 @@ struct Response {
 /// or an `image` observer knows no gain or no visible difference of the stimulus.
 [[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus, Random& random);
 
+/// The answer to an attention trial: everybody who looks at the pictures sees it, chooses the right object
+/// and rates it 4; a guesser guesses.
+[[nodiscard]] Response respond_to_attention(const Observer& observer, int right_index, Random& random);
+
+/// The answer to a reference trial, where there is nothing to see: everybody guesses, rated 1.
+[[nodiscard]] Response respond_to_reference(Random& random);
+
 /// Planted value of the `threshold` observer: its exact mean noticeability over people at one depth width,
 ///
 ///     E = integral over s of N(s; 0, people_sd^2) [ P (1 + 3P) + (1 - P) / 3 ] ds,   P = P(seen | W, shift

@@ -49,9 +49,18 @@ SimulatedPerson make_person(const SimulationRequest& request, const StudySet& se
 }
 
 Response answer_of(const SimulatedPerson& person, const StudySet& set, const Session& session) {
-  const int stimulus = current_stimulus(session.procedure).value();
-  Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.procedure)));
-  return respond(person.observer, set.manifest.stimuli[static_cast<std::size_t>(stimulus)].stimulus, random);
+  const PlannedTrial trial = current_trial(session.trials).value();
+  Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
+  const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
+  switch (trial.kind) {
+    case TrialKind::stimulus:
+      return respond(person.observer, stimulus, random);
+    case TrialKind::attention:
+      return respond_to_attention(person.observer, stimulus.object_index, random);
+    case TrialKind::reference:
+      return respond_to_reference(random);
+  }
+  return {};
 }
 
 /// One trial from the image to the stored answer, all at time 0.
@@ -69,13 +78,14 @@ Session run_trial(Session session, const SimulatedPerson& person, const StudySet
 /// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
 int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const ProcedurePlan& plan,
                     const SimulatedPerson& person) {
-  Session session = begin_session(open_procedure(plan, log, place), set.study.session.break_every_trials);
+  Session session = begin_session(open_trials(plan, log, place),
+                                  {.break_every_trials = set.study.session.break_every_trials});
   while (!std::holds_alternative<Done>(session.phase)) {
-    plan_due_trial(session.procedure, log, place);
+    plan_due_trial(session.trials, log, place);
     session = run_trial(std::move(session), person, set,
                         [&](const TrialAnswer& answer) { log.append_answer(place, answer); });
   }
-  const int tracks_on_edge = record_edge_alarms(session.procedure, log, place, 0);
+  const int tracks_on_edge = record_edge_alarms(session.trials.procedure, log, place, 0);
   log.complete(place);
   return tracks_on_edge;
 }
@@ -88,11 +98,17 @@ struct SimulatedStudy {
   SharedDifferences differences;
 };
 
+/// What the log keeps of the gain: that of the observers that have one, wherever it comes from.
+std::optional<double> gain_of(const SimulatedStudy& study) {
+  return study.request.observer == ObserverKind::image ? study.set.study.observer.image_gain : std::nullopt;
+}
+
 void simulate(LogWriter& log, const SimulatedStudy& study, int number, SimulationSummary& summary) {
   const SimulationRequest& request = study.request;
-  OpenSession place = log.open_session({.code = fmt::format("sim-{:04}", number),
-                                        .simulated = Simulated{request.observer, request.seed},
-                                        .slot = number - 1});
+  OpenSession place =
+      log.open_session({.code = fmt::format("sim-{:04}", number),
+                        .simulated = Simulated{request.observer, request.seed, gain_of(study)},
+                        .slot = number - 1});
   const bool complete = place.completed || place.excluded;
   ++(complete ? summary.participants_complete : summary.participants_run);
   if (complete) return;

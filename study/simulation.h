@@ -12,7 +12,7 @@ struct SimulationRequest {
   std::filesystem::path set_folder = {};
   std::filesystem::path log = {};
   ObserverKind observer = ObserverKind::threshold;
-  std::optional<double> image_gain = {};  ///< of `image`, instead of the study's; the log does not keep it
+  std::optional<double> image_gain = {};  ///< of `image`, instead of the study's
   int count = 20;                         ///< participants sim-0001 to sim-N
   std::uint64_t seed = 1;                 ///< same seed, same answers, on every machine
 };

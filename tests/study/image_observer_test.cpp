@@ -106,6 +106,25 @@ TEST(ImageObserver, LooksAtTheSetAndAnswersByWhatIsThere) {
   EXPECT_GT(means[64], 3);
   EXPECT_NEAR(means[512], 1.0 / 3, 0.1);  // nothing to see: guesses
   EXPECT_EQ(log.participants.front().observer, "image");
+  EXPECT_EQ(log.participants.front().image_gain, 20);
+}
+
+/// People of two gains are two kinds of people: the log keeps the gain and mixes none.
+TEST(ImageObserver, TheLogKeepsTheGainThatWasGiven) {
+  const TemporaryFolder folder;
+  const StudySet set = write_pictures(folder / "set");
+  const auto simulate = [&](double gain, int count) {
+    run_simulated_study({.set_folder = set.folder,
+                         .log = folder / "log",
+                         .observer = ObserverKind::image,
+                         .image_gain = gain,
+                         .count = count,
+                         .seed = 3});
+  };
+  simulate(7.5, 2);
+  EXPECT_EQ(read_log(folder / "log").participants[1].image_gain, 7.5);
+  EXPECT_THROW(simulate(7.25, 3), InputError);
+  EXPECT_NO_THROW(simulate(7.5, 3));
 }
 
 TEST(ImageObserver, WithoutAGainIsWrongInput) {

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "stimuli/support/random.h"
+#include "study/catch_plan.h"
 #include "study/log.h"
 #include "study/log_writer.h"
 #include "study/plan.h"
@@ -34,7 +35,9 @@ void write_participant(LogWriter& log, const StudySet& set, int participant, int
   OpenSession place = log.open_session({.code = fmt::format("p{:05}", participant)});
   if (place.completed) return;
   if (place.planned.empty())
-    log.plan_trials(place, plan_order(static_cast<int>(set.manifest.stimuli.size()), {.slot = place.slot}));
+    log.plan_trials(
+        place,
+        interleave(plan_order(static_cast<int>(set.manifest.stimuli.size()), {.slot = place.slot}), {}));
   while (place.answered < static_cast<int>(place.planned.size())) {
     const TrialAnswer answer = answer_to(participant, place.answered);
     log.append_answer(place, answer);

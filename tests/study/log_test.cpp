@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "stimuli/support/error.h"
+#include "study/catch_plan.h"
 #include "study/log_admin.h"
 #include "study/log_writer.h"
 #include "study/plan.h"
@@ -40,9 +41,10 @@ class LogTest : public testing::Test {
     return plan_order(static_cast<int>(set.manifest.stimuli.size()),
                       {.study_seed = set.study.seed, .slot = slot});
   }
+  [[nodiscard]] std::vector<PlannedTrial> plan(int slot) const { return interleave(order(slot), {}); }
   OpenSession enter(LogWriter& log, const Enrolment& enrolment, int answers) const {
     OpenSession session = log.open_session(enrolment);
-    if (session.planned.empty()) log.plan_trials(session, order(session.slot));
+    if (session.planned.empty()) log.plan_trials(session, plan(session.slot));
     for (int i = 0; i < answers; ++i) log.append_answer(session, answer(session.answered));
     return session;
   }
@@ -103,7 +105,7 @@ TEST_F(LogTest, IsWrittenSafely) {
   LogWriter log(path, set);
   SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
   EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "wal");
-  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 1);
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 2);
   EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x5345414d);
 }
 
@@ -123,7 +125,7 @@ TEST_F(LogTest, ResumesWhereTheParticipantStopped) {
   LogWriter log(path, set);
   OpenSession again = log.open_session({.code = "p1"});
   EXPECT_EQ(again.answered, 7);
-  EXPECT_EQ(again.planned, order(0));
+  EXPECT_EQ(again.planned, plan(0));
   EXPECT_FALSE(again.completed);
   while (again.answered < 24) log.append_answer(again, answer(again.answered));
   log.complete(again);
@@ -203,7 +205,7 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
   SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
   database.exec("PRAGMA foreign_keys = ON");
   const auto answer_row = [](const std::string& trial, const std::string& rest) {
-    return "INSERT INTO answers VALUES (1, " + trial + ", 1, " + rest + ")";
+    return "INSERT INTO answers VALUES (1, " + trial + ", 1, " + rest + ", 1.0)";
   };
   const auto participant_row = [](const std::string& values) {
     return "INSERT INTO participants (code, slot, pilot, observer, seed) VALUES (" + values + ")";
@@ -220,10 +222,12 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
            answer_row("1", "1, 1, 5, 4"),
            answer_row("0", "1, 1, 0, 0"),   // answered already
            answer_row("24", "1, 1, 0, 0"),  // not planned
-           std::string("INSERT INTO answers VALUES (9, 1, 1, 1, 1, 0, 0)"),
-           std::string("INSERT INTO answers VALUES (1, 1, 9, 1, 1, 0, 0)"),
-           std::string("INSERT INTO trials VALUES (1, 24, 24)"),
-           std::string("INSERT INTO trials VALUES (1, -1, 0)"),
+           std::string("INSERT INTO answers VALUES (9, 1, 1, 1, 1, 0, 0, 1.0)"),
+           std::string("INSERT INTO answers VALUES (1, 1, 9, 1, 1, 0, 0, 1.0)"),
+           std::string("INSERT INTO answers VALUES (1, 1, 1, 1, 1, 0, 0, 0.0)"),
+           std::string("INSERT INTO trials VALUES (1, 24, 'stimulus', 24)"),
+           std::string("INSERT INTO trials VALUES (1, -1, 'stimulus', 0)"),
+           std::string("INSERT INTO trials VALUES (1, 24, 'practice', 0)"),
            participant_row("'p1', 1, 0, NULL, NULL"),
            participant_row("'a b', 1, 0, NULL, NULL"),
            participant_row("'p2', -1, 0, NULL, NULL"),
@@ -235,8 +239,8 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
            std::string("UPDATE stimuli SET object_index = 4"),
            std::string("UPDATE stimuli SET depth_width_px = 7"),
            std::string("UPDATE sessions SET started_unix_s = -1"),
-           std::string("INSERT INTO events VALUES (1, 1, -1, 'shown', 0, '')"),
-           std::string("INSERT INTO events VALUES (1, 1, 0, '', 0, '')"),
+           std::string("INSERT INTO events VALUES (1, 1, -1, 'shown', 0, '', NULL)"),
+           std::string("INSERT INTO events VALUES (1, 1, 0, '', 0, '', NULL)"),
        })
     EXPECT_THROW(database.exec(bad), SQLite::Exception) << bad;
   EXPECT_NO_THROW(database.exec(answer_row("1", "3, 4, 5, 5")));
@@ -281,8 +285,11 @@ TEST_F(LogTest, FilesThatAreNotLogsAreRefused) {
       .exec("CREATE TABLE other (x)");
   refused("another SQLite database");
   { LogWriter log(path, set); }
-  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
-  refused("version 2");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
+  refused("written by an older seamline");
+  { LogWriter log(path, set); }
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
+  refused("written by a newer seamline");
   { LogWriter log(path, set); }
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
       .exec("ALTER TABLE answers RENAME COLUMN rating TO stars");

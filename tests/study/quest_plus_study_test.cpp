@@ -94,23 +94,23 @@ TEST_F(QuestPlusStudyTest, ABrokenOffSessionGoesOnAsIfNothingHadHappened) {
       {
         LogWriter log(folder / name, set);
         OpenSession place = log.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-        Procedure procedure = open_procedure(plan, log, place);
+        TrialSequence trials = open_trials(plan, log, place);
         for (int trial = 0; trial < broken_off_at; ++trial) {
-          plan_due_trial(procedure, log, place);
+          plan_due_trial(trials, log, place);
           const Answer& given = whole.answers[static_cast<std::size_t>(trial)];
           const TrialAnswer answer{
               .trial_index = trial, .chosen_index = given.chosen_index, .rating = given.rating};
           log.append_answer(place, answer);
-          procedure = after_answer(std::move(procedure), answer);
+          trials = after_answer(std::move(trials), answer);
         }
-        if (image_was_shown) plan_due_trial(procedure, log, place);
+        if (image_was_shown) plan_due_trial(trials, log, place);
 
         LogWriter reopened(folder / name, set);
         OpenSession again = reopened.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-        const Procedure resumed = open_procedure(plan, reopened, again);
-        EXPECT_EQ(current_stimulus(resumed), current_stimulus(procedure));
-        EXPECT_EQ(std::get<QuestPlusProcedure>(resumed).tracks,
-                  std::get<QuestPlusProcedure>(procedure).tracks);
+        const TrialSequence resumed = open_trials(plan, reopened, again);
+        EXPECT_EQ(current_trial(resumed), current_trial(trials));
+        EXPECT_EQ(std::get<QuestPlusProcedure>(resumed.procedure).tracks,
+                  std::get<QuestPlusProcedure>(trials.procedure).tracks);
       }
       EXPECT_EQ(run_simulated_study(request(name, 1)).answers_added, 96 - broken_off_at);
       EXPECT_EQ(lines_of(name), lines_of("whole"));

@@ -9,11 +9,11 @@
 namespace seamline {
 namespace {
 
-Procedure constant(int trials, int answered = 0) {
+TrialSequence constant(int trials, int answered = 0) {
   ConstantProcedure procedure{.order = std::vector<int>(static_cast<std::size_t>(trials)),
                               .answered = answered};
   std::iota(procedure.order.begin(), procedure.order.end(), 100);
-  return procedure;
+  return {.procedure = procedure};
 }
 
 template <class Wanted>
@@ -27,9 +27,9 @@ Session after(Session session, const std::vector<Event>& events) {
 }
 
 TEST(Session, GoesFromImageToChoiceToRatingToStoredAnswer) {
-  Session session = begin_session(constant(2), 0);
+  Session session = begin_session(constant(2), {.break_every_trials = 0});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_stimulus(session.procedure), 100);
+  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 100}));
   session = next(session, ImageShown{.now_ns = 1000});
   EXPECT_TRUE(is<Choosing>(session));
   session = next(session, ObjectChosen{.index = 3, .now_ns = 1500});
@@ -41,15 +41,15 @@ TEST(Session, GoesFromImageToChoiceToRatingToStoredAnswer) {
       (TrialAnswer{.trial_index = 0, .chosen_index = 3, .rating = 2, .choice_ns = 500, .rating_ns = 900}));
   session = next(session, AnswerStored{});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_stimulus(session.procedure), 101);
+  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 101}));
   session =
       after(session, {ImageShown{}, ObjectChosen{.index = 1}, RatingGiven{.rating = 1}, AnswerStored{}});
   EXPECT_TRUE(is<Done>(session));
-  EXPECT_EQ(current_stimulus(session.procedure), std::nullopt);
+  EXPECT_EQ(current_trial(session.trials), std::nullopt);
 }
 
 TEST(Session, CannotSkipTheChoiceOrTheRating) {
-  const Session choosing = after(begin_session(constant(2), 0), {ImageShown{}});
+  const Session choosing = after(begin_session(constant(2), {.break_every_trials = 0}), {ImageShown{}});
   EXPECT_TRUE(
       is<Choosing>(after(choosing, {RatingGiven{.rating = 4}, AnswerStored{}, BreakEnded{}, ImageShown{}})));
   const Session rating = after(choosing, {ObjectChosen{.index = 2}});
@@ -58,7 +58,7 @@ TEST(Session, CannotSkipTheChoiceOrTheRating) {
 
 TEST(Session, TheLastChoiceBeforeTheRatingCountsAndNoneAfterIt) {
   const Session rating =
-      after(begin_session(constant(1), 0),
+      after(begin_session(constant(1), {.break_every_trials = 0}),
             {ImageShown{.now_ns = 10}, ObjectChosen{.index = 2, .now_ns = 20},
              ObjectChosen{.index = 3, .now_ns = 40}, RatingGiven{.rating = 1, .now_ns = 50}});
   const Session late =
@@ -70,7 +70,8 @@ TEST(Session, TheLastChoiceBeforeTheRatingCountsAndNoneAfterIt) {
 }
 
 TEST(Session, IgnoresNumbersOutOfRangeAndTimesThatRunBackwards) {
-  const Session choosing = after(begin_session(constant(1), 0), {ImageShown{.now_ns = 100}});
+  const Session choosing =
+      after(begin_session(constant(1), {.break_every_trials = 0}), {ImageShown{.now_ns = 100}});
   for (const int index : {-1, 0, 4, 1000})
     EXPECT_TRUE(is<Choosing>(next(choosing, ObjectChosen{.index = index, .now_ns = 200})));
   EXPECT_TRUE(is<Choosing>(next(choosing, ObjectChosen{.index = 1, .now_ns = 99})));
@@ -83,13 +84,13 @@ TEST(Session, IgnoresNumbersOutOfRangeAndTimesThatRunBackwards) {
 }
 
 TEST(Session, BreaksAfterEveryNAnswersButNotAfterTheLast) {
-  Session session = begin_session(constant(9), 3);
+  Session session = begin_session(constant(9), {.break_every_trials = 3});
   std::vector<int> breaks;
   while (!is<Done>(session)) {
     session =
         after(session, {ImageShown{}, ObjectChosen{.index = 1}, RatingGiven{.rating = 1}, AnswerStored{}});
     if (!is<OnBreak>(session)) continue;
-    breaks.push_back(answered_trials(session.procedure));
+    breaks.push_back(answered_trials(session.trials));
     EXPECT_TRUE(is<OnBreak>(after(session, {ImageShown{}, ObjectChosen{.index = 1}, AnswerStored{}})));
     session = next(session, BreakEnded{});
   }
@@ -97,13 +98,13 @@ TEST(Session, BreaksAfterEveryNAnswersButNotAfterTheLast) {
 }
 
 TEST(Session, ResumesAtTheFirstUnansweredTrial) {
-  Session session = begin_session(constant(5, 3), 3);
+  Session session = begin_session(constant(5, 3), {.break_every_trials = 3});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_stimulus(session.procedure), 103);
+  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 103}));
   session = after(session, {ImageShown{}, ObjectChosen{.index = 1}, RatingGiven{.rating = 1}});
   EXPECT_EQ(std::get<Storing>(session.phase).answer.trial_index, 3);
-  EXPECT_TRUE(is<Done>(begin_session(constant(5, 5), 3)));
-  EXPECT_TRUE(is<Done>(begin_session(constant(0), 3)));
+  EXPECT_TRUE(is<Done>(begin_session(constant(5, 5), {.break_every_trials = 3})));
+  EXPECT_TRUE(is<Done>(begin_session(constant(0), {.break_every_trials = 3})));
 }
 
 Event random_event(Random& random, std::int64_t now_ns) {
@@ -126,7 +127,7 @@ Event random_event(Random& random, std::int64_t now_ns) {
 TEST(Session, LawsHoldUnderRandomEvents) {
   Random random(2024);
   for (int run = 0; run < 200; ++run) {
-    Session session = begin_session(constant(12), 5);
+    Session session = begin_session(constant(12), {.break_every_trials = 5});
     int answers = 0;
     for (std::int64_t now_ns = 1; !is<Done>(session); ++now_ns) {
       ASSERT_LT(now_ns, 100000);
@@ -135,7 +136,7 @@ TEST(Session, LawsHoldUnderRandomEvents) {
       session = next(std::move(session), event);
       if (was_storing && !is<Storing>(session)) {
         ASSERT_TRUE(std::holds_alternative<AnswerStored>(event));
-        ASSERT_EQ(answered_trials(session.procedure), answers);
+        ASSERT_EQ(answered_trials(session.trials), answers);
       }
       if (!was_storing && is<Storing>(session)) {
         const TrialAnswer answer = std::get<Storing>(session.phase).answer;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "stimuli/support/error.h"
+#include "study/catch_plan.h"
 #include "study/log.h"
 #include "study/log_admin.h"
 #include "study/log_writer.h"
@@ -89,7 +90,8 @@ TEST_F(SimulationTest, AHalfFinishedParticipantGoesOnAsIfNothingHadHappened) {
     LogWriter log(folder / "half", set);
     OpenSession place =
         log.open_session({.code = "sim-0001", .simulated = Simulated{ObserverKind::threshold, 1}});
-    log.plan_trials(place, plan_order(24, {.study_seed = set.study.seed, .slot = place.slot}));
+    log.plan_trials(place,
+                    interleave(plan_order(24, {.study_seed = set.study.seed, .slot = place.slot}), {}));
     for (int trial = 0; trial < 10; ++trial) {
       const Answer& answer = whole.answers[static_cast<std::size_t>(trial)];
       log.append_answer(place,
@@ -203,6 +205,20 @@ TEST(Simulation, TwoThousandObserversMeetTheirExpectationFast) {
                 4 * standard_error)
         << word(cell.first) << " " << cell.second;
   }
+}
+
+/// Orders that people share: simulated person n has order n - 1, counted around.
+TEST_F(SimulationTest, PeopleShareOrdersWhereTheStudySaysSo) {
+  std::string text = study_text("tiny", "64, 512");
+  text.insert(text.find("break_every"), "orders = 2\n");
+  set = write_set_of_text(folder / "shared", text);
+  run_simulated_study(request("shared.sqlite", ObserverKind::perfect, 4));
+  const LogContents log = read_log(folder / "shared.sqlite");
+  std::map<std::string, std::vector<std::string>> order;
+  for (const Answer& answer : log.answers) order[answer.participant].push_back(answer.stimulus_id);
+  EXPECT_EQ(order["sim-0001"], order["sim-0003"]);
+  EXPECT_EQ(order["sim-0002"], order["sim-0004"]);
+  EXPECT_NE(order["sim-0001"], order["sim-0002"]);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "analysis/guess_trials.h"
+#include "analysis/screening.h"
+#include "study/log.h"
+
+namespace seamline {
+
+/// The answers of a log to reference trials, for the correction for guessing.
+[[nodiscard]] std::vector<ReferenceAnswer> reference_answers(const LogContents& log);
+
+/// The answers of a log to attention trials, for screening.
+[[nodiscard]] std::vector<CatchAnswer> attention_answers(const LogContents& log);
+
+}  // namespace seamline

@@ -1,0 +1,11 @@
+#pragma once
+#include "stimuli/study_definition.h"
+#include "stimuli/toml_table.h"
+
+namespace seamline {
+
+/// Reads what participants are told and asked: `[consent]`, `[[form_field]]`, `[instructions]`, `[training]`
+/// and `[texts]`, from the top of a study file. Throws InputError as read_study does.
+void read_people(const TomlTable& study, StudyDefinition& definition);
+
+}  // namespace seamline

@@ -1,0 +1,14 @@
+#pragma once
+#include "stimuli/instructions_definition.h"
+#include "stimuli/session_definition.h"
+#include "stimuli/toml_table.h"
+
+namespace seamline {
+
+/// Reads `[session]`. Throws InputError as read_study does.
+[[nodiscard]] SessionDefinition read_session(const TomlTable& session);
+
+/// Reads `[catch]`.
+[[nodiscard]] CatchDefinition read_catches(const TomlTable& catches);
+
+}  // namespace seamline

@@ -1,0 +1,201 @@
+#include "study/app/application.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
+#include "study/app/instruction_pictures.h"
+#include "study/app/look.h"
+#include "study/app/screen_names.h"
+
+namespace seamline::app {
+namespace {
+
+constexpr double longest_wait_s = 0.25;             ///< after which Ctrl-C in the terminal is seen
+constexpr std::int64_t decoding_wait_ns = 2000000;  ///< between looks at a picture that is being decoded
+constexpr int most_layouts = 4;
+
+bool is_awaiting(const Session* session) {
+  return session != nullptr && std::holds_alternative<AwaitingImage>(session->phase);
+}
+
+}  // namespace
+
+const Session* Application::session_on_screen() const {
+  if (std::holds_alternative<TrialScreen>(visit_.screen)) return &visit_.session;
+  if (std::holds_alternative<TrainingScreen>(visit_.screen)) return &visit_.training;
+  return nullptr;
+}
+
+void Application::run() {
+  visit_ = store_.begin();
+  while (!stage_.leave && !stage_.close) run_frame();
+  visit_ = store_.flush(std::move(visit_));
+  if (const auto* stopped = std::get_if<StoppedScreen>(&visit_.screen)) throw InputError(stopped->message);
+}
+
+void Application::run_frame() {
+  wait_for_input();
+  if (interrupted()) {
+    visit_ = store_.flush(std::move(visit_));
+    throw Interrupted{};
+  }
+  const std::int64_t begun_ns = monotonic_ns();
+  if (!frame_is_due(begun_ns)) return;
+  due_ns_.reset();
+  note_window_events();
+  if (const Session* session = session_on_screen(); session != nullptr)
+    if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
+      step(Event(Tick{begun_ns}));
+  if (handle_pause()) return;
+  if (std::holds_alternative<DisplayScreen>(visit_.screen))
+    if (const std::optional<DisplayProfile> known = known_display())
+      return step(DisplayConfirmed{display_facts(stage_, *known)});
+  if (stage_.text_scale != type_scale_) set_type();
+  prepare_pictures();
+
+  ui_.begin(stage_.input, stage_.screen_px);
+  const Outcome outcome =
+      std::visit([&](const auto& screen) { return draw(screen, visit_, stage_); }, visit_.screen);
+  ui_.end();
+  const bool lay_out_again = ui_.changed() && ++layouts_ < most_layouts;
+  if (outcome || lay_out_again || stage_.text_scale != type_scale_) {
+    canvas_.discard();
+    if (outcome) step(*outcome);
+    due_ns_ = 0;
+    return;
+  }
+  layouts_ = 0;
+  show_frame(begun_ns);
+}
+
+void Application::wait_for_input() {
+  double wait_s = longest_wait_s;
+  if (due_ns_)
+    wait_s = std::clamp(static_cast<double>(*due_ns_ - monotonic_ns()) * 1e-9, 0.0, longest_wait_s);
+  stage_.input = window_.next_input(wait_s);
+}
+
+bool Application::frame_is_due(std::int64_t now_ns) const {
+  return stage_.input.anything || (due_ns_ && now_ns >= *due_ns_);
+}
+
+void Application::note(const char* kind, std::int64_t now_ns, std::string detail) {
+  RawEvent event{.monotonic_ns = now_ns, .kind = kind, .detail = std::move(detail), .swap = swap_};
+  if (std::holds_alternative<TrialScreen>(visit_.screen))
+    event.trial_index = answered_trials(visit_.session.trials);
+  store_.note(std::move(event));
+}
+
+void Application::note_window_events() {
+  const FrameInput& input = stage_.input;
+  if (input.focus) note(input.focus->focused ? "focus_gained" : "focus_lost", input.focus->now_ns);
+  if (!input.resized) return;
+  display_ = window_.display();
+  stage_.screen_px = window_.framebuffer_px();
+  note("resize", input.now_ns,
+       fmt::format("{}x{}", display_.framebuffer_width_px, display_.framebuffer_height_px));
+  try {
+    check_screen();
+  } catch (const InputError& error) {
+    step(StoreFailed{error.what()});
+  }
+}
+
+/// What was pressed, when the visit took it.
+void Application::note_answer(const VisitEvent& event) {
+  const auto* inner = std::get_if<Event>(&event);
+  if (inner == nullptr) return;
+  const std::string practice = std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "";
+  if (const auto* chosen = std::get_if<ObjectChosen>(inner))
+    note("choice", chosen->now_ns, fmt::format("{}{}", practice, chosen->index));
+  if (const auto* given = std::get_if<RatingGiven>(inner))
+    note("rating", given->now_ns, fmt::format("{}{}", practice, given->rating));
+}
+
+void Application::step(const VisitEvent& event) {
+  note_answer(event);
+  if (const auto* confirmed = std::get_if<DisplayConfirmed>(&event)) keep_display(confirmed->facts);
+  const std::string before = screen_name(visit_.screen);
+  const bool awaited = is_awaiting(session_on_screen());
+  const int page = std::holds_alternative<InstructionScreen>(visit_.screen)
+                       ? std::get<InstructionScreen>(visit_.screen).page
+                       : -1;
+  visit_ = store_.step(std::move(visit_), event);
+  const auto* instructions = std::get_if<InstructionScreen>(&visit_.screen);
+  if (screen_name(visit_.screen) != before || (instructions != nullptr && instructions->page != page))
+    ui_.reset();
+  if (!awaited && is_awaiting(session_on_screen())) turn_ns_ = monotonic_ns();
+  due_ns_ = 0;
+}
+
+/// Esc, and closing the window, ask for a pause where there can be one. Returns whether the frame is over.
+bool Application::handle_pause() {
+  const FrameInput& input = stage_.input;
+  const bool asked = input.close || input.pressed(Key::escape);
+  if (!asked) return false;
+  if (is_pausable(visit_.screen)) {
+    note("pause", input.now_ns);
+    step(PauseBegun{});
+    return true;
+  }
+  if (input.close) stage_.leave = true;
+  return input.close;
+}
+
+void Application::prepare_pictures() {
+  const std::optional<PlannedTrial> due = trial_on_screen(visit_);
+  if (!due) return;
+  const Session* session = session_on_screen();
+  try {
+    pictures_.prepare(*due, session == nullptr ? std::nullopt : trial_after_current(session->trials));
+  } catch (const InputError& error) {
+    step(StoreFailed{error.what()});
+  }
+}
+
+void Application::show_frame(std::int64_t begun_ns) {
+  const Session* session = session_on_screen();
+  const bool first_of_picture =
+      is_awaiting(session) && pictures_.find(current_trial(session->trials).value()) != nullptr;
+  window_.clear(look::background);
+  canvas_.end();
+  const std::int64_t shown_ns = window_.show();
+  const double period_ns = 1e9 / (display_.refresh_hz > 0 ? display_.refresh_hz : 60);
+  const bool late = static_cast<double>(shown_ns - begun_ns) > 1.5 * period_ns;
+  store_.count_frames({.shown = 1, .late = late ? 1 : 0});
+  std::string screen = screen_name(visit_.screen);
+  if (session != nullptr) screen += "/" + phase_name(session->phase);
+  frame_times_.add({.swap = swap_,
+                    .screen = std::move(screen),
+                    .begun_ns = begun_ns,
+                    .shown_ns = shown_ns,
+                    .late = late,
+                    .turn_ns = first_of_picture ? turn_ns_ : std::nullopt});
+  trace_.shown(visit_, stage_);
+  if (first_of_picture) {
+    note("shown", shown_ns, std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice" : "");
+    step(Event(ImageShown{shown_ns}));
+  } else if (session != nullptr && std::holds_alternative<Grey>(session->phase)) {
+    step(Event(Tick{shown_ns}));
+  }
+  ++swap_;
+  plan_next_frame(shown_ns);
+}
+
+/// When something changes by itself.
+void Application::plan_next_frame(std::int64_t now_ns) {
+  const Session* session = session_on_screen();
+  if (session == nullptr) return;
+  if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
+    due_ns_ = *grey->since_ns + session->pace.inter_trial_ns;
+  if (is_awaiting(session)) due_ns_ = now_ns + decoding_wait_ns;
+  if (const auto* choosing = std::get_if<Choosing>(&session->phase)) {
+    const std::int64_t open_ns = choosing->onset_ns + session->pace.minimum_viewing_ns;
+    if (open_ns > now_ns) due_ns_ = open_ns;
+  }
+}
+
+}  // namespace seamline::app

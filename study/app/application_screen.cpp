@@ -1,0 +1,107 @@
+#include <fmt/core.h>
+
+#include "stimuli/support/error.h"
+#include "study/app/application.h"
+#include "study/app/instruction_pictures.h"
+#include "study/app/study_texts.h"
+#include "study/app/text_size.h"
+
+namespace seamline::app {
+namespace {
+
+Size picture_size(const StudySet& set) {
+  return {static_cast<double>(set.manifest.width_px), static_cast<double>(set.manifest.height_px)};
+}
+
+WindowRequest window_request(const StudySet& set, const ParticipantRequest& request) {
+  constexpr int least_width_px = 1100, least_height_px = 760, margin_px = 40;
+  return {.title = "Seamline",
+          .fullscreen = !request.windowed,
+          .width_px = std::max(least_width_px, set.manifest.width_px + 2 * margin_px),
+          .height_px = std::max(least_height_px, set.manifest.height_px + 5 * margin_px)};
+}
+
+bool same_screen(const DisplayFacts& facts, const DisplayInfo& display) {
+  return facts.mm_per_px > 0 && facts.viewing_distance_mm > 0 && facts.mode_width_px == display.mode_width &&
+         facts.mode_height_px == display.mode_height &&
+         facts.framebuffer_width_px == display.framebuffer_width_px;
+}
+
+std::string key_of(const DisplayInfo& display) {
+  return screen_key(display.monitor, display.mode_width, display.mode_height, display.framebuffer_width_px);
+}
+
+}  // namespace
+
+Application::Application(const StudySet& set, VisitStore& store, const ParticipantRequest& request)
+    : set_(set),
+      store_(store),
+      request_(request),
+      window_(window_request(set, request)),
+      ui_(canvas_),
+      display_(window_.display()),
+      trace_(request.trace),
+      frame_times_(request.frame_times),
+      pictures_(set, request.allow_scaling),
+      stage_{.ui = ui_,
+             .set = set,
+             .pictures = pictures_,
+             .display = display_,
+             .scaling_allowed = request.allow_scaling,
+             .screen_px = window_.framebuffer_px()} {
+  set_type();
+  check_screen();
+  stage_.instruction_pictures = load_instruction_pictures(set);
+}
+
+void Application::set_type() {
+  FontRequest font = find_font(set_.study.session.font.empty() ? std::filesystem::path()
+                                                               : set_.folder / set_.study.session.font);
+  font.body_px = body_size_px(display_, set_.study.session.text_scale * stage_.text_scale);
+  font.characters = characters_needed(set_);
+  canvas_.set_font(font);
+  type_scale_ = stage_.text_scale;
+}
+
+/// Pictures are shown pixel for pixel, or not at all.
+void Application::check_screen() {
+  const Size picture_px = picture_size(set_);
+  const Size needed_px = needed_screen(picture_px, ui_.em());
+  if (fits(stage_.screen_px, picture_px, ui_.em())) {
+    stage_.pixel_check = check_pixels(window_, canvas_, picture_px, ui_.em());
+    if (stage_.pixel_check.different == 0 || request_.allow_scaling) return;
+    throw input_error({.field = "display",
+                       .wanted = "a screen that shows the pictures' exact bytes (or --allow-scaling)",
+                       .found = fmt::format("{} of {} bytes changed", stage_.pixel_check.different,
+                                            stage_.pixel_check.bytes)});
+  }
+  if (request_.allow_scaling) return;
+  throw input_error(
+      {.field = "display",
+       .wanted =
+           fmt::format("at least {:.0f} x {:.0f} pixels for pictures of {:.0f} x {:.0f} with the questions "
+                       "below them (or --allow-scaling, which shrinks the pictures and logs it)",
+                       needed_px.width_px, needed_px.height_px, picture_px.width_px, picture_px.height_px),
+       .found = fmt::format("{:.0f} x {:.0f}", stage_.screen_px.width_px, stage_.screen_px.height_px)});
+}
+
+/// What was measured before on this machine and screen: in the person's configuration, or else in the log.
+std::optional<DisplayProfile> Application::known_display() {
+  if (request_.display_check) return std::nullopt;
+  if (const auto profile = read_display_profile(display_profile_file(), key_of(display_))) return profile;
+  const DisplayFacts here = display_facts(stage_, {.mm_per_px = 1, .viewing_distance_mm = 1});
+  const std::optional<DisplayFacts> logged = store_.latest_display(here.machine, here.monitor);
+  if (!logged || !same_screen(*logged, display_)) return std::nullopt;
+  return DisplayProfile{.mm_per_px = logged->mm_per_px,
+                        .viewing_distance_mm = logged->viewing_distance_mm,
+                        .gamma_confirmed = logged->gamma_confirmed};
+}
+
+void Application::keep_display(const DisplayFacts& facts) const {
+  write_display_profile(display_profile_file(), key_of(display_),
+                        {.mm_per_px = facts.mm_per_px,
+                         .viewing_distance_mm = facts.viewing_distance_mm,
+                         .gamma_confirmed = facts.gamma_confirmed});
+}
+
+}  // namespace seamline::app

@@ -1,0 +1,211 @@
+// The only file that includes Dear ImGui.
+#include "study/app/canvas.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "stimuli/support/error.h"
+#include "study/app/characters.h"
+
+namespace seamline::app {
+namespace {
+
+ImVec2 vector(double x_px, double y_px) {
+  return {static_cast<float>(x_px), static_cast<float>(y_px)};
+}
+
+ImU32 code(Colour colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
+}
+
+std::size_t place(Font font) {
+  return static_cast<std::size_t>(font);
+}
+
+/// Texts that come with the window, and what people may type.
+void add_basic_characters(ImFontGlyphRangesBuilder& builder) {
+  builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());  // Latin-1
+  for (const ImWchar character : {0x2013, 0x2014, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2026})
+    builder.AddChar(character);
+}
+
+/// The first character of the text that the font has no shape for, or 0.
+char32_t missing_character(const ImFont& font, const std::string& text) {
+  for (const char32_t character : characters_of(text)) {
+    if (character < 0x20) continue;
+    if (character > IM_UNICODE_CODEPOINT_MAX) return character;
+    if (font.FindGlyphNoFallback(static_cast<ImWchar>(character)) == nullptr) return character;
+  }
+  return 0;
+}
+
+/// The lines of a text: as they are written, and broken between words where they are longer than `wrap_px`.
+std::vector<std::string_view> broken_lines(const ImFont& font, std::string_view text, double wrap_px) {
+  std::vector<std::string_view> lines;
+  while (true) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    while (wrap_px > 0 && !line.empty()) {
+      const char* stop = font.CalcWordWrapPositionA(1.0F, line.data(), line.data() + line.size(),
+                                                    static_cast<float>(wrap_px));
+      const std::size_t length = std::max<std::size_t>(1, static_cast<std::size_t>(stop - line.data()));
+      if (length >= line.size()) break;
+      lines.push_back(line.substr(0, length));
+      line.remove_prefix(length);
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    }
+    lines.push_back(line);
+    if (end == text.size()) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Paragraphs are set with room between their lines, and half a line between them; labels are not.
+double line_px(const ImFont& font, std::string_view line, double wrap_px) {
+  const double size_px = static_cast<double>(font.FontSize);
+  if (wrap_px <= 0) return size_px;
+  return std::round(line.empty() ? 0.6 * size_px : 1.32 * size_px);
+}
+
+}  // namespace
+
+struct Canvas::State {
+  std::array<ImFont*, 3> fonts{};
+  bool renderer = false;
+
+  [[nodiscard]] ImFont* font(Font which) const { return fonts.at(place(which)); }
+};
+
+Canvas::Canvas() : state_(std::make_unique<State>()) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // nothing of a session is kept on the side
+  io.LogFilename = nullptr;
+  state_->renderer = ImGui_ImplOpenGL3_Init("#version 130");
+  if (!state_->renderer)
+    throw input_error({.field = "display", .wanted = "OpenGL 3", .found = "an older one"});
+}
+
+Canvas::~Canvas() {
+  if (state_->renderer) ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Canvas::set_font(const FontRequest& request) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  ImFontGlyphRangesBuilder builder;
+  add_basic_characters(builder);
+  builder.AddText(request.characters.data(), request.characters.data() + request.characters.size());
+  ImVector<ImWchar> ranges;
+  builder.BuildRanges(&ranges);
+  const auto add = [&](const std::filesystem::path& file, double size_px) {
+    ImFontConfig config;
+    config.OversampleH = 2;
+    config.OversampleV = 2;
+    ImFont* font =
+        atlas.AddFontFromFileTTF(file.c_str(), static_cast<float>(std::round(size_px)), &config, ranges.Data);
+    if (font == nullptr)
+      throw input_error({.file = file.string(), .wanted = "a TrueType font", .found = "another file"});
+    return font;
+  };
+  state_->fonts = {add(request.file, request.body_px), add(request.heading_file, request.body_px * 1.5),
+                   add(request.file, request.body_px * 0.8)};
+  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
+  if (!atlas.Build())
+    throw input_error({.file = request.file.string(), .wanted = "a TrueType font", .found = "another file"});
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new type
+  for (const ImFont* font : state_->fonts)
+    if (const char32_t missing = missing_character(*font, request.characters); missing != 0)
+      throw input_error({.file = request.file.string(),
+                         .wanted = "a font with every character of the study's texts",
+                         .found = fmt::format("none for U+{:04X} (name another in session.font, or show such "
+                                              "texts as pictures)",
+                                              static_cast<unsigned>(missing))});
+}
+
+void Canvas::begin(Size framebuffer_px) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = vector(framebuffer_px.width_px, framebuffer_px.height_px);
+  io.DisplayFramebufferScale = {1, 1};
+  io.DeltaTime = 1.0F / 60;
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Canvas::end() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Canvas::discard() {
+  ImGui::EndFrame();
+}
+
+void Canvas::fill(const Rect& rect, Colour colour, double rounding_px) {
+  ImGui::GetBackgroundDrawList()->AddRectFilled(vector(rect.x_px, rect.y_px),
+                                                vector(rect.right_px(), rect.bottom_px()), code(colour),
+                                                static_cast<float>(rounding_px));
+}
+
+void Canvas::outline(const Rect& rect, Colour colour, double thickness_px, double rounding_px) {
+  ImGui::GetBackgroundDrawList()->AddRect(
+      vector(rect.x_px, rect.y_px), vector(rect.right_px(), rect.bottom_px()), code(colour),
+      static_cast<float>(rounding_px), 0, static_cast<float>(thickness_px));
+}
+
+void Canvas::line(Point from, Point to, Colour colour, double thickness_px) {
+  ImGui::GetBackgroundDrawList()->AddLine(vector(from.x_px, from.y_px), vector(to.x_px, to.y_px),
+                                          code(colour), static_cast<float>(thickness_px));
+}
+
+void Canvas::picture(const Texture& texture, const Rect& rect) {
+  const auto name = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name()));
+  ImGui::GetBackgroundDrawList()->AddImage(name, vector(rect.x_px, rect.y_px),
+                                           vector(rect.right_px(), rect.bottom_px()));
+}
+
+void Canvas::text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px) {
+  const ImFont* type = state_->font(font);
+  double y_px = top_left.y_px;
+  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
+    ImGui::GetBackgroundDrawList()->AddText(type, type->FontSize,
+                                            vector(std::round(top_left.x_px), std::round(y_px)), code(colour),
+                                            line.data(), line.data() + line.size());
+    y_px += line_px(*type, line, wrap_px);
+  }
+}
+
+Size Canvas::measure(Font font, std::string_view text, double wrap_px) const {
+  const ImFont* type = state_->font(font);
+  Size size;
+  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
+    const ImVec2 extent =
+        type->CalcTextSizeA(type->FontSize, 1e6F, 0, line.data(), line.data() + line.size());
+    size.width_px = std::max(size.width_px, static_cast<double>(extent.x));
+    size.height_px += line_px(*type, line, wrap_px);
+  }
+  return size;
+}
+
+double Canvas::size_px(Font font) const {
+  return static_cast<double>(state_->font(font)->FontSize);
+}
+
+void Canvas::clip(const Rect& rect) {
+  ImGui::GetBackgroundDrawList()->PushClipRect(vector(rect.x_px, rect.y_px),
+                                               vector(rect.right_px(), rect.bottom_px()), true);
+}
+
+void Canvas::unclip() {
+  ImGui::GetBackgroundDrawList()->PopClipRect();
+}
+
+}  // namespace seamline::app

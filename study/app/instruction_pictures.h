@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "study/app/texture.h"
+#include "study/study_set.h"
+
+namespace seamline::app {
+
+/// The pictures of each instruction page. Throws InputError when a file is missing or is no picture.
+[[nodiscard]] std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set);
+
+}  // namespace seamline::app

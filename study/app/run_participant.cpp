@@ -1,0 +1,15 @@
+#include "study/app/run_participant.h"
+
+#include "study/app/application.h"
+
+namespace seamline {
+
+void run_participant_in_window(const ParticipantRequest& request) {
+  app::require_display();
+  const StudySet set = load_study_set(request.set_folder);
+  VisitStore store(set, request.log, {.code = request.code, .pilot = request.pilot});
+  app::Application application(set, store, request);
+  application.run();
+}
+
+}  // namespace seamline

@@ -1,0 +1,61 @@
+#pragma once
+#include <chrono>
+
+#include "study/file_identity.h"
+#include "study/log_database.h"
+#include "study/log_writer.h"
+#include "study/session_claims.h"
+
+// Inside the log only: what a LogWriter holds, and the statements that every answer needs.
+namespace seamline {
+
+struct LogWriter::Tables {
+  Tables(SQLite::Database opened, const std::filesystem::path& log, int shared_orders)
+      : path(log),
+        orders(shared_orders),
+        claims(log),
+        file(file_identity(log)),
+        ahead(file_identity(log.string() + "-wal")),
+        database(std::move(opened)) {}
+
+  std::filesystem::path path;
+  int orders = 0;  ///< that people share; 0: everybody has an order of their own
+  SessionClaims claims;
+  std::optional<FileIdentity> file, ahead;  ///< of the log and its write-ahead log, as they were opened
+  SQLite::Database database;
+  int depth = 0;  ///< of nested transactions; the outermost one counts
+  SQLite::Statement begin{
+      database,
+      "INSERT INTO sessions (participant, started_unix_s, last_unix_s, program_version) VALUES (?1, ?2, ?2, "
+      "?3)"};
+  SQLite::Statement plan{database,
+                         "INSERT INTO trials (participant, trial_index, kind, stimulus) VALUES (?, ?, ?, ?)"};
+  SQLite::Statement answer{database, R"sql(
+      INSERT INTO answers (participant, trial_index, session, chosen_index, rating, choice_ns, rating_ns, image_scale)
+      VALUES (?, ?, ?, ?, ?, ?, ?, ?))sql"};
+  SQLite::Statement seen{database, "UPDATE sessions SET last_unix_s = ? WHERE session = ?"};
+  SQLite::Statement event{database,
+                          "INSERT INTO events (session, monotonic_ns, kind, trial_index, detail, swap) "
+                          "VALUES (?, ?, ?, ?, ?, ?)"};
+
+  /// The participant of a code, with their progress, unless there is none. Throws InputError when the code is
+  /// of another kind.
+  [[nodiscard]] std::optional<OpenSession> find_participant(const Enrolment& enrolment);
+  [[nodiscard]] OpenSession enter_participant(const Enrolment& enrolment);
+
+  /// Throws InputError when the log or its write-ahead log was deleted or moved: SQLite would go on writing
+  /// into a file that nobody can find again.
+  void check_still_there() const;
+
+ private:
+  [[nodiscard]] int slot_for(const Enrolment& enrolment);
+  void read_plan(OpenSession& session);
+  void read_answers(OpenSession& session);
+};
+
+[[nodiscard]] inline std::int64_t now_unix_s() {
+  using namespace std::chrono;
+  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace seamline

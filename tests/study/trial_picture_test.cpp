@@ -1,0 +1,85 @@
+#include "study/trial_picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stimuli/attention_image.h"
+#include "stimuli/support/error.h"
+#include "temporary_set.h"
+
+namespace seamline {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int width = 32, height = 16;
+
+ByteImage plain(std::uint8_t code) {
+  return {.width_px = width,
+          .height_px = height,
+          .channels = 3,
+          .values = std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3, code)};
+}
+
+ByteImage three_stripes() {
+  ByteImage ids{.width_px = width, .height_px = height, .channels = 1, .values = {}};
+  for (int i = 0; i < width * height; ++i) ids.values.push_back(static_cast<std::uint8_t>((i % width) / 8));
+  return ids;
+}
+
+class TrialPictureTest : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+  StudySet set;
+
+  void SetUp() override {
+    std::string text = study_text("tiny", "64");
+    text.insert(text.find("seed"), fmt::format("width_px = {}\nheight_px = {}\n", width, height));
+    set = write_set_of_text(folder / "set", text);
+    for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i)
+      write_png(folder / ("set/" + set.manifest.stimuli[i].image), plain(static_cast<std::uint8_t>(10 + i)));
+    for (const char* scene : {"bedroom", "gazebo"}) {
+      write_png(folder / fmt::format("set/{}.png", scene), plain(100));
+      write_png(folder / fmt::format("set/{}-ids.png", scene), three_stripes());
+      set.manifest.references.push_back(
+          {scene, fmt::format("{}.png", scene), fmt::format("{}-ids.png", scene), "", ""});
+    }
+  }
+};
+
+TEST_F(TrialPictureTest, ShowsTheStimulusTheReferenceOrTheReferenceWithOneObjectChanged) {
+  for (int stimulus = 0; stimulus < 9; ++stimulus) {
+    const int object = set.manifest.stimuli[static_cast<std::size_t>(stimulus)].stimulus.object_index;
+    const auto picture = [&](TrialKind kind) { return load_trial_picture(set, {kind, stimulus}).values; };
+    EXPECT_EQ(picture(TrialKind::stimulus), plain(static_cast<std::uint8_t>(10 + stimulus)).values);
+    EXPECT_EQ(picture(TrialKind::reference), plain(100).values);
+    EXPECT_EQ(picture(TrialKind::attention), attention_image(plain(100), three_stripes(), object).values);
+    EXPECT_EQ(load_object_ids(set, {TrialKind::stimulus, stimulus}).values, three_stripes().values);
+    EXPECT_EQ(right_object(set, {TrialKind::stimulus, stimulus}), object);
+    EXPECT_EQ(right_object(set, {TrialKind::attention, stimulus}), object);
+    EXPECT_EQ(right_object(set, {TrialKind::reference, stimulus}), 0);
+  }
+}
+
+TEST_F(TrialPictureTest, NamesTheFileThatIsMissingOrOfAnotherSize) {
+  const auto complaint = [&](const PlannedTrial& trial) {
+    try {
+      (void)load_trial_picture(set, trial);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no complaint");
+  };
+  const int atrium = static_cast<int>(set.manifest.stimuli.size()) - 1;
+  EXPECT_THAT(complaint({TrialKind::reference, atrium}), HasSubstr("a reference of the scene atrium"));
+  ByteImage small = plain(1);
+  small.height_px = 8;
+  small.values.resize(small.values.size() / 2);
+  write_png(folder / ("set/" + set.manifest.stimuli[0].image), small);
+  EXPECT_THAT(complaint({TrialKind::stimulus, 0}), HasSubstr("32 x 16 pixels with 3 channels, found 32 x 8"));
+  std::filesystem::remove(folder / ("set/" + set.manifest.stimuli[1].image));
+  EXPECT_THAT(complaint({TrialKind::stimulus, 1}), HasSubstr(set.manifest.stimuli[1].image));
+}
+
+}  // namespace
+}  // namespace seamline

@@ -1,0 +1,11 @@
+#include "visit_kill.h"
+
+namespace seamline {
+namespace {
+
+TEST(VisitKill, NothingAcceptedIsLostOrDoubledAfter20Kills) {
+  kill_visits(kill_study_text(), 20, 5, 20);
+}
+
+}  // namespace
+}  // namespace seamline
