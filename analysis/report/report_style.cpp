@@ -35,7 +35,7 @@ tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr.group { border-top: 1px solid var(--soft); }
 td.number, th.number { text-align: right; }
 td.number { white-space: normal; max-width: 11rem; }
-tbody .sentence { white-space: normal; font-weight: normal; max-width: 46rem; }
+tbody .sentence { white-space: normal; font-weight: normal; max-width: 56rem; }
 td:last-child:not(.number) { white-space: normal; min-width: 12rem; }
 figure { margin: 1.2rem 0 2rem; }
 figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }

@@ -7,6 +7,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/parallel.h"
 
 namespace seamline {
 
@@ -26,10 +27,10 @@ ByteImage cut(const ByteImage& image, const Rectangle& area) {
   return part;
 }
 
-SampleImage sample(const std::filesystem::path& file, const Rectangle& area,
-                   const std::filesystem::path& scratch, const std::string& label) {
+/// `png` is a file of passage.
+SampleImage sample(const std::filesystem::path& file, const Rectangle& area, const std::filesystem::path& png,
+                   const std::string& label) {
   const ByteImage part = cut(read_bytes_image(file), area);
-  const std::filesystem::path png = scratch / "sample.png";
   write_png(png, part);
   SampleImage image{.label = label,
                     .stimulus_id = {},
@@ -42,15 +43,17 @@ SampleImage sample(const std::filesystem::path& file, const Rectangle& area,
 
 SampleRow sample_row(const std::filesystem::path& set, std::vector<const ManifestStimulus*> stimuli,
                      const std::filesystem::path& scratch) {
+  const std::filesystem::path png =
+      scratch / fmt::format("sample-{}.png", word(stimuli.front()->stimulus.artifact));
   std::sort(stimuli.begin(), stimuli.end(), [](const ManifestStimulus* a, const ManifestStimulus* b) {
     return a->stimulus.condition.depth_width_px > b->stimulus.condition.depth_width_px;
   });
   const Stimulus& first = stimuli.front()->stimulus;
   const Rectangle area = crop_around(read_bytes_image(set / stimuli.front()->object_ids), first.object_index);
   SampleRow row{.artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}};
-  row.images.push_back(sample(set / stimuli.front()->reference, area, scratch, "reference"));
+  row.images.push_back(sample(set / stimuli.front()->reference, area, png, "reference"));
   for (const ManifestStimulus* stimulus : stimuli) {
-    row.images.push_back(sample(set / stimulus->image, area, scratch,
+    row.images.push_back(sample(set / stimulus->image, area, png,
                                 std::to_string(stimulus->stimulus.condition.depth_width_px)));
     row.images.back().stimulus_id = stimulus->id;
   }
@@ -107,10 +110,15 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
       return "The stimulus set now at the place of the sessions' set is another one, so no stimuli are "
              "shown.";
     const Manifest manifest = read_manifest(set);
-    std::vector<SampleRow> rows;
+    std::vector<std::vector<const ManifestStimulus*>> shown;
     for (const ArtifactScores& scores : analysis.data.artifacts)
-      if (const auto stimuli = of_first_object(manifest, scores.artifact); !stimuli.empty())
-        rows.push_back(sample_row(set, stimuli, scratch));
+      if (auto stimuli = of_first_object(manifest, scores.artifact); !stimuli.empty())
+        shown.push_back(std::move(stimuli));
+    std::vector<SampleRow> rows(shown.size());
+    run_parallel(static_cast<int>(rows.size()), analysis.resampling.threads, [&](int index) {
+      const auto i = static_cast<std::size_t>(index);
+      rows[i] = sample_row(set, shown[i], scratch);
+    });
     return rows;
   } catch (const InputError& error) {
     return std::string("The stimulus set cannot be read, so no stimuli are shown: ") + error.what();

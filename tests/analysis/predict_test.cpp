@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/commands/predict_text.h"
 #include "stimuli/support/error.h"
 #include "study/observer.h"
 
