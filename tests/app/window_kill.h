@@ -87,7 +87,11 @@ inline KillTally kill_sessions(const std::filesystem::path& folder, int kills, s
                                  .folder = folder / "run"});
     const std::int64_t delay_ms = 50 + static_cast<std::int64_t>(random.below(4000));
     const pid_t process = window.process();
+    // Every fourth delay counts from the start of the program, the others from its first frame.
+    const bool from_start = tally.kills % 4 == 3;
     std::thread killer([&] {
+      for (int look = 0; look < 2000 && !from_start && !window.now(); ++look)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
       std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
       ::kill(process, SIGKILL);
     });
