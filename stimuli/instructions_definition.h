@@ -19,8 +19,8 @@ struct InstructionPage {
 struct TrainingDefinition {
   int trials = 3;                         ///< the coarsest stimuli, one artifact after the other
   std::vector<std::string> stimuli = {};  ///< ids instead; then `trials` is their number
-  std::string feedback_right = "Right: it was the {object} object.";
-  std::string feedback_wrong = "It was the {object} object.";
+  std::string feedback_right = "Correct: it was the one {object}.";
+  std::string feedback_wrong = "No, it was the one {object}.";
 };
 
 /// Trials whose answers are about the participant and not about depth maps. Absent unless the study file asks

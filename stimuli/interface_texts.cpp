@@ -6,9 +6,9 @@ const std::vector<PhraseEntry>& every_phrase() {
   static const std::vector<PhraseEntry> table = {
       {Phrase::continue_button, "continue", "Continue"},
       {Phrase::back_button, "back", "Back"},
-      {Phrase::left_object, "left_object", "left"},
-      {Phrase::middle_object, "middle_object", "middle"},
-      {Phrase::right_object, "right_object", "right"},
+      {Phrase::left_object, "left_object", "on the left"},
+      {Phrase::middle_object, "middle_object", "in the middle"},
+      {Phrase::right_object, "right_object", "on the right"},
       {Phrase::consent_title, "consent_title", "Before you begin"},
       {Phrase::form_title, "form_title", "About you"},
       {Phrase::form_submit, "form_submit", "Continue"},

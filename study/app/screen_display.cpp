@@ -46,7 +46,7 @@ void draw_card_step(Stage& stage) {
   const double mm_per_px = card_width_mm / drafts.card_width_px;
   // Room for the largest card, so that the page stays where it is while the frame grows.
   const Rect room = ui.room(most_px, std::min(most_px * card_height_mm / card_width_mm,
-                                              std::max(stage.screen_px.height_px - 17 * ui.em(), 120.0)));
+                                              std::max(stage.screen_px.height_px - 20 * ui.em(), 120.0)));
   const double height_px = std::round(card_height_mm / mm_per_px);
   const Rect card{std::round(room.centre().x_px - drafts.card_width_px / 2),
                   std::round(room.centre().y_px - height_px / 2), drafts.card_width_px, height_px};

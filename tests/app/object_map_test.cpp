@@ -23,8 +23,9 @@ TEST(ObjectMap, AClickCountsForTheObjectAndALittleAroundIt) {
   // Growing takes no pixel from another object.
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x)
-      if (const int id = ids.values[static_cast<std::size_t>(y * width_px + x)]; id != 0)
+      if (const int id = ids.values[static_cast<std::size_t>(y * width_px + x)]; id != 0) {
         EXPECT_EQ(object_at(map, x, y), id);
+      }
 }
 
 TEST(ObjectMap, FramesHaveOneSizeAndTheMiddlesOfTheirObjects) {

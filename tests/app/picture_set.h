@@ -18,9 +18,9 @@ struct PictureSetRequest {
   int width_px = 400, height_px = 240;
   std::string widths = "64, 128";   ///< depth widths: three stimuli for each
   std::size_t different = 1000000;  ///< picture files; stimuli beyond them show the first ones again
-  std::string session;              ///< further lines of [session]
-  std::string top;                  ///< further keys of the top level
-  std::string more;                 ///< further tables
+  std::string session = {};         ///< further lines of [session]
+  std::string top = {};             ///< further keys of the top level
+  std::string more = {};            ///< further tables
 };
 
 inline int disc_at(int x, int y, int width_px, int height_px) {

@@ -103,7 +103,7 @@ class SessionTest : public testing::Test {
     window->wait("page 2", [](const Line& line) { return line["items"].contains("back"); });
     save("10-instructions-2");
     window->key("Return");
-    window->wait_trial("training", 0, "grey");
+    window->wait_screen("training");
     save("11-fixation");
     window->wait_trial("training", 0, "choosing");
     save("12-practice");
@@ -215,8 +215,9 @@ TEST_F(SessionTest, TheLogHoldsExactlyWhatWasPressed) {
   }
   EXPECT_FALSE(answers.executeStep());
   const auto value = [&](const std::string& query) { return log.execAndGet(query).getString(); };
-  EXPECT_EQ(value("SELECT group_concat(field || '=' || value, '; ') FROM form_answers ORDER BY field"),
-            "age=33; gender=female; vision=corrected to normal (glasses or lenses); technical_background=no");
+  EXPECT_EQ(value("SELECT group_concat(answer, '; ') FROM "
+                  "(SELECT field || '=' || value AS answer FROM form_answers ORDER BY field)"),
+            "age=33; gender=female; technical_background=no; vision=corrected to normal (glasses or lenses)");
   EXPECT_EQ(value("SELECT count(*) FROM training_answers WHERE chosen_index = 1 AND rating = 2"), "1");
   EXPECT_EQ(value("SELECT completed FROM participants"), "1");
   EXPECT_EQ(value("SELECT count(*) FROM consents"), "1");

@@ -19,10 +19,10 @@ namespace seamline::test {
 using Line = nlohmann::json;  ///< of the trace: what is on the screen
 
 struct WindowRun {
-  std::filesystem::path set, log;
+  std::filesystem::path set = {}, log = {};
   std::string code = "p01";
-  std::string options;           ///< further ones of `seamline study`
-  std::filesystem::path folder;  ///< for the trace, the output and the configuration
+  std::string options = {};           ///< further ones of `seamline study`
+  std::filesystem::path folder = {};  ///< for the trace, the output and the configuration
 };
 
 class WindowDriver {

@@ -3,6 +3,10 @@
 #pragma once
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
 
 #include "picture_set.h"
 #include "scripted_window.h"
@@ -86,13 +90,22 @@ inline KillTally kill_sessions(const std::filesystem::path& folder, int kills, s
                                  .code = window_code(person),
                                  .folder = folder / "run"});
     const std::int64_t delay_ms = 50 + static_cast<std::int64_t>(random.below(4000));
-    const pid_t process = window.process();
+    // A handle and not a number: the program may end by itself, and its number be given to another.
+    const int handle = static_cast<int>(::syscall(SYS_pidfd_open, window.process(), 0));
+    std::atomic<bool> ended = false;
+    // Every fourth delay counts from the start of the program, the others from its first frame.
+    const bool from_start = tally.kills % 4 == 3;
     std::thread killer([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
-      ::kill(process, SIGKILL);
+      for (int look = 0; look < 2000 && !from_start && !ended && !window.now(); ++look)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      for (std::int64_t waited_ms = 0; waited_ms < delay_ms && !ended; ++waited_ms)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ::syscall(SYS_pidfd_send_signal, handle, SIGKILL, nullptr, 0);
     });
     drive(window, person, [](const Line&) { return false; });
+    ended = true;
     killer.join();
+    ::close(handle);
     if (window.running()) window.kill();
     ++tally.kills;
     const ShownProgress shown = progress_in(window.trace());

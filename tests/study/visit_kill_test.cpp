@@ -4,7 +4,7 @@ namespace seamline {
 namespace {
 
 TEST(VisitKill, NothingAcceptedIsLostOrDoubledAfter20Kills) {
-  kill_visits(kill_study_text(), 20, 5, 20);
+  kill_visits(kill_study_text(), 20, 5, 5);
 }
 
 }  // namespace
