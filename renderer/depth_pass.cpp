@@ -22,14 +22,21 @@ struct PixelSamples {
     if (first_rest >= end_rest) return end_object;
     return first_object >= end_object ? end_rest : std::max(end_rest, end_object);
   }
+  /// Of the samples from `first` on, those that ask about the object.
+  [[nodiscard]] std::span<const StimulusSample> of_object(const std::vector<StimulusSample>& seen) const {
+    if (first_object >= end_object) return {};
+    return std::span(seen).subspan(static_cast<std::size_t>(first_object - first()),
+                                   static_cast<std::size_t>(end_object - first_object));
+  }
 };
 
 void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index,
-                const PixelSamples& samples, DepthSums& sums, GuideSums* guide) {
+                const PixelSamples& samples, const Rgb& object_direct, DepthSums& sums, GuideSums* guide) {
   using Shows = StimulusSample::Shows;
   const bool object = sample.shows == Shows::object;
   if (!(object ? samples.asks_object(index) : samples.asks_rest(index))) return;
   DepthPart asked;
+  asked.object.direct = object_direct;
   const float reach_m = sampler.add_depth_part(sample, index, asked);
   sums.no += asked.no;
   sums.with += asked.with;
@@ -69,6 +76,7 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     const OmittedRays omitted_before = omitted_rays;
     const TileGrid::Rectangle r = answers.grid.rectangle(tile);
     std::vector<StimulusSample> seen;
+    std::vector<Rgb> object_direct;  // of the samples from the first that asks about the object
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x) {
         const std::size_t pixel =
@@ -78,8 +86,12 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
         const int first = samples.first();
         seen.clear();
         sampler.look(x, y, first, samples.end(), seen);
+        sampler.light_object_in_depth(samples.of_object(seen), object_direct);
         for (int i = first; i < samples.end(); ++i)
           add_sample(sampler, seen[static_cast<std::size_t>(i - first)], i, samples,
+                     samples.asks_object(i)
+                         ? object_direct[static_cast<std::size_t>(i - samples.first_object)]
+                         : Rgb(Rgb::Zero()),
                      answers.halves[static_cast<std::size_t>(i % 2)][pixel],
                      answers.guides.empty() ? nullptr : &answers.guides[pixel]);
       }

@@ -21,10 +21,12 @@ class PixelRenderer {
               const std::array<StimulusSums*, 2>& out, Guide& guide) {
     samples_.clear();
     sampler_.look(x, y, 0, options.spp, samples_);
+    sampler_.light_object_in_depth(samples_, object_direct_);
     bool truth_serves = true;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       truth_serves = truth_serves && as_in_truth(samples_[i]);
       DepthPart asked;
+      asked.object.direct = object_direct_[i];
       sampler_.add_depth_part(samples_[i], static_cast<int>(i), asked);
       add_depth_part(asked, *out[i % 2]);
     }
@@ -129,6 +131,7 @@ class PixelRenderer {
   const Recipe& recipe_;
   const Answers& answers_;
   std::vector<StimulusSample> samples_;
+  std::vector<Rgb> object_direct_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "renderer/stimulus_sampler.h"
 
 #include "renderer/leaving_ray.h"
+#include "renderer/object_light.h"
 
 namespace seamline {
 namespace {
@@ -115,17 +116,28 @@ float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index
   return reach_m;
 }
 
+void StimulusSampler::light_object_in_depth(std::span<const StimulusSample> samples,
+                                            std::vector<Rgb>& direct) const {
+  direct.assign(samples.size(), Rgb::Zero());
+  if (answers_.object_lit == Who::truth || answers_.bounce == Who::depth) return;
+  thread_local std::vector<ObjectPoint> points;
+  thread_local std::vector<Rgb> lit;
+  points.clear();
+  for (const StimulusSample& sample : samples)
+    if (sample.shows == StimulusSample::Shows::object)
+      points.push_back({&*sample.object, ask(Who::depth, sample, *sample.object), sample.sampler});
+  lit.resize(points.size());
+  direct_on_object(points, geometry_.object, scene_.light, lit);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].shows == StimulusSample::Shows::object) direct[i] = lit[next++];
+}
+
 void StimulusSampler::add_object_part(const StimulusSample& sample, DepthPart& out) const {
-  if (answers_.bounce == Who::depth) {
-    const Split light = object_light(sample, answers_.object_lit, Who::depth);
-    if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
-    out.object.bounce += light.bounce;
-  } else if (answers_.object_lit == Who::depth) {
-    // Sun and sky only: bounce light of the truth is in the truth's sums already.
-    out.object.direct += leaving_object(ask(Who::depth, sample, *sample.object), {nullptr, nullptr},
-                                        geometry_.object, *sample.object, scene_.light, sample.sampler)
-                             .direct;
-  }
+  if (answers_.bounce != Who::depth) return;  // bounce light of the truth is in the truth's sums already
+  const Split light = object_light(sample, answers_.object_lit, Who::depth);
+  if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
+  out.object.bounce += light.bounce;
 }
 
 float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include <span>
 #include "renderer/answers.h"
 #include "renderer/truth_pass.h"
 #include "renderer/worlds.h"
@@ -43,9 +44,13 @@ class StimulusSampler {
   void look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const;
 
   /// Everything that some geometry other than the truth alone has to answer: light on the rest (with the
-  /// number of samples it is over) and on the object. `index` is the sample's number. Returns how far the
-  /// first ray for bounce light got, infinity when it is not known.
+  /// number of samples it is over) and on the object, save what `light_object_in_depth` answers. `index` is
+  /// the sample's number. Returns how far the first ray for bounce light got, infinity when it is not known.
   float add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const;
+
+  /// The part of that which asks most: sun and sky on the object past the depth mesh, of many samples at
+  /// once, where no bounce light is asked for with them. Black where nothing is asked; as long as `samples`.
+  void light_object_in_depth(std::span<const StimulusSample> samples, std::vector<Rgb>& direct) const;
 
   /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
