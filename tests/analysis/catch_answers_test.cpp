@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/analysis.h"
-#include "analysis/thresholds_json.h"
+#include "analysis/report/thresholds_json.h"
 #include "stimuli/support/error.h"
 #include "study/log_writer.h"
 #include "study/participant_procedure.h"
