@@ -30,11 +30,11 @@ struct PixelSamples {
   }
 };
 
+const Rgb no_light = Rgb::Zero();
+
 void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index,
-                const PixelSamples& samples, const Rgb& object_direct, DepthSums& sums, GuideSums* guide) {
+                const Rgb& object_direct, DepthSums& sums, GuideSums* guide) {
   using Shows = StimulusSample::Shows;
-  const bool object = sample.shows == Shows::object;
-  if (!(object ? samples.asks_object(index) : samples.asks_rest(index))) return;
   DepthPart asked;
   asked.object.direct = object_direct;
   const float reach_m = sampler.add_depth_part(sample, index, asked);
@@ -42,7 +42,7 @@ void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, in
   sums.with += asked.with;
   sums.object += asked.object;
   sums.rest += asked.rest;
-  if (object) sums.covered += 1.0F;
+  if (sample.shows == Shows::object) sums.covered += 1.0F;
   if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
   if (const SurfacePoint* receiver = sampler.receiver(sample); guide != nullptr && receiver != nullptr)
     guide->add(*receiver, reach_m);
@@ -87,13 +87,15 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
         seen.clear();
         sampler.look(x, y, first, samples.end(), seen);
         sampler.light_object_in_depth(samples.of_object(seen), object_direct);
-        for (int i = first; i < samples.end(); ++i)
-          add_sample(sampler, seen[static_cast<std::size_t>(i - first)], i, samples,
-                     samples.asks_object(i)
-                         ? object_direct[static_cast<std::size_t>(i - samples.first_object)]
-                         : Rgb(Rgb::Zero()),
+        for (int i = first; i < samples.end(); ++i) {
+          const StimulusSample& sample = seen[static_cast<std::size_t>(i - first)];
+          const bool on_object = sample.shows == StimulusSample::Shows::object;
+          if (!(on_object ? samples.asks_object(i) : samples.asks_rest(i))) continue;
+          add_sample(sampler, sample, i,
+                     on_object ? object_direct[static_cast<std::size_t>(i - samples.first_object)] : no_light,
                      answers.halves[static_cast<std::size_t>(i % 2)][pixel],
                      answers.guides.empty() ? nullptr : &answers.guides[pixel]);
+        }
       }
     rest = std::max(rest, wanted.rest[t]);
     object = std::max(object, wanted.object[t]);

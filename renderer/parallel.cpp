@@ -3,51 +3,32 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
+#include <future>
 #include <thread>
-#include <vector>
 
 #include "renderer/geometry.h"
 #include "stimuli/support/interrupt.h"
+#include "stimuli/support/parallel.h"
 
 namespace seamline {
 
 void parallel_for(int count, int threads, const std::function<void(int)>& work,
                   const std::function<void(int)>& tick) {
-  std::atomic<int> next = 0, finished = 0;
+  std::atomic<int> finished = 0;
   std::atomic<bool> stop = false;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  std::condition_variable ended;
-  int running = std::clamp(threads, 1, std::max(count, 1));
-  const auto worker = [&] {
-    flush_denormals_to_zero();
-    try {
-      for (int index = next++; index < count && !stop; index = next++) {
-        work(index);
-        ++finished;
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      stop = true;
-    }
-    const std::lock_guard lock(mutex);
-    if (--running == 0) ended.notify_all();
-  };
-  {
-    std::vector<std::jthread> workers;
-    const int worker_count = running;
-    for (int i = 0; i < worker_count; ++i) workers.emplace_back(worker);
-    std::unique_lock lock(mutex);
-    while (!ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
-      if (interrupted()) stop = true;
-      if (tick) tick(finished);
-    }
+  std::future<void> ended = std::async(std::launch::async, [&] {
+    run_parallel(count, std::max(threads, 1), [&](int index) {
+      if (stop) return;
+      flush_denormals_to_zero();
+      work(index);
+      ++finished;
+    });
+  });
+  while (ended.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+    if (interrupted()) stop = true;
+    if (tick) tick(finished);
   }
-  if (failure) std::rethrow_exception(failure);
+  ended.get();
   if (stop || interrupted()) throw Interrupted{};
   if (tick) tick(count);
 }

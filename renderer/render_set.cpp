@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <set>
 
 #include "renderer/capture.h"
 #include "renderer/composite.h"
@@ -12,6 +11,7 @@
 #include "renderer/parallel.h"
 #include "renderer/render_plan.h"
 #include "renderer/set_layers.h"
+#include "renderer/set_manifest.h"
 #include "renderer/set_work.h"
 #include "renderer/timings.h"
 #include "stimuli/difference.h"
@@ -240,39 +240,7 @@ class SetRenderer {
     ++summary_.rendered;
   }
 
-  [[nodiscard]] Manifest manifest() {
-    Manifest out;
-    out.study_name = study_.name;
-    out.study_hash = study_hash(study_);
-    out.program_version = program_version();
-    out.instruction_set = RayDevice::instruction_set();
-    out.width_px = study_.width_px;
-    out.height_px = study_.height_px;
-    std::set<std::string> scenes;
-    for (const Stimulus& stimulus : list_stimuli(study_))
-      if (const auto record = records_.finished(stimulus_id(stimulus), hashes_.of_stimulus(stimulus))) {
-        out.stimuli.push_back(*record);
-        scenes.insert(stimulus.scene);
-      }
-    for (const SceneDefinition& scene : study_.scenes)
-      if (const auto reference = records_.finished_reference(scene.name, hashes_.of_reference(scene.name));
-          reference && scenes.contains(scene.name))
-        out.references.push_back(*reference);
-    out.left_out = sentences(plan_of(scenes));
-    return out;
-  }
-
-  /// The plan for the scenes that the set has; those finished earlier are loaded for it.
-  [[nodiscard]] RenderPlan plan_of(const std::set<std::string>& scenes) {
-    std::map<std::string, LightFacts> lights;
-    for (const SceneDefinition& scene : study_.scenes) {
-      if (!scenes.contains(scene.name)) continue;
-      if (!lights_.contains(scene.name))
-        lights_.emplace(scene.name, light_facts(load_truth_scene(scene, study_.width_px, study_.height_px)));
-      lights.emplace(scene.name, lights_.at(scene.name));
-    }
-    return render_plan(study_, lights, settings_);
-  }
+  [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }
 
   const StudyDefinition& study_;
   const RenderRequest& request_;

@@ -235,11 +235,16 @@ bool is_over(const Visit& visit) {
   return !visit.pending && has_ended(visit.screen);
 }
 
+const Session* session_on_screen(const Visit& visit) {
+  if (std::holds_alternative<TrainingScreen>(visit.screen)) return &visit.training;
+  if (std::holds_alternative<TrialScreen>(visit.screen)) return &visit.session;
+  return nullptr;
+}
+
 std::optional<PlannedTrial> trial_on_screen(const Visit& visit) {
-  if (std::holds_alternative<TrainingScreen>(visit.screen)) return current_trial(visit.training.trials);
   if (const auto* feedback = std::get_if<FeedbackScreen>(&visit.screen)) return feedback->trial;
-  if (std::holds_alternative<TrialScreen>(visit.screen)) return current_trial(visit.session.trials);
-  return std::nullopt;
+  const Session* session = session_on_screen(visit);
+  return session == nullptr ? std::nullopt : current_trial(session->trials);
 }
 
 }  // namespace seamline

@@ -146,6 +146,9 @@ struct Visit {
 /// Nothing more will happen: thanks, declined or stopped, with nothing pending.
 [[nodiscard]] bool is_over(const Visit& visit);
 
+/// The session whose trial is on the screen: the training, or the trials themselves; null elsewhere.
+[[nodiscard]] const Session* session_on_screen(const Visit& visit);
+
 /// The trial whose picture is, or is about to be, on the screen: of the training, or of the session.
 [[nodiscard]] std::optional<PlannedTrial> trial_on_screen(const Visit& visit);
 

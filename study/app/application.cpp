@@ -23,12 +23,6 @@ bool is_awaiting(const Session* session) {
 
 }  // namespace
 
-const Session* Application::session_on_screen() const {
-  if (std::holds_alternative<TrialScreen>(visit_.screen)) return &visit_.session;
-  if (std::holds_alternative<TrainingScreen>(visit_.screen)) return &visit_.training;
-  return nullptr;
-}
-
 void Application::run() {
   visit_ = store_.begin();
   while (!stage_.leave && !stage_.close) run_frame();
@@ -46,7 +40,7 @@ void Application::run_frame() {
   if (!frame_is_due(begun_ns)) return;
   due_ns_.reset();
   note_window_events();
-  if (const Session* session = session_on_screen(); session != nullptr)
+  if (const Session* session = session_on_screen(visit_); session != nullptr)
     if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
       step(Event(Tick{begun_ns}));
   if (handle_pause()) return;
@@ -119,7 +113,7 @@ void Application::step(const VisitEvent& event) {
   note_answer(event);
   if (const auto* confirmed = std::get_if<DisplayConfirmed>(&event)) keep_display(confirmed->facts);
   const std::string before = screen_name(visit_.screen);
-  const bool awaited = is_awaiting(session_on_screen());
+  const bool awaited = is_awaiting(session_on_screen(visit_));
   const int page = std::holds_alternative<InstructionScreen>(visit_.screen)
                        ? std::get<InstructionScreen>(visit_.screen).page
                        : -1;
@@ -127,7 +121,7 @@ void Application::step(const VisitEvent& event) {
   const auto* instructions = std::get_if<InstructionScreen>(&visit_.screen);
   if (screen_name(visit_.screen) != before || (instructions != nullptr && instructions->page != page))
     ui_.reset();
-  if (!awaited && is_awaiting(session_on_screen())) turn_ns_ = monotonic_ns();
+  if (!awaited && is_awaiting(session_on_screen(visit_))) turn_ns_ = monotonic_ns();
   due_ns_ = 0;
 }
 
@@ -148,7 +142,7 @@ bool Application::handle_pause() {
 void Application::prepare_pictures() {
   const std::optional<PlannedTrial> due = trial_on_screen(visit_);
   if (!due) return;
-  const Session* session = session_on_screen();
+  const Session* session = session_on_screen(visit_);
   try {
     pictures_.prepare(*due, session == nullptr ? std::nullopt : trial_after_current(session->trials));
   } catch (const InputError& error) {
@@ -157,7 +151,7 @@ void Application::prepare_pictures() {
 }
 
 void Application::show_frame(std::int64_t begun_ns) {
-  const Session* session = session_on_screen();
+  const Session* session = session_on_screen(visit_);
   const bool first_of_picture =
       is_awaiting(session) && pictures_.find(current_trial(session->trials).value()) != nullptr;
   window_.clear(look::background);
@@ -187,7 +181,7 @@ void Application::show_frame(std::int64_t begun_ns) {
 
 /// When something changes by itself.
 void Application::plan_next_frame(std::int64_t now_ns) {
-  const Session* session = session_on_screen();
+  const Session* session = session_on_screen(visit_);
   if (session == nullptr) return;
   if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
     due_ns_ = *grey->since_ns + session->pace.inter_trial_ns;

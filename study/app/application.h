@@ -44,7 +44,6 @@ class Application {
   void prepare_pictures();
   void show_frame(std::int64_t begun_ns);
   void plan_next_frame(std::int64_t now_ns);
-  [[nodiscard]] const Session* session_on_screen() const;
 
   const StudySet& set_;
   VisitStore& store_;

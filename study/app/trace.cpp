@@ -18,12 +18,6 @@ nlohmann::json rectangle(const Rect& rect) {
   return {rect.x_px, rect.y_px, rect.width_px, rect.height_px};
 }
 
-const Session* session_on_screen(const Visit& visit) {
-  if (std::holds_alternative<TrialScreen>(visit.screen)) return &visit.session;
-  if (std::holds_alternative<TrainingScreen>(visit.screen)) return &visit.training;
-  return nullptr;
-}
-
 }  // namespace
 
 Trace::Trace(const std::filesystem::path& file) {

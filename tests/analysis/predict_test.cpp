@@ -7,6 +7,7 @@
 #include "analysis/commands/predict_text.h"
 #include "stimuli/support/error.h"
 #include "study/observer.h"
+#include "tests/stimuli/manifest_records.h"
 
 namespace seamline {
 namespace {
@@ -21,13 +22,7 @@ struct Study {
 
   void add(Artifact artifact, const std::string& object, double c) {
     for (const int width_px : widths_px) {
-      ManifestStimulus record;
-      record.stimulus = {.scene = "room",
-                         .artifact = artifact,
-                         .object = object,
-                         .object_index = 1,
-                         .condition = {.depth_width_px = width_px}};
-      record.id = stimulus_id(record.stimulus);
+      ManifestStimulus record = test::record_of(artifact, object, width_px);
       const double difference = artifact == Artifact::none ? 0.001 : c / width_px;
       differences[record.id] = {.pooled = difference, .above_floor = difference};
       manifest.stimuli.push_back(record);

@@ -5,12 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "stimuli/manifest.h"
-#include "stimuli/study_file.h"
-#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/image.h"
 #include "stimuli/support/random.h"
-#include "study/study_set.h"
+#include "tests/study/temporary_set.h"
 
 namespace seamline::test {
 
@@ -54,7 +51,6 @@ inline ByteImage disc_ids(int width_px, int height_px) {
 }
 
 inline StudySet write_picture_set(const std::filesystem::path& folder, const PictureSetRequest& request) {
-  std::filesystem::create_directories(folder);
   std::string text = fmt::format(
       "format = \"seamline study 1\"\nname = \"discs\"\nseed = 7\nwidth_px = {}\nheight_px = {}\n"
       "depth_width_px = [{}]\n{}\n[session]\n{}\n"
@@ -63,29 +59,19 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
   for (const char* object : {"ball", "disc", "coin"})
     text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n", object);
   text += request.more;
-  write_file_atomically(folder / "study.toml", text);
-  const StudyDefinition study = read_study(folder / "study.toml", AssetCheck::not_needed);
-  Manifest manifest;
-  manifest.study_name = study.name;
-  manifest.study_hash = study_hash(study);
-  manifest.width_px = study.width_px;
-  manifest.height_px = study.height_px;
-  write_png(folder / "room.png", noise_with_discs(study.width_px, study.height_px, 0));
-  write_png(folder / "room-ids.png", disc_ids(study.width_px, study.height_px));
+  Manifest manifest = begin_set_of_text(folder, text);
+  write_png(folder / "room.png", noise_with_discs(request.width_px, request.height_px, 0));
+  write_png(folder / "room-ids.png", disc_ids(request.width_px, request.height_px));
   manifest.references.push_back(
       {"room", "room.png", "room-ids.png", std::string(64, '0'), std::string(64, '0')});
-  for (const Stimulus& stimulus : list_stimuli(study)) {
-    ManifestStimulus record;
-    record.id = stimulus_id(stimulus);
-    record.stimulus = stimulus;
-    const std::size_t number = manifest.stimuli.size() % request.different;
+  for (std::size_t i = 0; i < manifest.stimuli.size(); ++i) {
+    ManifestStimulus& record = manifest.stimuli[i];
+    const std::size_t number = i % request.different;
     record.image = fmt::format("picture-{:04}.png", number);
     record.object_ids = "room-ids.png";
     record.reference = "room.png";
-    record.sha256 = std::string(64, '0');
-    if (number == manifest.stimuli.size())
-      write_png(folder / record.image, noise_with_discs(study.width_px, study.height_px, number + 1));
-    manifest.stimuli.push_back(record);
+    if (number == i)
+      write_png(folder / record.image, noise_with_discs(request.width_px, request.height_px, number + 1));
   }
   write_manifest(folder, manifest);
   return load_study_set(folder);

@@ -7,6 +7,7 @@
 
 #include "stimuli/flip.h"
 #include "stimuli/support/error.h"
+#include "tests/stimuli/manifest_records.h"
 
 namespace seamline {
 namespace {
@@ -50,13 +51,7 @@ class SmallSet : public testing::Test {
     write_png(folder_ / name, image);
   }
   void add(Artifact artifact, const std::string& object, int width_px, int contrast) {
-    ManifestStimulus record;
-    record.stimulus = {.scene = "room",
-                       .artifact = artifact,
-                       .object = object,
-                       .object_index = 1,
-                       .condition = {.depth_width_px = width_px}};
-    record.id = stimulus_id(record.stimulus);
+    ManifestStimulus record = test::record_of(artifact, object, width_px);
     record.image = record.id + ".png";
     record.reference = "reference.png";
     write(record.image, contrast);

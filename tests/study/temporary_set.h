@@ -52,8 +52,9 @@ inline std::string study_text(const std::string& name, const std::string& widths
 
 inline constexpr const char* paper_widths_px = "64, 128, 256, 512, 1024, 2048, 4096";
 
-/// Writes a set of a study file as `render` would, without images.
-inline StudySet write_set_of_text(const std::filesystem::path& folder, const std::string& text) {
+/// Writes a study file into a set's folder, and makes the manifest of all its stimuli; neither pictures nor
+/// the manifest's file.
+inline Manifest begin_set_of_text(const std::filesystem::path& folder, const std::string& text) {
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "study.toml", text);
   const StudyDefinition study = read_study(folder / "study.toml", AssetCheck::not_needed);
@@ -70,7 +71,12 @@ inline StudySet write_set_of_text(const std::filesystem::path& folder, const std
     record.sha256 = std::string(64, '0');
     manifest.stimuli.push_back(record);
   }
-  write_manifest(folder, manifest);
+  return manifest;
+}
+
+/// Writes a set of a study file as `render` would, without images.
+inline StudySet write_set_of_text(const std::filesystem::path& folder, const std::string& text) {
+  write_manifest(folder, begin_set_of_text(folder, text));
   return load_study_set(folder);
 }
 
