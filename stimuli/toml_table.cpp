@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/nesting.h"
 #include "stimuli/support/suggest.h"
 
 namespace seamline {
@@ -55,6 +56,7 @@ TomlTable TomlTable::read(const std::filesystem::path& path) {
 }
 
 TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path& path) {
+  require_shallow_toml(text, path.string());
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(text, path.string()));
     const toml::table* top = root.get();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "stimuli/attention_image.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
@@ -24,7 +25,8 @@ const ManifestReference& reference_of(const StudySet& set, const PlannedTrial& t
 }
 
 ByteImage load(const StudySet& set, const std::string& name, int channels) {
-  const fs::path path = set.folder / name;
+  const fs::path path =
+      path_below(set.folder, name, {.file = (set.folder / "manifest.json").string(), .field = "image"});
   ByteImage image = read_bytes_image(path);
   const auto shape = [](int width, int height, int depth) {
     return fmt::format("{} x {} pixels with {} channels", width, height, depth);
