@@ -51,6 +51,13 @@ int run_gnuplot(const std::string& argument, const fs::path& messages) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// A text as gnuplot reads it between single quotes.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char letter : text) safe += letter == '\'' ? "''" : std::string(1, letter);
+  return safe + "'";
+}
+
 }  // namespace
 
 PlotStyle plot_style(std::size_t index) {
@@ -84,14 +91,16 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
       fmt::format("set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
                   "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
                   width_px, height_px, svg.filename().string(), script));
-  const std::string call = fmt::format("call '{}' '{}'\n", script_file.string(), svg.string());
   const fs::path caller = fs::path(svg).replace_extension(".call");
-  write_file_atomically(caller, call);
-  const int status = run_gnuplot(caller.string(), messages);
-  const std::string said = read_file(messages);
-  fs::remove(messages);
-  fs::remove(caller);
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + said);
+  write_file_atomically(svg, [&](const fs::path& temporary) {
+    write_file_atomically(
+        caller, fmt::format("call {} {}\n", quoted(script_file.string()), quoted(temporary.string())));
+    const int status = run_gnuplot(caller.string(), messages);
+    const std::string said = read_file(messages);
+    fs::remove(messages);
+    fs::remove(caller);
+    if (status != 0) throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + said);
+  });
 }
 
 std::string gnuplot_text(const std::string& text) {
