@@ -35,15 +35,26 @@ struct GltfText {
 
 constexpr std::size_t glb_header_bytes = 20;  ///< magic, version, length; length and kind of the first chunk
 
+std::size_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, bytes.data() + at, sizeof number);
+  return number;
+}
+
+/// The library's own check of the second chunk's length forgets the chunk's header of 8 bytes.
 GltfText split(std::string bytes, const fs::path& path) {
   if (!bytes.starts_with("glTF")) return {.json = std::move(bytes)};
-  std::uint32_t json_bytes = 0;
-  if (bytes.size() >= glb_header_bytes) std::memcpy(&json_bytes, bytes.data() + 12, sizeof json_bytes);
-  if (bytes.size() < glb_header_bytes || json_bytes > bytes.size() - glb_header_bytes)
-    throw bad(path, "", "a whole glTF 2.0 file", "one that ends before its JSON does");
-  return {.json = bytes.substr(glb_header_bytes, json_bytes),
-          .rest = bytes.substr(glb_header_bytes + json_bytes),
-          .binary = true};
+  const auto cut = [&](const char* what) { return bad(path, "", "a whole glTF 2.0 file", what); };
+  if (bytes.size() < glb_header_bytes) throw cut("one that ends in its header");
+  if (number_at(bytes, 8) > bytes.size()) throw cut("one that is shorter than it says");
+  const std::size_t json_bytes = number_at(bytes, 12);
+  if (json_bytes > bytes.size() - glb_header_bytes) throw cut("one that ends before its JSON does");
+  GltfText text{.json = bytes.substr(glb_header_bytes, json_bytes),
+                .rest = bytes.substr(glb_header_bytes + json_bytes),
+                .binary = true};
+  if (!text.rest.empty() && (text.rest.size() < 8 || number_at(text.rest, 0) > text.rest.size() - 8))
+    throw cut("one that ends before its binary chunk does");
+  return text;
 }
 
 /// Buffers of a GLB are copies of its one chunk: a thousand of them are a thousand times its size.

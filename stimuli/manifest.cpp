@@ -113,6 +113,8 @@ Json parse(const std::string& text, const std::string& file) {
   } catch (const Json::parse_error& error) {
     throw input_error(
         {.file = file, .wanted = "JSON", .found = "something else at byte " + std::to_string(error.byte)});
+  } catch (const Json::exception&) {
+    throw input_error({.file = file, .wanted = "JSON with numbers of this machine", .found = "a larger one"});
   }
 }
 

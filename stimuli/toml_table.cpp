@@ -2,14 +2,36 @@
 #include "stimuli/toml_table.h"
 
 #include <fmt/core.h>
-#include <toml++/toml.h>
 
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/nesting.h"
 #include "stimuli/support/suggest.h"
+
+namespace seamline {
+namespace {
+
+/// What the TOML library takes for impossible, and damaged files make possible.
+struct TomlAssertion : std::logic_error {
+  using std::logic_error::logic_error;
+};
+[[noreturn]] void toml_assertion_failed(const char* what) {
+  throw TomlAssertion(what);
+}
+
+}  // namespace
+}  // namespace seamline
+
+// With NDEBUG the library tells the compiler that its assertions hold, and reads on when they do not (found
+// by fuzz/study). Here they are checked in every build, and throw.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : seamline::toml_assertion_failed(#expr))
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace seamline {
 
@@ -67,6 +89,9 @@ TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path&
                        .field = fmt::format("line {}, column {}", at.line, at.column),
                        .wanted = "valid TOML",
                        .found = std::string(error.description())});
+  } catch (const TomlAssertion&) {
+    throw input_error(
+        {.file = path.string(), .wanted = "valid TOML", .found = "a table or array without its end"});
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/exr_header.h"
 #include "stimuli/support/limits.h"
 
 namespace seamline {
@@ -59,7 +60,9 @@ void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
   if (!fs::is_regular_file(path))
     throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
-  auto input = OIIO::ImageInput::create(format_of(path));
+  const std::string format = format_of(path);
+  if (format == "openexr") check_exr_header(path);
+  auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->open(path.string(), spec))
     throw input_error({.file = path.string(),
