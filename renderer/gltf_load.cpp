@@ -46,7 +46,9 @@ GltfText split(std::string bytes, const fs::path& path) {
   if (!bytes.starts_with("glTF")) return {.json = std::move(bytes)};
   const auto cut = [&](const char* what) { return bad(path, "", "a whole glTF 2.0 file", what); };
   if (bytes.size() < glb_header_bytes) throw cut("one that ends in its header");
-  if (number_at(bytes, 8) > bytes.size()) throw cut("one that is shorter than it says");
+  const std::size_t length = number_at(bytes, 8);
+  if (length > bytes.size() || length < glb_header_bytes) throw cut("one that is shorter than it says");
+  bytes.resize(length);
   const std::size_t json_bytes = number_at(bytes, 12);
   if (json_bytes > bytes.size() - glb_header_bytes) throw cut("one that ends before its JSON does");
   GltfText text{.json = bytes.substr(glb_header_bytes, json_bytes),

@@ -1,37 +1,15 @@
-// The only file that includes toml++.
+// The only file that includes toml++ (through toml_library.h).
 #include "stimuli/toml_table.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/nesting.h"
 #include "stimuli/support/suggest.h"
-
-namespace seamline {
-namespace {
-
-/// What the TOML library takes for impossible, and damaged files make possible.
-struct TomlAssertion : std::logic_error {
-  using std::logic_error::logic_error;
-};
-[[noreturn]] void toml_assertion_failed(const char* what) {
-  throw TomlAssertion(what);
-}
-
-}  // namespace
-}  // namespace seamline
-
-// With NDEBUG the library tells the compiler that its assertions hold, and reads on when they do not (found
-// by fuzz/study). Here they are checked in every build, and throw.
-#pragma push_macro("NDEBUG")
-#undef NDEBUG
-#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : seamline::toml_assertion_failed(#expr))
-#include <toml++/toml.h>
-#pragma pop_macro("NDEBUG")
+#include "stimuli/toml_library.h"
 
 namespace seamline {
 

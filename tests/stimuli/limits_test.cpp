@@ -117,6 +117,35 @@ TEST_F(Limits, TextsMayNotNestDeeperThanTheStackIsMeantFor) {
               HasSubstr("record.json: line 1: wanted at most 128 levels"));
 }
 
+TEST_F(Limits, TomlThatFuzzingFound) {
+  for (const char* text :
+       {"a = [{,na\n", "a = 0.\xd0\xac", "a = 1\xc3\xa9", "\xd0\xac = 1", "a = {b = 1,}", "a = {", "a."})
+    EXPECT_THAT(complaint([&] { (void)read_study_text(text, "a.toml"); }), HasSubstr("a.toml: ")) << text;
+}
+
+TEST_F(Limits, ANumberTooLargeForTheMachineIsRefused) {
+  EXPECT_THAT(complaint([] { (void)stimulus_record_from_text(R"({"spp": 961e308})", "record.json"); }),
+              HasSubstr("record.json: wanted JSON"));
+}
+
+TEST_F(Limits, AnExrAttributeLiesInsideTheFileAndHasItsTypesSize) {
+  write_exr(folder_ / "a.exr", Image(4, 2, 1, 1.0F));
+  const std::string good = read_file(folder_ / "a.exr");
+  const auto with_size = [&](const char* type, const char* size) {
+    std::string bytes = good;
+    const std::size_t at = bytes.find(std::string("\0", 1) + type + std::string("\0", 1));
+    if (at == std::string::npos) return std::string("no such type");
+    bytes.replace(at + std::string(type).size() + 2, 4, size, 4);
+    write_file_atomically(folder_ / "b.exr", bytes);
+    return complaint([&] { (void)read_image(folder_ / "b.exr"); });
+  };
+  EXPECT_THAT(with_size("compression", "\5\0\0\0"),
+              HasSubstr("b.exr: wanted a whole EXR file, found a value of type compression with 5 bytes"));
+  EXPECT_THAT(with_size("string", "\1\0\0\x70"),
+              HasSubstr("an attribute of 1879048193 bytes that leads out"));
+  EXPECT_THAT(with_size("chlist", "\1\0\0\0"), HasSubstr("a list of channels of another length"));
+}
+
 TEST_F(Limits, ManifestsHoldWholeNumbersOfTheirKindAndFilesOfTheirSet) {
   ManifestStimulus record;
   record.id = "room-shadow-a-0064";

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "stimuli/support/error.h"
 #include "study/log.h"
 #include "study/simulation.h"
 #include "temporary_set.h"
