@@ -93,10 +93,7 @@ constexpr std::array<std::pair<std::string_view, std::int64_t>, 23> fixed_sizes 
 void skip_channels(HeaderBytes& header, std::int64_t bytes) {
   constexpr std::int64_t channel_bytes = 16;
   const std::int64_t end = header.at() + bytes;
-  while (!header.name().empty()) {
-    header.skip(channel_bytes);
-    if (header.at() >= end) break;
-  }
+  while (!header.name().empty()) header.skip(channel_bytes);
   if (header.at() != end) throw header.damaged("a list of channels of another length than it says");
 }
 
