@@ -13,10 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (bytes.size() < magic.size()) return -1;
   std::memcpy(bytes.data(), magic.data(), magic.size());
   const std::filesystem::path file = fuzz::file_of("picture.exr", bytes);
-  fuzz::only_input_errors([&] {
+  // One reader an input: the library takes 64 MB for each, and the sanitizer marks them all.
+  return fuzz::only_input_errors([&] {
+    if (size % 4 == 0) return void(read_bytes_image(file));
+    if (size % 4 == 1) return void(read_depth_map(file));
     const Image image = read_image(file);
     if (image.values.size() != image.index(0, image.height_px)) abort();
   });
-  fuzz::only_input_errors([&] { (void)read_depth_map(file); });
-  return fuzz::only_input_errors([&] { (void)read_bytes_image(file); });
 }
