@@ -13,7 +13,7 @@
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/limits.h"
-#include "stimuli/support/nesting.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
@@ -82,7 +82,7 @@ void check_buffers(const Json& json, const fs::path& path) {
 
 /// What a diffuse scene needs and no more: what is not there cannot be misread.
 Json needed_part(const std::string& text, const fs::path& path) {
-  require_shallow_json(text, path.string());
+  require_bounded_json(text, path.string());
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw bad(path, "", "a whole glTF 2.0 file", "one whose JSON is damaged");
   check_buffers(json, path);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/support/atomic_file.h"
-#include "stimuli/support/nesting.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
@@ -27,7 +27,7 @@ Pieces read_timings(const std::filesystem::path& set_folder, SetErrors& errors) 
     if (!name.starts_with("timings") || !name.ends_with(".json")) continue;
     try {
       const std::string text = read_file(entry.path());
-      require_shallow_json(text, entry.path().string());
+      require_bounded_json(text, entry.path().string());
       const Json json = Json::parse(text);
       errors.threads = std::max(errors.threads, json.value("threads", 0));
       errors.machine = json.value("machine", errors.machine);

@@ -6,7 +6,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
-#include "stimuli/support/nesting.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
@@ -107,7 +107,7 @@ Json to_json(const ManifestReference& reference) {
 }
 
 Json parse(const std::string& text, const std::string& file) {
-  require_shallow_json(text, file);
+  require_bounded_json(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {

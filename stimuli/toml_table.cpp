@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "stimuli/support/atomic_file.h"
-#include "stimuli/support/nesting.h"
 #include "stimuli/support/suggest.h"
+#include "stimuli/support/text_bounds.h"
 #include "stimuli/toml_library.h"
 
 namespace seamline {
@@ -52,11 +52,11 @@ TomlTable::TomlTable(std::shared_ptr<const Node> node, std::string file, std::st
     : node_(std::move(node)), file_(std::move(file)), prefix_(std::move(prefix)) {}
 
 TomlTable TomlTable::read(const std::filesystem::path& path) {
-  return parse(read_file(path), path);
+  return parse(read_file(path, limits::largest_study_file_bytes), path);
 }
 
 TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path& path) {
-  require_shallow_toml(text, path.string());
+  require_bounded_toml(text, path.string());
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(text, path.string()));
     const toml::table* top = root.get();

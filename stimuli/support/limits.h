@@ -15,8 +15,9 @@ inline constexpr std::int64_t fuzz_divisor = 1;
 inline constexpr std::int64_t mebibyte = std::int64_t{1} << 20;
 
 // Files.
+inline constexpr std::int64_t largest_study_file_bytes = 16 * mebibyte;
 inline constexpr std::int64_t largest_text_file_bytes =
-    256 * mebibyte;  ///< study file, manifest, records, timings, SVG figure
+    256 * mebibyte;  ///< manifest, records, timings, SVG figure
 inline constexpr std::int64_t largest_csv_bytes = 64 * mebibyte;
 inline constexpr std::int64_t largest_csv_rows = 1'000'000;
 inline constexpr std::int64_t largest_picture_file_bytes = 4096 * mebibyte;
@@ -31,9 +32,10 @@ inline constexpr std::int64_t largest_picture_values = (std::int64_t{1} << 30) /
 /// Decoded bytes for each byte of the file. Deflate, the densest packing of EXR and PNG, has at most 1032.
 inline constexpr std::int64_t largest_picture_expansion = 4096;
 
-// Nesting: recursive code needs stack for every level.
-inline constexpr int deepest_text_nesting = 128;  ///< tables and arrays in JSON and TOML
-inline constexpr int deepest_node_tree = 256;     ///< glTF nodes
+// Texts: recursive code needs stack for every level of nesting, and every value takes memory.
+inline constexpr int deepest_text_nesting = 128;              ///< tables and arrays in JSON and TOML
+inline constexpr int deepest_node_tree = 256;                 ///< glTF nodes
+inline constexpr std::int64_t most_text_values = 10'000'000;  ///< in JSON and TOML; some 100 bytes each
 
 // glTF.
 inline constexpr std::int64_t largest_gltf_buffers = 1024;

@@ -14,7 +14,7 @@
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
-#include "stimuli/support/nesting.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
@@ -100,18 +100,24 @@ TEST_F(Limits, TextsMayNotNestDeeperThanTheStackIsMeantFor) {
     return std::string(levels, '[') + std::string(levels, ']');
   };
   const std::size_t deepest = limits::deepest_text_nesting;
-  EXPECT_NO_THROW(require_shallow_json(brackets(deepest), "a.json"));
-  EXPECT_THAT(complaint([&] { require_shallow_json("\n" + brackets(deepest + 1), "a.json"); }),
+  EXPECT_NO_THROW(require_bounded_json(brackets(deepest), "a.json"));
+  EXPECT_THAT(complaint([&] { require_bounded_json("\n" + brackets(deepest + 1), "a.json"); }),
               HasSubstr("a.json: line 2: wanted at most 128 levels"));
-  EXPECT_NO_THROW(require_shallow_json("\"" + brackets(9999) + "\\\"[\"", "a.json"));
+  EXPECT_NO_THROW(require_bounded_json("\"" + brackets(9999) + "\\\"[\"", "a.json"));
 
-  EXPECT_NO_THROW(require_shallow_toml("a = " + brackets(deepest), "a.toml"));
-  EXPECT_THROW(require_shallow_toml("a = " + brackets(100000), "a.toml"), InputError);
+  EXPECT_NO_THROW(require_bounded_toml("a = " + brackets(deepest), "a.toml"));
+  EXPECT_THROW(require_bounded_toml("a = " + brackets(100000), "a.toml"), InputError);
+  std::string many = "[";
+  for (std::int64_t i = 0; i < limits::most_text_values; ++i) many += "0,";
+  EXPECT_THAT(complaint([&] { require_bounded_json(many, "a.json"); }),
+              HasSubstr("a.json: wanted at most 10000000 values, found more"));
+  EXPECT_THAT(complaint([&] { require_bounded_toml("a = " + many, "a.toml"); }),
+              HasSubstr("10000000 values"));
   std::string dotted = "a";
   for (int i = 0; i < 100000; ++i) dotted += ".a";
-  EXPECT_THROW(require_shallow_toml(dotted + " = 1", "a.toml"), InputError);
-  EXPECT_NO_THROW(require_shallow_toml("a = \"" + dotted + "\" # " + dotted, "a.toml"));
-  EXPECT_NO_THROW(require_shallow_toml("a = '''\n" + dotted + brackets(999) + "'''", "a.toml"));
+  EXPECT_THROW(require_bounded_toml(dotted + " = 1", "a.toml"), InputError);
+  EXPECT_NO_THROW(require_bounded_toml("a = \"" + dotted + "\" # " + dotted, "a.toml"));
+  EXPECT_NO_THROW(require_bounded_toml("a = '''\n" + dotted + brackets(999) + "'''", "a.toml"));
   EXPECT_THAT(complaint([&] { (void)read_study_text(dotted + " = 1", "a.toml"); }), HasSubstr("levels"));
   EXPECT_THAT(complaint([&] { (void)stimulus_record_from_text(brackets(100000), "record.json"); }),
               HasSubstr("record.json: line 1: wanted at most 128 levels"));

@@ -1,6 +1,7 @@
-#include "stimuli/support/nesting.h"
+#include "stimuli/support/text_bounds.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "stimuli/support/error.h"
 #include "stimuli/support/limits.h"
@@ -14,6 +15,12 @@ InputError too_deep(std::string_view text, std::size_t at, const std::string& fi
                       .field = "line " + std::to_string(line),
                       .wanted = "at most " + std::to_string(limits::deepest_text_nesting) +
                                 " levels of tables, objects or arrays",
+                      .found = "more"});
+}
+
+InputError too_many(const std::string& file) {
+  return input_error({.file = file,
+                      .wanted = "at most " + std::to_string(limits::most_text_values) + " values",
                       .found = "more"});
 }
 
@@ -37,8 +44,9 @@ std::size_t after_toml_string(std::string_view text, std::size_t begin) {
 
 }  // namespace
 
-void require_shallow_json(std::string_view text, const std::string& file) {
+void require_bounded_json(std::string_view text, const std::string& file) {
   int depth = 0;
+  std::int64_t values = 1;
   for (std::size_t at = 0; at < text.size();) {
     const char letter = text[at];
     if (letter == '"') {
@@ -47,14 +55,17 @@ void require_shallow_json(std::string_view text, const std::string& file) {
     }
     if (letter == '{' || letter == '[') ++depth;
     if (letter == '}' || letter == ']') --depth;
+    if (letter == ',' || letter == '{' || letter == '[') ++values;
     if (depth > limits::deepest_text_nesting) throw too_deep(text, at, file);
+    if (values > limits::most_text_values) throw too_many(file);
     ++at;
   }
 }
 
-void require_shallow_toml(std::string_view text, const std::string& file) {
+void require_bounded_toml(std::string_view text, const std::string& file) {
   int depth = 0;  // of brackets
   int dots = 0;   // in the key or number at hand
+  std::int64_t values = 1;
   for (std::size_t at = 0; at < text.size();) {
     const char letter = text[at];
     if (letter == '"' || letter == '\'') {
@@ -69,7 +80,9 @@ void require_shallow_toml(std::string_view text, const std::string& file) {
     if (letter == '}' || letter == ']') depth = std::max(depth - 1, 0);
     if (letter == '.') ++dots;
     if (std::string_view("=,{}\n").find(letter) != std::string_view::npos) dots = 0;
+    if (std::string_view("=,{[.").find(letter) != std::string_view::npos) ++values;
     if (depth + dots > limits::deepest_text_nesting) throw too_deep(text, at, file);
+    if (values > limits::most_text_values) throw too_many(file);
     ++at;
   }
 }
