@@ -110,7 +110,8 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database) {
       ORDER BY participant, trial_index)sql");
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
-    const TrialKind kind = trial_kind_from_word(row.getColumn(2).getString()).value();
+    const TrialKind kind =
+        trial_kind_from_word(row.getColumn(2).getString()).value();  // by the table's CHECK
     catches.push_back({.participant = row.getColumn(0).getString(),
                        .trial_index = row.getColumn(1).getInt(),
                        .kind = kind,
@@ -126,6 +127,7 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database) {
 
 LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   const SQLite::Transaction one_moment(database);  // a session may be writing meanwhile
+  check_undamaged(database, path);
   LogContents log;
   log.file = path;
   read_study_row(database, log);
