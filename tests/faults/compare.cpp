@@ -18,7 +18,8 @@ bool is_temporary(const fs::path& file) {
 }
 
 bool is_about_the_run(const fs::path& file) {
-  return file.filename().string().starts_with("timings") || file.stem() == "errors";
+  return file.filename().string().starts_with("timings") || file.stem() == "errors" ||
+         file.filename() == "rendered-with";
 }
 
 std::string bytes_of(const fs::path& file) {

@@ -87,7 +87,7 @@ Damage damage_log(Lab& lab, const std::string& how) {
   Random random(lab.seed, 100 + how.size());
   const fs::path log = lab.folder / "damaged.sqlite";
   const std::string whole = bytes_of(lab.log);
-  for (int at = 0; at < lab.tries(6, 200); ++at) {
+  for (int at = 0; at < lab.tries(1, 100); ++at) {
     remove_log(log);
     overwrite(log, how == "bit flipped" ? flip_bit(whole, random)
                    : how == "page lost" ? lose_page(whole, random)

@@ -76,7 +76,7 @@ constexpr std::uint64_t page_bytes = 4096;
 
 Tally limit_render(Lab& lab) {
   Tally tally{.fault = "file size limit, render"};
-  const int count = lab.tries(5, 60);
+  const int count = lab.tries(1, 20);
   const std::uintmax_t end = largest(lab.set_files) + 2048;
   for (int at = 0; at < count; ++at) {
     const fs::path set = lab.folder / "limited-set";
@@ -91,7 +91,7 @@ Tally limit_render(Lab& lab) {
 
 Tally limit_study(Lab& lab) {
   Tally tally{.fault = "file size limit, study --observer"};
-  const int count = lab.tries(5, 80);
+  const int count = lab.tries(3, 50);
   const std::uintmax_t end = 3 * fs::file_size(lab.log);  // the write-ahead log grows beyond the log
   for (int at = 0; at < count; ++at) {
     const fs::path log = lab.folder / "limited.sqlite";
@@ -106,7 +106,7 @@ Tally limit_study(Lab& lab) {
 
 Tally limit_analyze(Lab& lab) {
   Tally tally{.fault = "file size limit, analyze"};
-  const int count = lab.tries(2, 30);
+  const int count = lab.tries(1, 20);
   const std::uintmax_t end = largest(lab.report_files) + 4096;
   for (int at = 0; at < count; ++at) {
     const fs::path report = lab.folder / "limited-report";
@@ -128,7 +128,7 @@ Tally limit_analyze(Lab& lab) {
 Tally small_disk(Lab& lab) {
   Tally tally{.fault = "full disk (tmpfs), render and study"};
   const fs::path place = lab.folder / "small-disk";
-  const int count = lab.tries(3, 40);
+  const int count = lab.tries(1, 20);
   for (int at = 0; at < count; ++at) {
     const std::uint64_t set_bytes = page_bytes * (1 + position(at, count, sum(lab.set_files) / page_bytes));
     const SmallDisk for_set(place, set_bytes);

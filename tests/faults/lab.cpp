@@ -10,7 +10,8 @@ namespace seamline::faults {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* people = "60";  // more than two transactions of the simulation
+constexpr const char* quick_people = "30";  // more than one transaction of the simulation
+constexpr const char* many_people = "200";
 
 Ending must_run(const Arguments& command) {
   Ending ending = run(command);
@@ -26,8 +27,10 @@ Arguments Lab::render_command(const fs::path& out) const {
 }
 
 Arguments Lab::study_command(const fs::path& into) const {
-  return {program,     "study",   answered_set, "--log",  into, "--observer",
-          "threshold", "--count", people,       "--seed", "5"};
+  return {program,     "study",   answered_set,
+          "--log",     into,      "--observer",
+          "threshold", "--count", quick ? quick_people : many_people,
+          "--seed",    "5"};
 }
 
 Arguments Lab::analyze_command(const fs::path& from, const fs::path& out) const {
@@ -59,8 +62,9 @@ Lab open_lab(const fs::path& program, const fs::path& clock_shim, const fs::path
   lab.clock_shim = clock_shim;
   lab.quick = quick;
   fs::remove_all(folder);
-  lab.study_file = write_tiny_study(folder / "study", 1);
-  const fs::path answered_study = write_tiny_study(folder / "answered-study", 4);
+  const char* artifacts = quick ? "\"none\"" : R"("receiver", "shadow", "occlusion", "overlap")";
+  lab.study_file = write_tiny_study(folder / "study", quick ? 4 : 1, artifacts);
+  const fs::path answered_study = write_tiny_study(folder / "answered-study", 4, artifacts);
   lab.answered_set = folder / "undisturbed" / "answered-set";
   lab.set = folder / "undisturbed" / "set";
   lab.log = folder / "undisturbed" / "log.sqlite";
@@ -76,8 +80,9 @@ Lab open_lab(const fs::path& program, const fs::path& clock_shim, const fs::path
   return lab;
 }
 
-void rerun_render(Lab& lab, const fs::path& set, Tally& tally) {
-  if (!lab.completes(tally.fault, run(lab.render_command(set)))) return;
+Ending rerun_render(Lab& lab, const fs::path& set, Tally& tally) {
+  Ending ending = run(lab.render_command(set));
+  if (!lab.completes(tally.fault, ending)) return ending;
   ++tally.reruns;
   const Files files = files_of(set);
   const bool same = files == lab.set_files;
@@ -86,6 +91,7 @@ void rerun_render(Lab& lab, const fs::path& set, Tally& tally) {
     lab.complaints.push_back(fmt::format("{}: the set differs from the undisturbed one in {} and {} files",
                                          tally.fault, files_not_in(files, lab.set_files),
                                          files_not_in(lab.set_files, files)));
+  return ending;
 }
 
 void rerun_study(Lab& lab, const fs::path& log, Tally& tally) {

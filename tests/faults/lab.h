@@ -53,7 +53,7 @@ struct Lab {
                            const std::filesystem::path& folder, bool quick);
 
 /// A rerun of the same command: whether it completes, and whether the result equals the undisturbed one.
-void rerun_render(Lab& lab, const std::filesystem::path& set, Tally& tally);
+Ending rerun_render(Lab& lab, const std::filesystem::path& set, Tally& tally);
 void rerun_study(Lab& lab, const std::filesystem::path& log, Tally& tally);
 void rerun_analyze(Lab& lab, const std::filesystem::path& report, Tally& tally);
 

@@ -52,7 +52,7 @@ void write_boxes(const fs::path& folder, const std::string& name,
 
 }  // namespace
 
-fs::path write_tiny_study(const fs::path& folder, int widths) {
+fs::path write_tiny_study(const fs::path& folder, int widths, const std::string& artifacts) {
   fs::create_directories(folder);
   write_boxes(folder, "room",
               {{{-4, -0.1F, -8}, {4, 0, 4}}, {{-4, 0, -8}, {4, 3, -7.9F}}, {{-2, 0, -5}, {-1.8F, 2, -4.8F}}});
@@ -64,7 +64,9 @@ fs::path write_tiny_study(const fs::path& folder, int widths) {
     text += fmt::format("{}{}", i == 0 ? "" : ", ", widths <= 8 ? 8 << i : 8 + 2 * i);
   text +=
       "]\n[[scene]]\nname = \"room\"\nfile = \"room.gltf\"\nbounces = 1\n"
-      "artifacts = [\"receiver\", \"shadow\", \"occlusion\", \"overlap\"]\n"
+      "artifacts = [" +
+      artifacts +
+      "]\n"
       "[scene.sun]\nto_sun = [0.4, 1, 0.6]\nirradiance_w_m2 = [3, 3, 3]\n"
       "[scene.camera]\nposition_m = [0, 1.2, 1]\nlook_at_m = [0, 0.8, -4]\nhorizontal_fov_deg = 70\n";
   for (int i = 0; i < 3; ++i)
