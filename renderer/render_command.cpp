@@ -11,10 +11,10 @@
 #include "renderer/explain.h"
 #include "renderer/render_set.h"
 #include "renderer/true_error_set.h"
+#include "stimuli/set_files.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
-#include "stimuli/support/hash.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline {
@@ -97,14 +97,6 @@ void run_render(const RenderOptions& options) {
 
 void run_verify(const std::string& set) {
   const Manifest manifest = read_manifest(set);
-  const auto check = [&](const std::string& file, const std::string& expected) {
-    const std::filesystem::path path = path_below(
-        set, file, {.file = (std::filesystem::path(set) / "manifest.json").string(), .field = "files"});
-    if (const std::string found = sha256_of_file(path); found != expected)
-      throw input_error({.file = path.string(),
-                         .wanted = "the bytes with hash " + expected.substr(0, 16) + "...",
-                         .found = found.substr(0, 16) + "..."});
-  };
   const std::filesystem::path study =
       path_below(set, manifest.study_file,
                  {.file = (std::filesystem::path(set) / "manifest.json").string(), .field = "study.file"});
@@ -112,11 +104,7 @@ void run_verify(const std::string& set) {
     throw input_error({.file = study.string(),
                        .wanted = "the study that the set was rendered from",
                        .found = "another one"});
-  for (const ManifestReference& reference : manifest.references) {
-    check(reference.image, reference.image_sha256);
-    check(reference.object_ids, reference.object_ids_sha256);
-  }
-  for (const ManifestStimulus& stimulus : manifest.stimuli) check(stimulus.image, stimulus.sha256);
+  check_set_files(set, manifest);
   fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
              manifest.references.size());
 }

@@ -117,6 +117,12 @@ std::string InputHashes::of_reference(const std::string& scene) const {
   return sha256(fmt::format("{} reference {}", common_, scenes_.at(scene)));
 }
 
+std::string InputHashes::of_set() const {
+  std::string text = common_ + " " + isolation_and_mesh_;
+  for (const auto& [name, inputs] : scenes_) text += " " + name + " " + inputs;
+  return sha256(text);
+}
+
 SetRecords::SetRecords(fs::path set_folder) : set_folder_(std::move(set_folder)) {}
 
 std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, const std::string& inputs) const {

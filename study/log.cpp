@@ -134,6 +134,7 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs:
 
 LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   const SQLite::Transaction one_moment(database);  // a session may be writing meanwhile
+  check_undamaged(database, path);
   LogContents log;
   log.file = path;
   read_study_row(database, log);

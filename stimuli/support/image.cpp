@@ -1,6 +1,7 @@
 // The only file that includes OpenImageIO.
 #include "stimuli/support/image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -93,15 +94,19 @@ void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs
         {.file = path.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
 }
 
+/// The picture is encoded in memory and then written: image libraries do not notice every write that failed,
+/// and a picture that a full disk cut short would pass for a finished one.
 void write_image(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-  write_file_atomically(path, [&](const fs::path& temporary) {
-    auto output = OIIO::ImageOutput::create(temporary.string());
-    if (!output || !output->open(temporary.string(), spec) || !output->write_image(type, pixels) ||
-        !output->close())
-      throw input_error({.file = path.string(),
-                         .wanted = "a place that can be written to",
-                         .found = output ? output->geterror() : OIIO::geterror()});
-  });
+  OIIO::Filesystem::IOVecOutput bytes;
+  const auto output = OIIO::ImageOutput::create(path.string());
+  const bool encoded = output && output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
+                       output->write_image(type, pixels) && output->close();
+  if (!encoded)
+    throw input_error({.file = path.string(),
+                       .wanted = "a kind of picture that can be written (png, exr)",
+                       .found = output ? output->geterror() : OIIO::geterror()});
+  const std::vector<unsigned char>& buffer = bytes.buffer();
+  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(buffer.data()), buffer.size()));
 }
 
 }  // namespace
