@@ -111,7 +111,7 @@ class NodeWalker {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) throw bad(where, "an attribute POSITION", "none");
     take(placed_vertices_, reader_.count(position->second), limits::largest_scene_vertices, "placed vertices",
-         where);
+         where + ".POSITION");
     part.positions_m = reader_.vectors(position->second, where + ".POSITION");
     for (Eigen::Vector3d& vertex : part.positions_m) vertex = world * vertex;
     if (const auto normal = primitive.attributes.find("NORMAL"); normal != primitive.attributes.end())

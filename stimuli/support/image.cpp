@@ -34,7 +34,7 @@ std::string format_of(const fs::path& path) {
   if (start.starts_with("\xff\xd8\xff")) return "jpeg";
   if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return "hdr";
   throw input_error(
-      {.file = path.string(), .wanted = "an EXR, HDR, PNG or JPEG picture", .found = "another kind of file"});
+      {.file = path.string(), .wanted = "an EXR, HDR, PNG or JPEG image", .found = "another kind of file"});
 }
 
 /// Throws InputError unless what the header promises is bearable, and can be in a file of this size.

@@ -83,7 +83,7 @@ TEST_F(Limits, AnHdrOfTwoToThe31PixelsIsRefused) {
 TEST_F(Limits, OtherPictureFormatsAreNeverTried) {
   write_file_atomically(folder_ / "a.png", "II*\0 a TIFF by another name");
   EXPECT_THAT(complaint([&] { (void)read_image(folder_ / "a.png"); }),
-              HasSubstr("wanted an EXR, HDR, PNG or JPEG picture"));
+              HasSubstr("wanted an EXR, HDR, PNG or JPEG image"));
   EXPECT_THAT(complaint([&] { (void)read_image("null.null?RES=64x64"); }), HasSubstr("no such file"));
 }
 
