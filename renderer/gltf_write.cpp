@@ -3,6 +3,8 @@
 #include <tiny_gltf.h>
 
 #include <cstring>
+#include <sstream>
+#include <stdexcept>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
@@ -72,11 +74,11 @@ void write_depth_mesh(const std::filesystem::path& path, const DepthMesh& mesh) 
   if (mesh.triangles.empty())
     throw input_error({.file = path.string(), .wanted = "a depth map with a surface", .found = "only holes"});
   const tinygltf::Model model = model_of(mesh);
-  write_file_atomically(path, [&](const std::filesystem::path& temporary) {
-    tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToFile(&model, temporary.string(), false, true, false, true))
-      throw input_error({.file = path.string(), .wanted = "a place that can be written to", .found = "none"});
-  });
+  std::ostringstream bytes;  // the writer does not notice a disk that is full
+  tinygltf::TinyGLTF writer;
+  if (!writer.WriteGltfSceneToStream(&model, bytes, false, true))
+    throw std::logic_error("the scene cannot be written as glTF");
+  write_file_atomically(path, std::move(bytes).str());
 }
 
 }  // namespace seamline

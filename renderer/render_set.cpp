@@ -10,6 +10,7 @@
 #include "renderer/estimator.h"
 #include "renderer/parallel.h"
 #include "renderer/render_plan.h"
+#include "renderer/set_claim.h"
 #include "renderer/set_layers.h"
 #include "renderer/set_manifest.h"
 #include "renderer/set_work.h"
@@ -54,6 +55,7 @@ class SetRenderer {
     for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
+    const SetClaim claim(request_.set_folder, hashes_.of_set());
     progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
     for (const SceneDefinition& scene : study_.scenes) {
       render_scene(scene);

@@ -26,6 +26,7 @@ class InputHashes {
   InputHashes(const StudyDefinition& study, const RenderSettings& settings);
   [[nodiscard]] std::string of_stimulus(const Stimulus& stimulus) const;
   [[nodiscard]] std::string of_reference(const std::string& scene) const;
+  [[nodiscard]] std::string of_set() const;  ///< over everything that any of its pictures depends on
 
  private:
   std::string common_;

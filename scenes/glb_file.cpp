@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <cstring>
+#include <sstream>
+#include <stdexcept>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
@@ -183,13 +185,11 @@ void write_glb(const fs::path& path, const SceneContents& contents) {
   for (const ScenePart& part : contents.parts) add_part(model, part);
   if (contents.camera) add_camera(model, *contents.camera);
   if (contents.sun) add_sun(model, *contents.sun);
-  write_file_atomically(path, [&](const fs::path& temporary) {
-    tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToFile(&model, temporary.string(), false, true, false, true))
-      throw input_error({.file = path.string(),
-                         .wanted = "a place that can be written to",
-                         .found = "a write that failed"});
-  });
+  std::ostringstream bytes;  // the writer does not notice a disk that is full
+  tinygltf::TinyGLTF writer;
+  if (!writer.WriteGltfSceneToStream(&model, bytes, false, true))
+    throw std::logic_error("the scene cannot be written as glTF");
+  write_file_atomically(path, std::move(bytes).str());
 }
 
 SceneContents read_glb(const fs::path& path) {

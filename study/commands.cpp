@@ -3,15 +3,17 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 
+#include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/suggest.h"
 #include "study/log_admin.h"
+#include "study/log_recovery.h"
 #include "study/log_writer.h"
 #include "study/quest_plus_results.h"
 #include "study/simulation.h"
+#include "study/study_set.h"
 
 namespace seamline {
 namespace {
@@ -26,7 +28,7 @@ struct StudyOptions {
 };
 
 struct LogOptions {
-  std::string log, exclude, forget;
+  std::string log, exclude, forget, recover, set;
   bool status = false, tracks = false;
 };
 
@@ -51,6 +53,8 @@ void simulate(const StudyOptions& options) {
       throw input_error({.field = flag, .wanted = "a person (--participant)", .found = "--observer"});
   std::optional<double> gain;
   if (options.gain > 0) gain = options.gain;
+  const StudySet set = load_study_set(options.set_folder);
+  check_set_files(set.folder, set.manifest);
   const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
                                                          .log = options.log,
                                                          .observer = parse_observer(options.observer),
@@ -69,7 +73,6 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
     throw input_error({.field = "seamline study",
                        .wanted = "either --participant CODE or --observer KIND",
                        .found = options.observer.empty() ? "neither" : "both"});
-  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of the log and not the end of the program
   if (!options.observer.empty()) return simulate(options);
   check_participant_code(options.participant);
   run_participant({.set_folder = options.set_folder,
@@ -84,12 +87,17 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
 }
 
 void administer(const LogOptions& options) {
-  const bool does_something =
-      options.status || options.tracks || !options.exclude.empty() || !options.forget.empty();
+  const bool does_something = options.status || options.tracks || !options.exclude.empty() ||
+                              !options.forget.empty() || !options.recover.empty();
   if (!does_something)
     throw input_error({.field = "seamline log",
-                       .wanted = "--status, --tracks, --exclude CODE or --forget CODE",
+                       .wanted = "--status, --tracks, --exclude CODE, --forget CODE or --recover OUT",
                        .found = "none"});
+  if (!options.recover.empty()) {
+    const LogRecovery recovery = recover_log(options.log, options.recover, options.set);
+    fmt::print("{}", recovery_text(recovery, options.log, options.recover));
+    return;
+  }
   if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
   if (!options.forget.empty()) forget_participant(options.log, options.forget);
   if (options.status) fmt::print("{}", status_text(read_log(options.log)));
@@ -140,6 +148,11 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   log->add_flag("--tracks", log_options->tracks, "print the thresholds of an adaptive study (QUEST+)");
   log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
   log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  CLI::Option* recover =
+      log->add_option("--recover", log_options->recover,
+                      "save what can be read of a damaged log into a new one, and say what is lost");
+  log->add_option("--set", log_options->set, "for --recover: the set, where the log's own study is lost")
+      ->needs(recover);
   log->callback([log_options] { administer(*log_options); });
 }
 

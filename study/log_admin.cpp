@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <map>
 
 #include "study/log_database.h"
+#include "study/now.h"
 #include "study/session_claims.h"
 
 namespace seamline {
@@ -66,11 +66,6 @@ std::string more(const ParticipantRecord& participant, const Done& done) {
   if (participant.restarts > 0) text += fmt::format("  began again {} times", participant.restarts);
   if (participant.in_progress) text += "  in a session now";
   return text;
-}
-
-std::int64_t now_unix_s() {
-  using namespace std::chrono;
-  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
 }
 
 void delete_rows(SQLite::Database& database, const fs::path& log, const std::string& code) {

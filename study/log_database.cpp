@@ -3,12 +3,20 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
+#include <algorithm>
+
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t header_bytes = 100;  // of a SQLite database
 constexpr const char* a_log = "a Seamline log";
+const std::string saving = "(`seamline log LOG --recover OUT` saves what can be read)";
+
+InputError damaged(const fs::path& path, std::string found) {
+  std::replace(found.begin(), found.end(), '\n', ' ');
+  return input_error({.file = path.string(), .wanted = "an undamaged log " + saving, .found = found});
+}
 
 fs::path beside(const fs::path& path, const char* suffix) {
   return path.string() + suffix;
@@ -105,9 +113,19 @@ void check_log_format(SQLite::Database& database, const fs::path& path) {
                                     "a new log; nothing in it was changed"
                                   : "written by a newer seamline: use that one")});
   if (!has_schema(database))
-    throw input_error({.file = path.string(),
-                       .wanted = fmt::format("the tables of schema version {}", log_schema_version),
-                       .found = "other tables"});
+    throw input_error(
+        {.file = path.string(),
+         .wanted = fmt::format("the tables of schema version {} {}", log_schema_version, saving),
+         .found = "other tables"});
+}
+
+void check_undamaged(SQLite::Database& database, const fs::path& path) {
+  const std::string found = database.execAndGet("PRAGMA integrity_check(1)").getString();
+  if (found != "ok") throw damaged(path, found);
+  SQLite::Statement orphan(database, "PRAGMA foreign_key_check");
+  if (orphan.executeStep())
+    throw damaged(path, "a row of " + orphan.getColumn(0).getString() + " that refers to a missing one of " +
+                            orphan.getColumn(2).getString());
 }
 
 void make_durable(SQLite::Database& database) {
@@ -153,7 +171,7 @@ InputError log_error(const fs::path& path, const SQLite::Exception& error) {
   };
   switch (error.getErrorCode() & 0xff) {
     case SQLITE_NOTADB:
-      return complaint(a_log, "a file that is not SQLite");
+      return complaint(a_log + (", or a damaged one " + saving), "a file that is not SQLite");
     case SQLITE_PERM:
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
@@ -167,7 +185,7 @@ InputError log_error(const fs::path& path, const SQLite::Exception& error) {
       return complaint("a disk that takes what is written to it (every answer stored before is kept)",
                        std::string(error.what()) + ": the disk is full, files may not grow, or it is broken");
     default:
-      return complaint("an undamaged log (every answer stored before is kept)", error.what());
+      return damaged(path, error.what());
   }
 }
 

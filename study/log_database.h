@@ -49,6 +49,10 @@ void check_is_file(const std::filesystem::path& path, EmptyFile empty);
 /// Throws InputError unless the database is a log of our schema version with all its tables.
 void check_log_format(SQLite::Database& database, const std::filesystem::path& path);
 
+/// Throws InputError unless every page can be read, every row keeps its table's rules and no row refers to
+/// one that is missing. Takes about a second for a million answers.
+void check_undamaged(SQLite::Database& database, const std::filesystem::path& path);
+
 /// synchronous=FULL, foreign keys and secure deletion on; all three belong to the connection, not to the
 /// file.
 void make_durable(SQLite::Database& database);

@@ -1,9 +1,9 @@
 #pragma once
-#include <chrono>
 
 #include "study/file_identity.h"
 #include "study/log_database.h"
 #include "study/log_writer.h"
+#include "study/now.h"
 #include "study/session_claims.h"
 
 // Inside the log only: what a LogWriter holds, and the statements that every answer needs.
@@ -53,9 +53,8 @@ struct LogWriter::Tables {
   void read_answers(OpenSession& session);
 };
 
-[[nodiscard]] inline std::int64_t now_unix_s() {
-  using namespace std::chrono;
-  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-}
+/// The study of a set; its stimuli that the log does not have, and how many those were.
+void enter_study_row(SQLite::Database& database, const StudySet& set);
+std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli);
 
 }  // namespace seamline

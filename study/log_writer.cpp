@@ -18,21 +18,39 @@ void check_same(const fs::path& path, const char* field, const std::string& want
                      .found = found});
 }
 
-void enter_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
-  SQLite::Statement insert(database, "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+}  // namespace
+
+std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
+  SQLite::Statement insert(database,
+                           "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
+  std::int64_t entered = 0;
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i].stimulus;
     run(insert, static_cast<std::int64_t>(i), stimuli[i].id, stimulus.scene,
         std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index,
         stimulus.condition.depth_width_px, stimulus.condition.yaw_texels, stimuli[i].sha256);
+    entered += insert.getChanges();
   }
+  return entered;
 }
 
-void enter_study(SQLite::Database& database, const StudySet& set) {
+void enter_study_row(SQLite::Database& database, const StudySet& set) {
   SQLite::Statement insert(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
   run(insert, set.study.name, set.manifest.study_hash, set.set_hash, set.folder.string(), set.study_text,
       program_version());
-  enter_stimuli(database, set.manifest.stimuli);
+}
+
+namespace {
+
+void enter_study(SQLite::Database& database, const StudySet& set) {
+  enter_study_row(database, set);
+  const auto wanted = static_cast<std::int64_t>(set.manifest.stimuli.size());
+  const std::int64_t entered = enter_missing_stimuli(database, set.manifest.stimuli);
+  if (entered != wanted)
+    throw input_error({.file = (set.folder / "manifest.json").string(),
+                       .field = "stimuli",
+                       .wanted = "each stimulus id once",
+                       .found = std::to_string(entered) + " different ones among " + std::to_string(wanted)});
 }
 
 /// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
@@ -55,6 +73,7 @@ LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)
   const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
   SQLite::Database database = open_or_create_log_database(path_, fill);
   with_log_errors(path_, [&] {
+    check_undamaged(database, path_);
     claim_log(database, path_, set);
     tables_ = std::make_unique<Tables>(std::move(database), path_, set.study.session.orders);
   });

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "stimuli/attention_image.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
@@ -23,8 +24,10 @@ const ManifestReference& reference_of(const StudySet& set, const PlannedTrial& t
                      .found = "none"});
 }
 
-ByteImage load(const StudySet& set, const std::string& name, int channels) {
-  const fs::path path = set.folder / name;
+/// Only what the set was rendered with is shown to anybody.
+ByteImage load(const StudySet& set, const SetFile& file, int channels) {
+  check_set_file(set.folder, file);
+  const fs::path path = set.folder / file.file;
   ByteImage image = read_bytes_image(path);
   const auto shape = [](int width, int height, int depth) {
     return fmt::format("{} x {} pixels with {} channels", width, height, depth);
@@ -37,21 +40,27 @@ ByteImage load(const StudySet& set, const std::string& name, int channels) {
   return image;
 }
 
+ByteImage load_reference(const StudySet& set, const PlannedTrial& trial) {
+  const ManifestReference& reference = reference_of(set, trial);
+  return load(set, {reference.image, reference.image_sha256}, 3);
+}
+
 }  // namespace
 
 ByteImage load_object_ids(const StudySet& set, const PlannedTrial& trial) {
-  return load(set, reference_of(set, trial).object_ids, 1);
+  const ManifestReference& reference = reference_of(set, trial);
+  return load(set, {reference.object_ids, reference.object_ids_sha256}, 1);
 }
 
 ByteImage load_trial_picture(const StudySet& set, const PlannedTrial& trial) {
   switch (trial.kind) {
     case TrialKind::stimulus:
-      return load(set, record_of(set, trial).image, 3);
+      return load(set, {record_of(set, trial).image, record_of(set, trial).sha256}, 3);
     case TrialKind::attention:
-      return attention_image(load(set, reference_of(set, trial).image, 3), load_object_ids(set, trial),
+      return attention_image(load_reference(set, trial), load_object_ids(set, trial),
                              record_of(set, trial).stimulus.object_index);
     case TrialKind::reference:
-      return load(set, reference_of(set, trial).image, 3);
+      return load_reference(set, trial);
   }
   return {};
 }

@@ -51,6 +51,28 @@ int run_gnuplot(const std::string& argument, const fs::path& messages) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// A text as gnuplot reads it between single quotes.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char letter : text) safe += letter == '\'' ? "''" : std::string(1, letter);
+  return safe + "'";
+}
+
+/// Files that are gone at the end, however it comes.
+struct Removed {
+  std::vector<fs::path> files;
+  ~Removed() {
+    std::error_code error;
+    for (const fs::path& file : files) fs::remove(file, error);
+  }
+};
+
+bool is_whole_svg(const fs::path& file) {
+  const std::string text = fs::exists(file) ? read_file(file) : std::string();
+  const std::size_t end = text.find_last_not_of(" \n");
+  return end != std::string::npos && text.substr(0, end + 1).ends_with("</svg>");
+}
+
 }  // namespace
 
 PlotStyle plot_style(std::size_t index) {
@@ -84,14 +106,17 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
       fmt::format("set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
                   "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
                   width_px, height_px, svg.filename().string(), script));
-  const std::string call = fmt::format("call '{}' '{}'\n", script_file.string(), svg.string());
   const fs::path caller = fs::path(svg).replace_extension(".call");
-  write_file_atomically(caller, call);
-  const int status = run_gnuplot(caller.string(), messages);
-  const std::string said = read_file(messages);
-  fs::remove(messages);
-  fs::remove(caller);
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + said);
+  const Removed at_the_end{{messages, caller}};
+  write_file_atomically(svg, [&](const fs::path& temporary) {
+    write_file_atomically(
+        caller, fmt::format("call {} {}\n", quoted(script_file.string()), quoted(temporary.string())));
+    const int status = run_gnuplot(caller.string(), messages);
+    if (status != 0)
+      throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + read_file(messages));
+    if (!is_whole_svg(temporary))  // gnuplot does not notice a disk that is full
+      throw input_error({.file = svg.string(), .wanted = "room for a figure", .found = "a full disk"});
+  });
 }
 
 std::string gnuplot_text(const std::string& text) {

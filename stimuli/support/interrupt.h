@@ -3,7 +3,8 @@
 namespace seamline {
 
 /// From here on Ctrl-C (SIGINT) and SIGTERM only set a flag, which long jobs ask between pieces of work.
-/// A second Ctrl-C ends the program at once.
+/// A second Ctrl-C ends the program at once. A limit on file sizes (SIGXFSZ) fails the write, as a full disk
+/// does, and does not end the program.
 void catch_interrupts();
 
 /// Whether the person has asked the program to stop.

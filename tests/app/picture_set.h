@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "stimuli/support/hash.h"
 #include "stimuli/support/image.h"
 #include "stimuli/support/random.h"
 #include "tests/study/temporary_set.h"
@@ -62,8 +63,8 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
   Manifest manifest = begin_set_of_text(folder, text);
   write_png(folder / "room.png", noise_with_discs(request.width_px, request.height_px, 0));
   write_png(folder / "room-ids.png", disc_ids(request.width_px, request.height_px));
-  manifest.references.push_back(
-      {"room", "room.png", "room-ids.png", std::string(64, '0'), std::string(64, '0')});
+  manifest.references.push_back({"room", "room.png", "room-ids.png", sha256_of_file(folder / "room.png"),
+                                 sha256_of_file(folder / "room-ids.png")});
   for (std::size_t i = 0; i < manifest.stimuli.size(); ++i) {
     ManifestStimulus& record = manifest.stimuli[i];
     const std::size_t number = i % request.different;
@@ -72,6 +73,7 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
     record.reference = "room.png";
     if (number == i)
       write_png(folder / record.image, noise_with_discs(request.width_px, request.height_px, number + 1));
+    record.sha256 = sha256_of_file(folder / record.image);
   }
   write_manifest(folder, manifest);
   return load_study_set(folder);

@@ -5,6 +5,7 @@
 
 #include "stimuli/attention_image.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/hash.h"
 #include "temporary_set.h"
 
 namespace seamline {
@@ -36,13 +37,18 @@ class TrialPictureTest : public testing::Test {
     std::string text = study_text("tiny", "64");
     text.insert(text.find("seed"), fmt::format("width_px = {}\nheight_px = {}\n", width, height));
     set = write_set_of_text(folder / "set", text);
-    for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i)
-      write_png(folder / ("set/" + set.manifest.stimuli[i].image), plain(static_cast<std::uint8_t>(10 + i)));
+    for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
+      ManifestStimulus& record = set.manifest.stimuli[i];
+      write_png(set.folder / record.image, plain(static_cast<std::uint8_t>(10 + i)));
+      record.sha256 = sha256_of_file(set.folder / record.image);
+    }
     for (const char* scene : {"bedroom", "gazebo"}) {
       write_png(folder / fmt::format("set/{}.png", scene), plain(100));
       write_png(folder / fmt::format("set/{}-ids.png", scene), three_stripes());
-      set.manifest.references.push_back(
-          {scene, fmt::format("{}.png", scene), fmt::format("{}-ids.png", scene), "", ""});
+      set.manifest.references.push_back({scene, fmt::format("{}.png", scene),
+                                         fmt::format("{}-ids.png", scene),
+                                         sha256_of_file(folder / fmt::format("set/{}.png", scene)),
+                                         sha256_of_file(folder / fmt::format("set/{}-ids.png", scene))});
     }
   }
 };
@@ -61,7 +67,7 @@ TEST_F(TrialPictureTest, ShowsTheStimulusTheReferenceOrTheReferenceWithOneObject
   }
 }
 
-TEST_F(TrialPictureTest, NamesTheFileThatIsMissingOrOfAnotherSize) {
+TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {
   const auto complaint = [&](const PlannedTrial& trial) {
     try {
       (void)load_trial_picture(set, trial);
@@ -75,7 +81,10 @@ TEST_F(TrialPictureTest, NamesTheFileThatIsMissingOrOfAnotherSize) {
   ByteImage small = plain(1);
   small.height_px = 8;
   small.values.resize(small.values.size() / 2);
-  write_png(folder / ("set/" + set.manifest.stimuli[0].image), small);
+  ManifestStimulus& first = set.manifest.stimuli[0];
+  write_png(set.folder / first.image, small);
+  EXPECT_THAT(complaint({TrialKind::stimulus, 0}), HasSubstr("found other bytes"));
+  first.sha256 = sha256_of_file(set.folder / first.image);
   EXPECT_THAT(complaint({TrialKind::stimulus, 0}), HasSubstr("32 x 16 pixels with 3 channels, found 32 x 8"));
   std::filesystem::remove(folder / ("set/" + set.manifest.stimuli[1].image));
   EXPECT_THAT(complaint({TrialKind::stimulus, 1}), HasSubstr(set.manifest.stimuli[1].image));

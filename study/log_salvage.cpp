@@ -1,0 +1,218 @@
+#include "study/log_salvage.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+#include "stimuli/support/atomic_file.h"
+#include "study/log_database.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::int64_t most_keys_asked = 2000000;
+constexpr std::size_t page_size_at = 16, page_count_at = 28, change_counter_at = 24, valid_for_at = 92;
+
+LogRow row_of(SQLite::Statement& statement) {
+  LogRow row;
+  for (int i = 0; i < statement.getColumnCount(); ++i) {
+    const SQLite::Column column = statement.getColumn(i);
+    if (column.isNull())
+      row.emplace_back();
+    else if (column.isInteger())
+      row.emplace_back(column.getInt64());
+    else if (column.isFloat())
+      row.emplace_back(column.getDouble());
+    else
+      row.emplace_back(column.getString());
+  }
+  return row;
+}
+
+/// Reads one table of a damaged database.
+class TableReader {
+ public:
+  TableReader(SQLite::Database& database, const LogTable& table) : database_(database), table_(table) {
+    for (const char* column : table.key) key_ += (key_.empty() ? "" : ", ") + std::string(column);
+  }
+
+  std::vector<LogRow> read() {
+    if (!scan("")) {
+      scan(" DESC");
+      ask_for_keys_between();
+    }
+    std::vector<LogRow> rows;
+    for (auto& [key, row] : rows_) rows.push_back(std::move(row));
+    return rows;
+  }
+
+ private:
+  /// From one end until the end or a damaged page; true when the whole table was read.
+  bool scan(const std::string& direction) {
+    try {
+      std::string order;
+      for (const char* column : table_.key) order += (order.empty() ? "" : ", ") + (column + direction);
+      SQLite::Statement statement(
+          database_, fmt::format("SELECT {}, * FROM {} NOT INDEXED ORDER BY {}", key_, table_.name, order));
+      while (statement.executeStep()) keep(row_of(statement));
+      return true;
+    } catch (const SQLite::Exception&) {
+      return false;
+    }
+  }
+
+  void keep(LogRow row) {
+    const auto end_of_key = row.begin() + static_cast<std::ptrdiff_t>(table_.key.size());
+    LogRow key(row.begin(), end_of_key);
+    row.erase(row.begin(), end_of_key);
+    rows_.emplace(std::move(key), std::move(row));
+  }
+
+  /// Keys are small whole numbers, so the ones between those found can be asked for. Text keys cannot.
+  void ask_for_keys_between() {
+    std::vector<std::int64_t> highest(table_.key.size(), 0);
+    for (const auto& [key, row] : rows_)
+      for (std::size_t i = 0; i < key.size(); ++i) {
+        const auto* number = std::get_if<std::int64_t>(&key[i]);
+        if (number == nullptr) return;
+        highest[i] = std::max(highest[i], *number);
+      }
+    std::int64_t keys = 1;
+    for (std::int64_t& last : highest) {
+      last += highest_beyond;
+      if (last >= most_keys_asked || (keys *= last + 1) > most_keys_asked) return;
+    }
+    std::vector<std::int64_t> key(highest.size(), 0);
+    for (std::int64_t number = 0; number < keys; ++number) {
+      std::int64_t rest = number;
+      for (std::size_t i = key.size(); i-- > 0; rest /= highest[i] + 1) key[i] = rest % (highest[i] + 1);
+      ask(key);
+    }
+  }
+
+  void ask(const std::vector<std::int64_t>& key) {
+    if (rows_.contains(LogRow(key.begin(), key.end()))) return;
+    try {
+      std::string where;
+      for (const char* column : table_.key)
+        where += fmt::format("{}{} = ?", where.empty() ? "" : " AND ", column);
+      if (!one_)
+        one_.emplace(database_, fmt::format("SELECT {}, * FROM {} WHERE {}", key_, table_.name, where));
+      one_->tryReset();
+      for (std::size_t i = 0; i < key.size(); ++i) one_->bind(static_cast<int>(i) + 1, key[i]);
+      if (one_->executeStep()) keep(row_of(*one_));
+    } catch (const SQLite::Exception&) {
+      one_.reset();  // on a damaged page
+    }
+  }
+
+  static constexpr std::int64_t highest_beyond = 64;  ///< keys asked for beyond the highest one found
+  SQLite::Database& database_;
+  const LogTable& table_;
+  std::string key_;
+  std::map<LogRow, LogRow> rows_;
+  std::optional<SQLite::Statement> one_;
+};
+
+SalvagedLog read_all(const fs::path& copy) {
+  SalvagedLog log;
+  try {
+    SQLite::Database database(copy.string(), SQLite::OPEN_READWRITE, log_patience_ms);
+    database.exec("PRAGMA writable_schema = ON");  // a file that was cut short is read as far as it goes
+    for (const LogTable& table : log_tables()) log[table.name] = TableReader(database, table).read();
+  } catch (const SQLite::Exception&) {
+    // not even its first page can be read
+  }
+  return log;
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at, int size) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < size; ++i)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+  return value;
+}
+
+/// A new log's first page, which holds the header and where the tables begin, for a file of `bytes`. Tables
+/// begin at the same pages in every log of this schema that nobody was deleted from.
+std::string first_page(const fs::path& scratch, std::uintmax_t bytes) {
+  const fs::path model = scratch / "model.sqlite";
+  {
+    SQLite::Database database(model.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database.exec(log_schema_sql());
+  }
+  std::string page = read_file(model);
+  const std::uint32_t page_bytes = big_endian(page, page_size_at, 2);
+  page.resize(page_bytes);
+  const std::uint64_t pages = bytes / page_bytes;
+  for (std::size_t i = 0; i < 4; ++i)
+    page[page_count_at + i] = static_cast<char>(pages >> (24 - 8 * i) & 255);
+  for (std::size_t i = 0; i < 4; ++i) page[valid_for_at + i] = page[change_counter_at + i];
+  return page;
+}
+
+std::size_t rows_in(const SalvagedLog& log, const std::string& table) {
+  const auto found = log.find(table);
+  return found == log.end() ? 0 : found->second.size();
+}
+
+std::size_t rows_in(const SalvagedLog& log) {
+  std::size_t rows = 0;
+  for (const auto& [name, of_table] : log) rows += of_table.size();
+  return rows;
+}
+
+bool is_better(const SalvagedLog& one, const SalvagedLog& other) {
+  const auto worth = [](const SalvagedLog& log) { return std::pair(rows_in(log, "answers"), rows_in(log)); };
+  return worth(one) > worth(other);
+}
+
+fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_first_page) {
+  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_first_page ? 1 : 0);
+  fs::copy_file(damaged, copy);
+  if (with_ahead) fs::copy_file(damaged.string() + "-wal", copy.string() + "-wal");
+  if (!new_first_page) return copy;
+  const std::string page = first_page(scratch, fs::file_size(copy));
+  std::fstream file(copy, std::ios::in | std::ios::out | std::ios::binary);
+  file.write(page.data(), static_cast<std::streamsize>(page.size()));
+  return copy;
+}
+
+}  // namespace
+
+const std::vector<LogTable>& log_tables() {
+  static const std::vector<LogTable> tables = {
+      {"study", {"id"}},
+      {"stimuli", {"stimulus"}},
+      {"participants", {"participant"}},
+      {"sessions", {"session"}},
+      {"displays", {"session"}},
+      {"consent_texts", {"text_sha256"}},
+      {"consents", {"participant"}},
+      {"declines", {"decline"}},
+      {"form_answers", {"participant", "field"}},
+      {"trials", {"participant", "trial_index"}},
+      {"answers", {"participant", "trial_index"}},
+      {"training_answers", {"session", "training_index"}},
+      {"set_aside_answers", {"participant", "attempt", "trial_index"}},
+      {"events", {"event"}},
+      {"deletions", {"deletion"}}};
+  return tables;
+}
+
+SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
+  const bool has_ahead = fs::exists(damaged.string() + "-wal");
+  SalvagedLog best;
+  for (const bool new_first_page : {false, true})
+    for (const bool with_ahead : {true, false}) {
+      if (with_ahead && !has_ahead) continue;
+      SalvagedLog log = read_all(copy_of(damaged, scratch, with_ahead, new_first_page));
+      if (is_better(log, best)) best = std::move(log);
+    }
+  return best;
+}
+
+}  // namespace seamline

@@ -1,0 +1,35 @@
+#pragma once
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+// Inside the log only: reading what is left of a damaged one.
+namespace seamline {
+
+/// A value of any table.
+using LogValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+using LogRow = std::vector<LogValue>;
+
+/// Tables of the log, parents before the rows that refer to them, with the columns of their keys.
+struct LogTable {
+  const char* name;
+  std::vector<const char*> key;
+};
+[[nodiscard]] const std::vector<LogTable>& log_tables();
+
+/// The rows of each table that could be read.
+using SalvagedLog = std::map<std::string, std::vector<LogRow>>;
+
+/// Reads every row that SQLite can still reach: from the front until a page is damaged, from the back, and
+/// what lies between by asking for its keys one by one. With several ways to read the file (with and without
+/// what is waiting in its write-ahead log; with a first page made anew where the file's own is damaged) the
+/// one that finds most is taken. Works on copies in `scratch`; the damaged files are not touched.
+[[nodiscard]] SalvagedLog salvage_log(const std::filesystem::path& damaged,
+                                      const std::filesystem::path& scratch);
+
+}  // namespace seamline

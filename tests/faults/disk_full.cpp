@@ -1,0 +1,157 @@
+// A disk without room at every position: by a limit on the size of files, and on a small file system.
+#include <fmt/core.h>
+#include <sys/mount.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "lab.h"
+
+namespace seamline::faults {
+namespace fs = std::filesystem;
+namespace {
+
+std::uintmax_t largest(const Files& files) {
+  std::uintmax_t bytes = 0;
+  for (const auto& [name, text] : files) bytes = std::max<std::uintmax_t>(bytes, text.size());
+  return bytes;
+}
+
+std::uintmax_t sum(const Files& files) {
+  std::uintmax_t bytes = 0;
+  for (const auto& [name, text] : files) bytes += (text.size() + 4095) / 4096 * 4096;
+  return bytes;
+}
+
+/// Position number `at` of `count`, from 0 to `end`, denser at the beginning where most files end.
+std::uint64_t position(int at, int count, std::uintmax_t end) {
+  const double share = static_cast<double>(at) / count;
+  return static_cast<std::uint64_t>(share * share * static_cast<double>(end));
+}
+
+/// What every try asks of a run that had no room: it says so, and what it leaves is whole.
+void check_set(Lab& lab, Tally& tally, const fs::path& set, const Ending& ending, const std::string& what) {
+  ++tally.tries;
+  if (ending.status != 0) lab.refuses(what, ending);
+  const Files left = files_of(set);
+  tally.committed += static_cast<std::int64_t>(left.size());
+  tally.lost += files_not_in(left, lab.set_files);
+  if (leftovers(set) > 0) lab.complaints.push_back(what + ": temporary files were left behind");
+}
+
+void check_log(Lab& lab, Tally& tally, const fs::path& log, const Ending& ending, const std::string& what) {
+  ++tally.tries;
+  if (ending.status != 0) lab.refuses(what, ending);
+  const std::vector<std::string> kept = answers_of(log);
+  tally.committed += static_cast<std::int64_t>(kept.size());
+  tally.lost += missing(kept, lab.log_answers);
+  if (fs::exists(log) && fs::file_size(log) > 0 && !is_sound(log))
+    lab.complaints.push_back(what + ": the log is unsound");
+}
+
+/// A file system of so many bytes; nothing when we may not make one.
+class SmallDisk {
+ public:
+  SmallDisk(fs::path at, std::uint64_t bytes) : at_(std::move(at)) {
+    fs::create_directories(at_);
+    made_ = ::mount("tmpfs", at_.c_str(), "tmpfs", 0, fmt::format("size={}", bytes).c_str()) == 0;
+  }
+  ~SmallDisk() {
+    if (made_) ::umount2(at_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  [[nodiscard]] bool made() const { return made_; }
+  void grow() const { ::mount("tmpfs", at_.c_str(), "tmpfs", MS_REMOUNT, "size=64m"); }
+
+ private:
+  fs::path at_;
+  bool made_ = false;
+};
+
+constexpr std::uint64_t page_bytes = 4096;
+
+}  // namespace
+
+Tally limit_render(Lab& lab) {
+  Tally tally{.fault = "file size limit, render"};
+  const int count = lab.tries(1, 20);
+  const std::uintmax_t end = largest(lab.set_files) + 2048;
+  for (int at = 0; at < count; ++at) {
+    const fs::path set = lab.folder / "limited-set";
+    fs::remove_all(set);
+    const std::uint64_t bytes = position(at, count, end);
+    const Ending ending = run(lab.render_command(set), {.file_limit_bytes = bytes});
+    check_set(lab, tally, set, ending, fmt::format("render, files of at most {} bytes", bytes));
+    rerun_render(lab, set, tally);
+  }
+  return tally;
+}
+
+Tally limit_study(Lab& lab) {
+  Tally tally{.fault = "file size limit, study --observer"};
+  const int count = lab.tries(3, 50);
+  const std::uintmax_t end = 3 * fs::file_size(lab.log);  // the write-ahead log grows beyond the log
+  for (int at = 0; at < count; ++at) {
+    const fs::path log = lab.folder / "limited.sqlite";
+    remove_log(log);
+    const std::uint64_t bytes = position(at, count, end);
+    const Ending ending = run(lab.study_command(log), {.file_limit_bytes = bytes});
+    check_log(lab, tally, log, ending, fmt::format("study, files of at most {} bytes", bytes));
+    rerun_study(lab, log, tally);
+  }
+  return tally;
+}
+
+Tally limit_analyze(Lab& lab) {
+  Tally tally{.fault = "file size limit, analyze"};
+  const int count = lab.tries(1, 20);
+  const std::uintmax_t end = largest(lab.report_files) + 4096;
+  for (int at = 0; at < count; ++at) {
+    const fs::path report = lab.folder / "limited-report";
+    fs::remove_all(report);
+    const std::uint64_t bytes = position(at, count, end);
+    const Ending ending = run(lab.analyze_command(lab.log, report), {.file_limit_bytes = bytes});
+    const std::string what = fmt::format("analyze, files of at most {} bytes", bytes);
+    ++tally.tries;
+    if (ending.status != 0) lab.refuses(what, ending);
+    const Files left = files_of(report);
+    tally.committed += static_cast<std::int64_t>(left.size());
+    tally.lost += files_not_in(left, lab.report_files);
+    if (leftovers(report) > 0) lab.complaints.push_back(what + ": temporary files were left behind");
+    rerun_analyze(lab, report, tally);
+  }
+  return tally;
+}
+
+Tally small_disk(Lab& lab) {
+  Tally tally{.fault = "full disk (tmpfs), render and study"};
+  const fs::path place = lab.folder / "small-disk";
+  const int count = lab.tries(1, 20);
+  for (int at = 0; at < count; ++at) {
+    const std::uint64_t set_bytes = page_bytes * (1 + position(at, count, sum(lab.set_files) / page_bytes));
+    const SmallDisk for_set(place, set_bytes);
+    if (!for_set.made()) {
+      tally.note = fmt::format("left out: no file system can be made here ({})", std::strerror(errno));
+      return tally;
+    }
+    const Ending rendering = run(lab.render_command(place / "set"));
+    check_set(lab, tally, place / "set", rendering, fmt::format("render on a disk of {} bytes", set_bytes));
+    for_set.grow();
+    rerun_render(lab, place / "set", tally);
+  }
+  for (int at = 0; at < count; ++at) {
+    const std::uint64_t log_bytes =
+        page_bytes * (1 + position(at, count, 4 * fs::file_size(lab.log) / page_bytes));
+    const SmallDisk for_log(place, log_bytes);
+    const Ending session = run(lab.study_command(place / "log.sqlite"));
+    check_log(lab, tally, place / "log.sqlite", session,
+              fmt::format("study on a disk of {} bytes", log_bytes));
+    for_log.grow();
+    rerun_study(lab, place / "log.sqlite", tally);
+  }
+  return tally;
+}
+
+}  // namespace seamline::faults
