@@ -1,4 +1,5 @@
-// Tries faults on the program and prints one table: seamline_faults [--quick] PROGRAM [FOLDER].
+// Tries faults on the program and prints one table: seamline_faults [--quick | --load] PROGRAM [FOLDER];
+// --load measures instead how time and memory grow.
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -6,6 +7,7 @@
 
 #include "damage.h"
 #include "lab.h"
+#include "load.h"
 
 namespace {
 
@@ -56,15 +58,17 @@ int try_all(Lab& lab) {
 
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "--quick";
-  const int first = quick ? 2 : 1;
+  const bool load = argc > 1 && std::string(argv[1]) == "--load";
+  const int first = quick || load ? 2 : 1;
   if (argc <= first) {
-    fmt::print(stderr, "usage: seamline_faults [--quick] PROGRAM [FOLDER]\n");
+    fmt::print(stderr, "usage: seamline_faults [--quick | --load] PROGRAM [FOLDER]\n");
     return 2;
   }
   const std::filesystem::path program = std::filesystem::absolute(argv[first]);
   const std::filesystem::path folder =
       std::filesystem::absolute(argc > first + 1 ? argv[first + 1] : "test-output/faults");
   try {
+    if (load) return measure_load(program, folder);
     Lab lab = open_lab(program, SEAMLINE_CLOCK_SHIM, folder, quick);
     return try_all(lab);
   } catch (const std::exception& error) {
