@@ -1,6 +1,6 @@
-// Tries faults on the program and prints one table: seamline_faults [--quick | --load] PROGRAM [FOLDER
-// [FIRST]]. FIRST is the number of the line of the table to begin with.
-// --load measures instead how time and memory grow.
+// Tries faults on the program and prints one table:
+//   seamline_faults [--quick | --load] PROGRAM [FOLDER [FIRST]]
+// FIRST is the line of the table to begin with; --load measures instead how time and memory grow.
 #include <fmt/core.h>
 
 #include <cstdio>
