@@ -81,7 +81,7 @@ TEST_F(LogRecoveryTest, EveryLostPageIsNoticedAndEachLostAnswerIsNamed) {
     lose_page(page);
     EXPECT_THAT(complaint_of_reading(), HasSubstr("--recover")) << "page " << page;
     fs::remove(saved);
-    const LogRecovery recovery = recover_log(log, saved, {});
+    const LogRecovery recovery = recover_log(log, saved, folder / "set");
     const LogContents after = read_log(saved);
     std::size_t named = 0;
     for (const LostAnswers& person : recovery.participants) named += person.missing_trials.size();
