@@ -21,8 +21,8 @@ void check_same(const fs::path& path, const char* field, const std::string& want
 }  // namespace
 
 std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
+  SQLite::Statement insert(
+      database, "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
   std::int64_t entered = 0;
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i].stimulus;

@@ -60,7 +60,9 @@ void recover(Lab& lab, const fs::path& log, Damage& damage, bool analyse) {
   const fs::path saved = lab.folder / "recovered.sqlite";
   remove_log(saved);
   const std::string before = bytes_of(log);
-  const Ending ending = run({lab.program, "log", log, "--recover", saved});
+  Ending ending = run({lab.program, "log", log, "--recover", saved});
+  if (ending.status == 1 && ending.output.find("--set") != std::string::npos)
+    ending = run({lab.program, "log", log, "--recover", saved, "--set", lab.answered_set});
   if (bytes_of(log) != before) lab.complain(damage.what + ": recovery touched the damaged file", ending);
   if (ending.status != 0) {
     ++damage.nothing_recovered;

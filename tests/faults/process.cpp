@@ -81,7 +81,9 @@ Ending finish(const Child& child, const Surroundings& around) {
   }
   ::close(child.output);
   int status = 0;
-  ::waitpid(child.pid, &status, 0);
+  rusage used = {};
+  ::wait4(child.pid, &status, 0, &used);
+  ending.peak_kb = used.ru_maxrss;
   ending.duration_us = us_since(begin);
   ending.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   ending.killed = ending.killed && WIFSIGNALED(status);

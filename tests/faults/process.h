@@ -22,7 +22,8 @@ struct Ending {
   int status = 0;       ///< exit status; 128 + number after a signal
   bool killed = false;  ///< by us
   std::int64_t duration_us = 0;
-  std::string output;  ///< standard output and standard error
+  std::int64_t peak_kb = 0;  ///< largest memory
+  std::string output;        ///< standard output and standard error
 };
 
 using Arguments = std::vector<std::string>;
