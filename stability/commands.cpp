@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "renderer/parallel.h"
 #include "stability/catalogue.h"
+#include "stability/convergence_cases.h"
 #include "stability/run_cases.h"
+#include "stimuli/support/gnuplot.h"
 
 namespace seamline {
 namespace {
@@ -15,6 +18,7 @@ namespace {
 struct CommandLine {
   StabilityOptions options;
   std::string only;
+  std::filesystem::path figure;
   bool list = false, json = false, markdown = false;
 };
 
@@ -29,6 +33,7 @@ bool run_stability(const CommandLine& line) {
     print_list(cases);
     return true;
   }
+  if (!line.figure.empty()) require_gnuplot();
   std::vector<CaseOutcome> outcomes;
   int failed = 0;
   for (const StabilityCase& one : cases) {
@@ -44,6 +49,7 @@ bool run_stability(const CommandLine& line) {
   if (line.markdown) fmt::print("{}", outcomes_markdown(outcomes));
   if (!line.json && !line.markdown)
     fmt::print("{} of {} cases passed\n", cases.size() - static_cast<std::size_t>(failed), cases.size());
+  if (!line.figure.empty()) draw_orders(order_series(), line.figure);
   return failed == 0;
 }
 
@@ -56,6 +62,8 @@ void add_stability_command(CLI::App& app, bool& any_failed) {
       app.add_subcommand("stability", "does the program keep its promises on stiff and extreme input");
   stability->add_option("--only", line->only, "one case, or one group of cases");
   stability->add_flag("--list", line->list, "names of the cases; nothing is run");
+  stability->add_option("--figure", line->figure,
+                        "an SVG file: observed orders of convergence beside the expected ones");
   stability->add_option("--threads", line->options.threads, "threads of renders and builds")
       ->check(CLI::Range(1, 1024));
   auto* json = stability->add_flag("--json", line->json, "as data");

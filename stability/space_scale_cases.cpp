@@ -72,8 +72,9 @@ StabilityCases space_scale_cases() {
       root_case("scale-1e-3", {.scale = 1e-3}, "scales it by 1e-3"),
       root_case("scale-1e3", {.scale = 1e3}, "scales it by 1e3"),
       root_case("scale-1e5", {.scale = 1e5}, "scales it by 1e5"),
-      root_case("moved-1e6", {.translation_m = {1e6, -1e6, 1e6}}, "moves it by 1e6 m along each axis"),
-      root_case("moved-1e6-scale-1e-3", {.translation_m = {-1e6, 1e6, 1e6}, .scale = 1e-3},
+      root_case("moved-1e6", {.translation_m = {1000000.3, -999999.7, 1000000.1}},
+                "moves it by 1e6 m along each axis"),
+      root_case("moved-1e6-scale-1e-3", {.translation_m = {-1000000.3, 999999.7, 1000000.1}, .scale = 1e-3},
                 "scales it by 1e-3 and moves it by 1e6 m along each axis"),
   };
 }

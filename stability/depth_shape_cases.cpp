@@ -1,0 +1,241 @@
+#include "stability/depth_shape_cases.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "renderer/adaptive_mesh.h"
+#include "renderer/full_mesh.h"
+#include "renderer/geometry.h"
+#include "stability/groups.h"
+#include "stability/mesh_check.h"
+#include "stability/worst.h"
+
+namespace seamline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Eigen::Vector3d random_direction(Random& random) {
+  const double y = 2 * random.uniform() - 1, azimuth = 2 * pi * random.uniform(),
+               across = std::sqrt(1 - y * y);
+  return {across * std::cos(azimuth), y, across * std::sin(azimuth)};
+}
+
+std::optional<double> distance_m(const Geometry& geometry, const Eigen::Vector3d& direction) {
+  const auto hit = geometry.nearest({Eigen::Vector3f::Zero(), direction.cast<float>()});
+  if (!hit) return std::nullopt;
+  return static_cast<double>(hit->distance_m);
+}
+
+/// A mesh whose vertices are named by where they lie in the dense grid, so that two can be compared whatever
+/// the order of their vertices.
+struct NamedMesh {
+  std::map<int, Eigen::Vector3d> position_m;
+  std::vector<std::array<int, 3>> triangles;  ///< sorted, each beginning at its least name
+};
+
+NamedMesh named(const DepthMesh& mesh, int width, int height) {
+  NamedMesh out;
+  std::vector<int> names;
+  for (const Eigen::Vector3f& vertex : mesh.vertices_m) {
+    const Eigen::Vector3d d = vertex.cast<double>().normalized();
+    const int row =
+        static_cast<int>(std::floor((0.5 - std::asin(std::clamp(d.y(), -1.0, 1.0)) / pi) * height));
+    const double turns = std::atan2(d.x(), -d.z()) / (2 * pi) + 0.5;
+    const int column = static_cast<int>(std::floor(turns * width)) % width;
+    const bool pole = std::hypot(d.x(), d.z()) < 0.5 * pi / (2 * height);
+    names.push_back(pole ? (d.y() > 0 ? -1 : -2) : row * width + column);
+    out.position_m[names.back()] = vertex.cast<double>();
+  }
+  for (const auto& t : mesh.triangles) {
+    std::array<int, 3> triangle = {names[t[0]], names[t[1]], names[t[2]]};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    out.triangles.push_back(triangle);
+  }
+  std::sort(out.triangles.begin(), out.triangles.end());
+  return out;
+}
+
+}  // namespace
+
+Finding try_constant_sphere(double radius_m, const MeshOptions& options, const MeshRule& rule) {
+  const DepthMesh mesh = rule(constant_map(256, radius_m), options);
+  const Geometry geometry(mesh, Rgb::Constant(0.5F));
+  Random random(1);
+  double error = 0;
+  for (int i = 0; i < 20000; ++i)
+    error = worse(error, relative_error(distance_m(geometry, random_direction(random)).value_or(std::nan("")),
+                                        radius_m));
+  return {error, fmt::format("{} triangles, largest error {:.2g}", mesh.triangles.size(), error)};
+}
+
+Finding try_jumps() {
+  const DepthMap map =
+      make_depth_map(64, [](int column, int row) { return (column / 8 + row / 8) % 2 == 0 ? 1.0 : 1e6; });
+  const DenseSphere sphere = make_dense_sphere(map, 0, 1, 64);
+  const DepthMesh mesh = build_adaptive_mesh(sphere, 1e-4, 1);
+  const MeshCheck check = check_mesh(mesh, sphere);
+  const bool lost = check.rays_without_hit + check.facing_away > 0;
+  return {lost ? std::nan("") : check.largest_error,
+          fmt::format("{} triangles, largest error {:.2g}, {} rays lost", mesh.triangles.size(),
+                      check.largest_error, check.rays_without_hit)};
+}
+
+Finding try_pole(bool zenith) {
+  const double side = zenith ? 1 : -1;
+  double error = 0;
+  for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {
+    const Geometry geometry(build_depth_mesh(room_map(512), {.density = density, .threads = 1}),
+                            Rgb::Constant(0.5F));
+    for (const double off_rad : {0.0, 1e-6, 1e-4, 1e-3, 3e-3, 1e-2})
+      for (int i = 0; i < 360; ++i) {
+        const double azimuth = i * pi / 180;
+        const Eigen::Vector3d d(std::sin(off_rad) * std::cos(azimuth), side * std::cos(off_rad),
+                                std::sin(off_rad) * std::sin(azimuth));
+        error =
+            worse(error, relative_error(distance_m(geometry, d).value_or(std::nan("")), room_distance_m(d)));
+      }
+  }
+  return {error, fmt::format("4320 rays, largest error {:.2g}", error)};
+}
+
+Finding try_seam_full() {
+  constexpr int width = 64, dense = 128;
+  const DepthMap map = room_map(width);
+  const NamedMesh usual = named(build_full_mesh(make_dense_sphere(map, 0, 1, dense), 1), dense, dense / 2);
+  double error = 0;
+  for (int texels = 1; texels < width; ++texels) {
+    const DepthMap turned = turned_map(map, texels);
+    const NamedMesh other =
+        named(build_full_mesh(make_dense_sphere(turned, texels, 1, dense), 1), dense, dense / 2);
+    if (other.triangles != usual.triangles || other.position_m.size() != usual.position_m.size())
+      return {std::nan(""), fmt::format("other triangles after {} texels", texels)};
+    for (const auto& [name, at_m] : usual.position_m)
+      error = worse(error, (other.position_m.at(name) - at_m).norm() / at_m.norm());
+  }
+  return {error,
+          fmt::format("63 turns, {} vertices, largest difference {:.2g}", usual.position_m.size(), error)};
+}
+
+Finding try_seam_adaptive(double tolerance) {
+  constexpr int width = 64, dense = 256;
+  const DepthMap map = room_map(width);
+  const auto distances = [&](int texels) {
+    const DepthMap turned = turned_map(map, texels);
+    const Geometry geometry(build_adaptive_mesh(make_dense_sphere(turned, texels, 1, dense), tolerance, 1),
+                            Rgb::Constant(0.5F));
+    const DenseSphere rays = make_dense_sphere(map, 0, 1, dense);
+    std::vector<double> found;
+    for (int row = 0; row < rays.height; ++row)
+      for (int column = 0; column < rays.width; ++column)
+        found.push_back(distance_m(geometry, rays.direction(row, column)).value_or(std::nan("")));
+    return found;
+  };
+  const std::vector<double> usual = distances(0);
+  double error = 0;
+  for (int texels = 1; texels < width; ++texels) {
+    const std::vector<double> other = distances(texels);
+    for (std::size_t i = 0; i < usual.size(); ++i) error = worse(error, relative_error(other[i], usual[i]));
+  }
+  return {error, fmt::format("63 turns, {} rays each, largest difference {:.2g}", usual.size(), error)};
+}
+
+Finding try_direction_table() {
+  const DepthMap map = make_depth_map(128, [](int column, int row) {
+    if (column > 90 && row > 40) return std::numeric_limits<double>::infinity();
+    return (column / 8 + row / 8) % 2 == 0 ? 1.0 : 1e6;
+  });
+  const Geometry geometry(build_depth_mesh(map, {.threads = 1}), Rgb::Constant(0.5F));
+  Random random(8);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 20000; ++i)
+    rays.push_back({Eigen::Vector3f::Zero(), random_direction(random).cast<float>().normalized()});
+  std::vector<std::optional<SurfacePoint>> by_table(rays.size());
+  geometry.nearest_from_centre(rays, by_table);
+  int disagree = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto searched = geometry.nearest(rays[i]);
+    const bool same = searched.has_value() == by_table[i].has_value() &&
+                      (!searched || relative_error(static_cast<double>(by_table[i]->distance_m),
+                                                   static_cast<double>(searched->distance_m)) < 0.05);
+    disagree += same ? 0 : 1;
+  }
+  return {static_cast<double>(disagree), fmt::format("{} of {} rays disagree", disagree, rays.size())};
+}
+
+StabilityCases depth_shape_cases() {
+  const auto sphere = [](const std::string& name, const MeshOptions& options, double tolerance,
+                         const std::string& reason) {
+    return StabilityCase{
+        .group = "depth",
+        .name = name,
+        .tried = "a sphere of constant distance, 256 px",
+        .expected = "that distance along every ray",
+        .unit = "relative",
+        .tolerance = tolerance,
+        .reason = reason,
+        .run = [options](const StabilityOptions&) { return try_constant_sphere(3, options); }};
+  };
+  const auto pole = [](const std::string& name, bool zenith) {
+    return StabilityCase{
+        .group = "depth",
+        .name = name,
+        .tried =
+            "rays straight at a pole of a room's map of 512 px and up to 0.01 rad beside it, both densities",
+        .expected = "the distance of the plane there",
+        .unit = "relative",
+        .tolerance = 1.5e-4,
+        .reason =
+            "the mesh's bound 1e-4; half a texel (0.006 rad) from the pole the plane is 1.9e-5 farther, and "
+            "as much again is lost between texels",
+        .run = [zenith](const StabilityOptions&) { return try_pole(zenith); }};
+  };
+  return {
+      sphere("constant-sphere-full", {.density = MeshDensity::full, .threads = 1}, 3e-6,
+             "sagitta of a cell of 2 pi / 2048, its diagonal squared over 8: 2.4e-6; float"),
+      sphere("constant-sphere-adaptive", {.tolerance = 1e-4, .threads = 1}, 1.03e-4,
+             "the mesh's bound holds at the dense sphere's vertices; 2.4e-6 more between them"),
+      {.group = "depth",
+       .name = "jumps-1e6",
+       .tried = "blocks of 1 m and 1e6 m side by side, adaptive mesh",
+       .expected = "every ray within the bound, none lost",
+       .unit = "relative",
+       .tolerance = 1e-4,
+       .reason = "the bound that was asked for",
+       .run = [](const StabilityOptions&) { return try_jumps(); }},
+      pole("zenith", true),
+      pole("nadir", false),
+      {.group = "depth",
+       .name = "seam-full",
+       .tried = "a room's panorama of 64 px turned by 1 to 63 texels, full density",
+       .expected = "the same mesh, turned, with the same triangles",
+       .unit = "relative",
+       .tolerance = 1e-6,
+       .reason = "positions are rounded to float once: 6e-8 an axis and less",
+       .run = [](const StabilityOptions&) { return try_seam_full(); }},
+      {.group = "depth",
+       .name = "seam-adaptive",
+       .tried = "the same, adaptive mesh within 1e-3",
+       .expected = "the same distances along all rays, within the bound",
+       .unit = "relative",
+       .tolerance = 2.01e-3,
+       .reason = "both meshes keep within 1e-3 of the dense sphere, so 2e-3 of each other; float",
+       .run = [](const StabilityOptions&) { return try_seam_adaptive(1e-3); }},
+      {.group = "depth",
+       .name = "direction-table",
+       .tried = "20,000 rays from the centre of a map with jumps of 1e6 and a hole, by the table of "
+                "directions and by Embree's search",
+       .expected = "the same surface",
+       .unit = "rays",
+       .tolerance = 2,
+       .reason = "a ray within rounding (1e-6) of an edge may take either side; the 5e5 edge lengths of "
+                 "0.003 rad make that 1 ray in 1e5",
+       .run = [](const StabilityOptions&) { return try_direction_table(); }},
+  };
+}
+
+}  // namespace seamline
