@@ -11,7 +11,8 @@ namespace seamline {
 using BoundRule = std::function<DepthMesh(const DenseSphere& sphere, double tolerance)>;
 [[nodiscard]] DepthMesh bounded_as_product(const DenseSphere& sphere, double tolerance);
 
-/// Random maps of 8 to 32 px on dense spheres of their own size, tolerances 1e-5 to 0.1 by chance.
+/// Random maps of 32 to 48 px on dense spheres of their own size (the product's are never smaller than 2048),
+/// tolerances 1e-5 to 0.1 by chance.
 struct RandomMaps {
   int count = 500;
   std::uint64_t seed = 1;

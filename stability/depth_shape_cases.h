@@ -19,11 +19,12 @@ namespace seamline {
 /// The room's panorama turned by every number of texels: the full mesh must be the same one, turned. Largest
 /// relative difference of its vertices; NaN when its triangles differ.
 [[nodiscard]] Finding try_seam_full();
-/// The same of the adaptive mesh: largest relative difference of the distances that rays find.
+/// The same of the adaptive mesh: its largest error against the panorama that was not turned; NaN when a ray
+/// is lost.
 [[nodiscard]] Finding try_seam_adaptive(double tolerance);
 
-/// Jumps of 1e6 and holes: rays from the centre by the table of directions against Embree's search. Counts
-/// rays that disagree.
+/// Jumps from 1 to 10 m and a hole: rays from the centre by the table of directions against Embree's search.
+/// Counts rays that disagree.
 [[nodiscard]] Finding try_direction_table();
 
 }  // namespace seamline

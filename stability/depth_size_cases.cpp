@@ -8,6 +8,7 @@
 
 #include "renderer/geometry.h"
 #include "stability/groups.h"
+#include "stability/mesh_check.h"
 #include "stability/temporary_folder.h"
 #include "stability/worst.h"
 #include "stimuli/support/error.h"
@@ -59,11 +60,19 @@ Finding try_wrong_sizes(bool odd, const ReadRule& read) {
 
 Finding try_widths(const std::vector<int>& widths_px, int threads) {
   double error = 0;
-  for (const int width_px : widths_px)
-    for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full})
-      error = worse(error, largest_error(build_depth_mesh(constant_map(width_px, 2),
-                                                          {.density = density, .threads = threads}),
-                                         2000, [](const Eigen::Vector3d&) { return 2.0; }));
+  for (const int width_px : widths_px) {
+    const auto mesh_of = [&](MeshDensity density) {
+      return build_depth_mesh(constant_map(width_px, 2), {.density = density, .threads = threads});
+    };
+    error = worse(error, largest_error(mesh_of(MeshDensity::adaptive), 2000,
+                                       [](const Eigen::Vector3d&) { return 2.0; }));
+    const DepthMesh full = mesh_of(MeshDensity::full);
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::Vector3d d =
+          panorama_direction(0.05 * i * width_px, (0.05 * i + 0.02) * width_px / 2, width_px, width_px / 2);
+      error = worse(error, relative_error(brute_force_distance_m(full, d), 2));
+    }
+  }
   return {error, fmt::format("{} widths, largest error {:.2g}", widths_px.size(), error)};
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int width_px = 96, height_px = 54;
 
-/// A glowing sheet before the dark whose slanting edge crosses the picture, moved to the right by a number of
-/// pixels.
+/// A glowing sheet before a darker wall whose slanting edge crosses the picture, moved to the right by a
+/// number of pixels.
 Image sheet_picture(double displacement_px) {
   constexpr double distance_m = 4;
   SmallScene scene{.background = {},
@@ -22,7 +22,8 @@ Image sheet_picture(double displacement_px) {
   const double pixel_m = distance_m * 2 * static_cast<double>(truth.camera.tan_half_horizontal) / width_px;
   const auto x = static_cast<float>((displacement_px - 8) * pixel_m);
   truth.background = {shape_of({{x - 0.31F, -9, -4}, {x + 0.29F, 9, -4}, {-90, 9, -4}, {-90, -9, -4}},
-                               {{0, 1, 2}, {0, 2, 3}}, {.albedo = 0, .emission = 0.5F})};
+                               {{0, 1, 2}, {0, 2, 3}}, {.albedo = 0, .emission = 0.5F}),
+                      box_shape({-90, -90, -9}, {90, 90, -8}, {.albedo = 0, .emission = 0.3F})};
   return render_reference(truth, {.spp = 512, .seed = 1, .threads = 1}).radiance;
 }
 

@@ -26,11 +26,11 @@ using BootstrapRule =
     std::function<BootstrapIntervals(const PsychometricFit& fit, const BootstrapRequest& request)>;
 
 /// Two answers a level: most resamples are steps or have no threshold within reach. None may be dropped: the
-/// interval must hold the planted value and be open where a fortieth of the replicates has no finite one.
-/// Counts what is otherwise.
+/// interval must hold all of the step's own range and be open where a fortieth of the replicates has no
+/// finite one. Counts what is otherwise.
 [[nodiscard]] Finding try_degenerate_resamples(const BootstrapRule& rule = bootstrap_intervals);
 
-/// Log-likelihood terms of answers whose probability is 1e-300 to 1 - 1e-16, and sigmoids at -1e308 to 1e308:
+/// Log-likelihood terms of answers whose probability is 1e-130 to 1 - 1e-16, and sigmoids at -1e308 to 1e308:
 /// largest deviation from the exact values; NaN when one is no number.
 [[nodiscard]] Finding try_extreme_probabilities();
 

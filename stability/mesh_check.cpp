@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace seamline {
@@ -74,6 +75,20 @@ MeshCheck check_mesh(const DepthMesh& mesh, const DenseSphere& sphere) {
       if (!hit && !is_hole(sphere.at(row, column))) ++check.rays_without_hit;
     }
   return check;
+}
+
+double brute_force_distance_m(const DepthMesh& mesh, const Eigen::Vector3d& direction) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices_m[t[0]].cast<double>();
+    if (a.dot(direction) <= 0) continue;
+    const Eigen::Vector3d b = mesh.vertices_m[t[1]].cast<double>(), c = mesh.vertices_m[t[2]].cast<double>();
+    if (b.cross(a).dot(direction) < 0 || c.cross(b).dot(direction) < 0 || a.cross(c).dot(direction) < 0)
+      continue;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    nearest_m = std::min(nearest_m, normal.dot(a) / normal.dot(direction));
+  }
+  return nearest_m;
 }
 
 EdgeCheck check_edges(const DepthMesh& mesh) {

@@ -15,6 +15,9 @@ struct MeshCheck {
 };
 [[nodiscard]] MeshCheck check_mesh(const DepthMesh& mesh, const DenseSphere& sphere);
 
+/// Where a ray from the centre meets the mesh, by brute force in double precision; infinity when it does not.
+[[nodiscard]] double brute_force_distance_m(const DepthMesh& mesh, const Eigen::Vector3d& direction);
+
 /// Directed edges of triangles that no other triangle has the other way round, and edges that are there
 /// twice.
 struct EdgeCheck {

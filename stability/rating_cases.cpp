@@ -199,7 +199,7 @@ Finding try_identical_people() {
   const double estimate = fit.fit.function.threshold;
   const Interval& ci = fit.threshold_ci95;
   const int wrong =
-      (ci.low <= estimate && ci.high >= estimate ? 0 : 1) + (std::isfinite(fit.design_effect) ? 0 : 1);
+      (ci.low < estimate && ci.high > estimate ? 0 : 1) + (std::isfinite(fit.design_effect) ? 0 : 1);
   return {static_cast<double>(wrong),
           fmt::format("threshold {:.4g} px, interval {:.4g} to {:.4g} px, design effect {:.2g}", estimate,
                       ci.low, ci.high, fit.design_effect)};
@@ -249,7 +249,7 @@ StabilityCases rating_cases() {
               "an inflection point in the last alone, and a reason", try_stiff_curves),
       counted("identical-people",
               "12 people who answer exactly alike, so that leaving one out changes nothing",
-              "an interval that holds the estimate", try_identical_people),
+              "an interval around the estimate", try_identical_people),
   };
 }
 

@@ -22,16 +22,16 @@ double standard_deviation(const std::vector<double>& values) {
 OrderSeries perceptual_threshold_order() {
   return {.name = "threshold-participants",
           .line = "PT, participants",
-          .tried = "the standard deviation of PT over 200 studies of 10 to 640 simulated people",
+          .tried = "the standard deviation of PT over 200 studies of 20 to 1,280 simulated people",
           .expected = -0.5,
           .tolerance = 0.08,
           .reason =
               "a standard deviation of 200 is known to 5 %, the exponent over a factor of 64 to 0.016; "
-              "PT of 10 people is not quite normal; five times that",
+              "PT of 20 people is not quite normal; five times that",
           .panel = 2,
           .measure = [] {
             std::vector<std::pair<double, double>> points;
-            for (int people = 10; people <= 640; people *= 4) {
+            for (int people = 20; people <= 1280; people *= 4) {
               std::vector<double> thresholds;
               for (std::uint64_t study = 0; study < 200; ++study) {
                 const ArtifactScores scores =
