@@ -25,12 +25,6 @@ Eigen::Vector3d random_direction(Random& random) {
   return {across * std::cos(azimuth), y, across * std::sin(azimuth)};
 }
 
-std::optional<double> distance_m(const Geometry& geometry, const Eigen::Vector3d& direction) {
-  const auto hit = geometry.nearest({Eigen::Vector3f::Zero(), direction.cast<float>()});
-  if (!hit) return std::nullopt;
-  return static_cast<double>(hit->distance_m);
-}
-
 /// A mesh whose vertices are named by where they lie in the dense grid, so that two can be compared whatever
 /// the order of their vertices.
 struct NamedMesh {
