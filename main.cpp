@@ -8,6 +8,7 @@
 #include "analysis/commands/commands.h"
 #include "demo.h"
 #include "renderer/commands.h"
+#include "stability/commands.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/interrupt.h"
@@ -20,6 +21,7 @@
 namespace {
 
 constexpr int exit_wrong_input = 1;
+constexpr int exit_unstable = 1;
 constexpr int exit_bug = 2;
 constexpr int exit_interrupted = 130;
 
@@ -49,9 +51,12 @@ int main(int argc, char** argv) {
   seamline::add_study_commands(app);
 #endif
   seamline::add_analysis_commands(app);
+  bool any_case_failed = false;
+  seamline::add_stability_command(app, any_case_failed);
   seamline::catch_interrupts();
   try {
-    return run(app, argc, argv);
+    const int status = run(app, argc, argv);
+    return status == 0 && any_case_failed ? exit_unstable : status;
   } catch (const seamline::InputError& error) {
     std::fprintf(stderr, "seamline: %s\n", error.what());
     return exit_wrong_input;

@@ -15,10 +15,12 @@ constexpr double wanted_relative_rmse = 0.034;  // of the background's mean radi
 
 /// What pictures are measured against, and where.
 struct GivenBackground {
-  StimulusLayers layers;     ///< of the reference; its background is the one given
-  ReferenceHalves halves;    ///< the composite from each half of the samples, on that background
-  Image mask;                ///< lit pixels off the object
-  int most_spp = 256;        ///< where looking for the wanted error ends
+  StimulusLayers layers;               ///< of the reference; its background is the one given
+  ReferenceHalves halves;              ///< the composite from each half of the samples, on that background
+  Image mask;                          ///< lit pixels off the object
+  int first_spp = 16, most_spp = 256;  ///< where looking for the wanted error begins and ends
+  double least_error = 0.002;          ///< likewise of `fast`
+  int threads = 1;
   double mean_radiance = 0;  ///< of the background there
 
   [[nodiscard]] double relative_rmse(const StimulusLayers& trial) const {
@@ -55,55 +57,62 @@ GivenBackground given_background(PathRun reference) {
   return given;
 }
 
-/// The smallest power of 2 of samples a pixel that reaches the wanted error, and what the composite took.
+/// The first of ever finer attempts that reaches the wanted error, and what the composite took.
 struct Reached {
-  int spp = 0;
+  std::string how;  ///< e.g. "path, 64 samples"
   double seconds = 0;
   double relative_rmse = 0;
-};
-using Render = std::function<StimulusLayers(int spp, double& seconds)>;
 
-Reached reach(const GivenBackground& given, int fewest_spp, const Render& render) {
-  Reached reached;
-  for (int spp = fewest_spp; spp <= given.most_spp; spp *= 2) {
-    reached.spp = spp;
-    const StimulusLayers layers = render(spp, reached.seconds);
-    const Stopwatch watch;
-    static_cast<void>(compose(layers));
-    reached.seconds += watch.seconds();
-    reached.relative_rmse = given.relative_rmse(layers);
-    if (reached.relative_rmse <= wanted_relative_rmse) break;
+  [[nodiscard]] bool wanted() const { return relative_rmse <= wanted_relative_rmse; }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{}: relative RMSE {:.4f}{}", how, relative_rmse, wanted() ? "" : " (NOT REACHED)");
   }
+};
+
+/// Renders, and says how long the part took that a composite costs when its background is given.
+using Render = std::function<StimulusLayers(double& seconds)>;
+
+/// Says to standard error what was found: each attempt takes as long as all before it.
+Reached attempt(const GivenBackground& given, std::string how, const Render& render) {
+  Reached reached{.how = std::move(how)};
+  const StimulusLayers layers = render(reached.seconds);
+  const Stopwatch watch;
+  static_cast<void>(compose(layers, Compositing::ratio, given.threads));
+  reached.seconds += watch.seconds();
+  reached.relative_rmse = given.relative_rmse(layers);
+  fmt::print(stderr, "  {}, {:.2f} s\n", reached.text(), reached.seconds);
   return reached;
 }
 
-/// The joint pass makes the photograph and the truth's part, which are given here: the composite's own cost
-/// is what the depth mesh is asked, and the filter.
+/// Sampled until its own estimate is low enough, by steps of a fifth. The joint pass makes the photograph and
+/// the truth's part, which are given here: the composite's own cost is what the depth mesh is asked, and the
+/// filter.
 Reached reach_fast(const ConvergenceSubject& subject, const Geometry& depth, const GivenBackground& given) {
-  return reach(given, 2, [&](int spp, double& seconds) {
-    const auto estimator = make_fast_estimator(
-        subject.scene,
-        {.spp = spp, .seed = subject.study.seed, .threads = subject.threads, .who_is_in_front = true});
-    estimator->take_object(subject.stimulus.object_index, {});
-    const Stopwatch watch;
-    StimulusLayers layers = estimator->stimulus(subject.recipe, &depth, {}).layers;
-    seconds = watch.seconds();
-    return layers;
-  });
+  Reached reached;
+  for (double error = 0.03; error > given.least_error && !reached.wanted(); error /= 1.2)
+    reached = attempt(given, fmt::format("fast, --error {:.4f}", error), [&](double& seconds) {
+      const auto estimator = make_fast_estimator(
+          subject.scene,
+          {.error = error, .seed = subject.study.seed, .threads = subject.threads, .who_is_in_front = true});
+      estimator->take_object(subject.stimulus.object_index, {});
+      const Stopwatch watch;
+      StimulusLayers layers = estimator->stimulus(subject.recipe, &depth, {}).layers;
+      seconds = watch.seconds();
+      return layers;
+    });
+  return reached;
 }
 
 Reached reach_path(const ConvergenceSubject& subject, const Geometry& depth, const GivenBackground& given) {
-  return reach(given, 1, [&](int spp, double& seconds) {
-    PathRun run =
-        render_path(subject, subject.recipe, subject.geometry, depth, subject.pass(spp, subject.study.seed));
-    seconds = run.stimulus_seconds;
-    return std::move(run.layers);
-  });
-}
-
-std::string reached_text(const char* estimator, const Reached& reached) {
-  return fmt::format("{}, {} samples: relative RMSE {:.4f}{}", estimator, reached.spp, reached.relative_rmse,
-                     reached.relative_rmse <= wanted_relative_rmse ? "" : " (NOT REACHED)");
+  Reached reached;
+  for (int spp = given.first_spp; spp <= given.most_spp && !reached.wanted(); spp *= 2)
+    reached = attempt(given, fmt::format("path, {} samples", spp), [&](double& seconds) {
+      PathRun run = render_path(subject, subject.recipe, subject.geometry, depth,
+                                subject.pass(spp, subject.study.seed));
+      seconds = run.stimulus_seconds;
+      return std::move(run.layers);
+    });
+  return reached;
 }
 
 }  // namespace
@@ -122,18 +131,24 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
   const Geometry depth =
       subject_geometry(subject, subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance));
   const double mesh_seconds = mesh_watch.seconds();
+  fmt::print(stderr, "  the reference, by path\n");
   GivenBackground given =
       given_background(render_path(subject, subject.recipe, subject.geometry, depth,
-                                   subject.pass(options.quick ? 16 : 128, subject.study.seed + 1000)));
-  if (options.quick) given.most_spp = 8;
+                                   subject.pass(options.quick ? 16 : 64, subject.study.seed + 1000)));
+  given.threads = subject.threads;
+  if (options.quick) {
+    given.first_spp = 2;
+    given.most_spp = 8;
+    given.least_error = 0.02;
+  }
   const Reached fast = reach_fast(subject, depth, given), path = reach_path(subject, depth, given);
   return {{.what = "depth capture, mesh and hierarchy", .unit = "s", .found = mesh_seconds},
-          {.what = reached_text("fast", fast),
+          {.what = fast.text(),
            .unit = "s",
            .found = fast.seconds,
            .beside = path.seconds,
            .ratio = fast.seconds / path.seconds},
-          {.what = reached_text("path", path), .unit = "s", .found = path.seconds},
+          {.what = path.text(), .unit = "s", .found = path.seconds},
           {.what = "fast in all, at a relative RMSE of 0.034",
            .unit = "s",
            .found = mesh_seconds + fast.seconds,

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/asset_root_option.h"
 #include "renderer/check.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
@@ -11,8 +12,8 @@
 namespace seamline {
 namespace {
 
-void run_check(const std::string& path) {
-  const StudyDefinition study = read_study(path);
+void run_check(const std::string& path, const std::string& asset_root) {
+  const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
   int broken = 0;
   for (const SceneDefinition& scene : study.scenes)
     for (const RuleResult& result : check_scene(load_truth_scene(scene, study.width_px, study.height_px))) {
@@ -29,10 +30,11 @@ void run_check(const std::string& path) {
 }  // namespace
 
 void add_check_command(CLI::App& app) {
-  auto path = std::make_shared<std::string>();
+  auto path = std::make_shared<std::string>(), asset_root = std::make_shared<std::string>();
   CLI::App* check = app.add_subcommand("check", "do the scenes keep the study's own rules");
   check->add_option("study", *path, "study file (.toml)")->required();
-  check->callback([path] { run_check(*path); });
+  add_asset_root_option(*check, *asset_root);
+  check->callback([path, asset_root] { run_check(*path, *asset_root); });
 }
 
 }  // namespace seamline

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/asset_root_option.h"
 #include "renderer/convergence.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
@@ -12,7 +13,7 @@ namespace seamline {
 namespace {
 
 struct ConvergenceOptions {
-  std::string study, only, out, size;
+  std::string study, asset_root, only, out, size;
   std::vector<std::string> parts;
   std::vector<double> tolerances;
   int threads = 0, spp = 0;
@@ -48,7 +49,7 @@ void parse_parts(const std::vector<std::string>& words, ConvergenceRequest& requ
 }
 
 void run(const ConvergenceOptions& options) {
-  const StudyDefinition study = read_study(options.study);
+  const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
   ConvergenceRequest request{.only = options.only, .out = options.out, .threads = options.threads};
   request.seconds = options.seconds;
   if (options.spp > 0) request.spp = options.spp;
@@ -65,6 +66,7 @@ void add_convergence_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("convergence", "error against run time for one stimulus: figures and tables");
   command->add_option("study", options->study, "study file (.toml)")->required();
+  add_asset_root_option(*command, options->asset_root);
   command->add_option("--only", options->only, "the stimulus id, or a pattern that matches one")->required();
   command->add_option("--out", options->out, "folder of the figures and tables; made when missing")
       ->required();

@@ -157,7 +157,7 @@ class FastEstimator : public SceneEstimator {
 
   /// Takes the strength with the least estimated error, from the present one towards weaker ones.
   ErrorEstimate choose_strength() {
-    const TruthLayers sampled = layers_of(1, {.levels = 0});
+    const std::array<Image, 2> sampled = half_pictures({.levels = 0});
     ErrorEstimate best = error_with(strength_, sampled);
     while (strength_ > 0) {
       ErrorEstimate weaker = error_with(strength_ - 1, sampled);
@@ -168,14 +168,16 @@ class FastEstimator : public SceneEstimator {
     return best;
   }
 
-  ErrorEstimate error_with(std::size_t strength, const TruthLayers& sampled) const {
-    const TruthLayers filtered = strength == 0 ? sampled : layers_of(1, strengths[strength]);
-    HalfPictures pictures;
-    for (std::size_t half = 0; half < 2; ++half) {
-      pictures.filtered[half] = half_reference_image(filtered, half);
-      pictures.sampled[half] = half_reference_image(sampled, half);
-    }
-    return estimate_error(pictures, scene_.definition.exposure_ev, options_.threads);
+  ErrorEstimate error_with(std::size_t strength, const std::array<Image, 2>& sampled) const {
+    return estimate_error(
+        {.filtered = strength == 0 ? sampled : half_pictures(strengths[strength]), .sampled = sampled},
+        scene_.definition.exposure_ev, options_.threads);
+  }
+
+  /// The reference from each half of the samples; the layers are gone when it returns.
+  [[nodiscard]] std::array<Image, 2> half_pictures(const FilterStrength& strength) const {
+    const TruthLayers layers = layers_of(1, strength);
+    return {half_reference_image(layers, 0), half_reference_image(layers, 1)};
   }
 
   [[nodiscard]] TruthLayers layers_of(int object_index, const FilterStrength& strength) const {

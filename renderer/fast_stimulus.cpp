@@ -31,6 +31,7 @@ class StimulusRounds {
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
                 depth_);
+      out.layers = {};  // the round before's: one at a time in memory
       out.layers = layers(filters());
       out.error = error_of(out.layers);
       if (good_enough(out.error)) break;
@@ -185,8 +186,9 @@ class StimulusRounds {
     return {.ratio = {.levels = 0}, .ratio_tiles = {}, .object = {.levels = 0}};
   }
 
-  [[nodiscard]] StimulusLayers layers(const DepthFilters& filters) const {
-    return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads);
+  [[nodiscard]] StimulusLayers layers(const DepthFilters& filters,
+                                      std::optional<std::size_t> only_half = {}) const {
+    return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
   }
 
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own, which is
@@ -202,9 +204,8 @@ class StimulusRounds {
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
     const bool too_noisy = options_.target && !options_.target->met_by(noise);
     if (!filtered || (too_noisy && look == LookForBias::when_noise_is_low)) return noise;
-    const StimulusLayers sampled = layers(no_filters());
-    for (std::size_t half = 0; half < 2; ++half)
-      pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
+    for (std::size_t half = 0; half < 2; ++half)  // one at a time in memory
+      pictures.sampled[half] = compose_half(layers(no_filters(), half), half, options_.threads).picture;
     return with_bias_of_truth(pictures);
   }
 

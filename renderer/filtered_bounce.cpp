@@ -27,18 +27,25 @@ float truth_inverse_reach(const ObjectTruth& truth, std::size_t pixel) {
 FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth,
                              const FilterStrength& strength, int threads, std::vector<Guide>& guides) {
   FilteredBounce rest;
+  const auto surface_at = [&](int x, int y, std::size_t i) {
+    const float samples = depth.halves[0][i].rest + depth.halves[1][i].rest;
+    Surface surface = surface_of(depth.guides[i], samples, truth.scene.camera, x, y);
+    surface.inverse_reach = std::max(surface.inverse_reach, truth_inverse_reach(truth, i));
+    guides[i] = {surface.normal, surface.distance_m};
+    return surface;
+  };
+  if (strength.levels == 0) {
+    each_pixel(truth.layers, threads, [&](int x, int y, std::size_t i) { surface_at(x, y, i); });
+    return rest;
+  }
   rest.surfaces.resize(guides.size());
   rest.texels.resize(guides.size());
   const TileGrid& grid = depth.grid;
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
   const auto take_pixel = [&](int x, int y, char& change) {
     const std::size_t i = truth.layers.index(x, y);
-    const float samples = depth.halves[0][i].rest + depth.halves[1][i].rest;
-    Surface& surface = rest.surfaces[i];
-    surface = surface_of(depth.guides[i], samples, truth.scene.camera, x, y);
-    surface.inverse_reach = std::max(surface.inverse_reach, truth_inverse_reach(truth, i));
-    guides[i] = {surface.normal, surface.distance_m};
-    if (samples <= 0.0F) return;
+    const Surface& surface = rest.surfaces[i] = surface_at(x, y, i);
+    if (depth.halves[0][i].rest + depth.halves[1][i].rest <= 0.0F) return;
     for (std::size_t half = 0; half < 2; ++half) {
       const DepthSums& sums = depth.halves[half][i];
       BounceTexel& texel = rest.texels[i];

@@ -17,7 +17,8 @@ struct FilteredBounce {
   }
 };
 
-/// Light off the object that the depth mesh has a part in. `guides` become its surfaces.
+/// Light off the object that the depth mesh has a part in; empty for a strength of no levels. `guides` become
+/// its surfaces.
 [[nodiscard]] FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth,
                                            const FilterStrength& strength, int threads,
                                            std::vector<Guide>& guides);

@@ -5,13 +5,16 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <utility>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/limits.h"
 
 namespace seamline {
 namespace {
 
-constexpr std::size_t largest_count = 200'000'000;
+constexpr auto largest_count = static_cast<std::size_t>(3 * limits::largest_scene_triangles);
 
 /// A run of elements inside one buffer, proven to lie within it.
 struct Run {
@@ -93,7 +96,7 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
   if (accessor.count > largest_count)
     throw input_error({.file = file_,
                        .field = field,
-                       .wanted = "a sensible count",
+                       .wanted = fmt::format("at most {} elements", largest_count),
                        .found = std::to_string(accessor.count)});
   std::vector<double> values;
   if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {
@@ -152,6 +155,13 @@ void GltfReader::overwrite_sparse(int index, int component_count, std::vector<do
           component(value_run.data + i * value_run.stride + static_cast<std::size_t>(c) * component_bytes,
                     accessor.componentType, accessor.normalized);
   }
+}
+
+std::int64_t GltfReader::count(int index) const {
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return 0;
+  const std::size_t count = model_.accessors[static_cast<std::size_t>(index)].count;
+  return std::in_range<std::int64_t>(count) ? static_cast<std::int64_t>(count)
+                                            : std::numeric_limits<std::int64_t>::max();
 }
 
 std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& field) const {

@@ -20,6 +20,9 @@ class GltfReader {
   /// Accessor `index` as unsigned scalars; throws InputError unless it is SCALAR of unsigned integers.
   [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
 
+  /// How many elements accessor `index` claims to have; 0 for one that does not exist. Nothing is read.
+  [[nodiscard]] std::int64_t count(int index) const;
+
  private:
   [[nodiscard]] std::vector<double> components(int index, int wanted_components,
                                                const std::string& field) const;

@@ -6,12 +6,14 @@
 #include <cstdio>
 #include <set>
 
+#include "renderer/asset_root_option.h"
 #include "renderer/errors_page.h"
 #include "renderer/explain.h"
 #include "renderer/render_set.h"
 #include "renderer/true_error_set.h"
 #include "stimuli/set_files.h"
 #include "stimuli/study_file.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
 
@@ -19,7 +21,7 @@ namespace seamline {
 namespace {
 
 struct RenderOptions {
-  std::string study, set, only, mesh, shard, estimator = "fast";
+  std::string study, asset_root, set, only, mesh, shard, estimator = "fast";
   double error = 0;
   int threads = 0, spp = 0;
   std::vector<std::string> no_omit;
@@ -53,7 +55,7 @@ void print_plan(StudyDefinition study, const RenderRequest& request) {
 }
 
 void run_render(const RenderOptions& options) {
-  const StudyDefinition study = read_study(options.study);
+  const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
   if (options.dry_run) {
     for (const Stimulus& stimulus : list_stimuli(study))
       if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only))
@@ -95,7 +97,9 @@ void run_render(const RenderOptions& options) {
 
 void run_verify(const std::string& set) {
   const Manifest manifest = read_manifest(set);
-  const std::filesystem::path study = std::filesystem::path(set) / manifest.study_file;
+  const std::filesystem::path study =
+      path_below(set, manifest.study_file,
+                 {.file = (std::filesystem::path(set) / "manifest.json").string(), .field = "study.file"});
   if (study_hash(read_study(study, AssetCheck::not_needed)) != manifest.study_hash)
     throw input_error({.file = study.string(),
                        .wanted = "the study that the set was rendered from",
@@ -111,6 +115,7 @@ void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* render = app.add_subcommand("render", "render a study's stimuli into a set");
   render->add_option("study", options->study, "study file (.toml)")->required();
+  add_asset_root_option(*render, options->asset_root);
   render->add_option("--out", options->set, "folder of the set; an interrupted job continues there");
   render->add_option("--only", options->only, "only stimuli whose id matches; * stands for any text");
   render->add_option("--threads", options->threads, "worker threads (default: all cores)")

@@ -21,6 +21,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
+#include "stimuli/support/memory.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline {
@@ -56,7 +57,10 @@ class SetRenderer {
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
     progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
-    for (const SceneDefinition& scene : study_.scenes) render_scene(scene);
+    for (const SceneDefinition& scene : study_.scenes) {
+      render_scene(scene);
+      give_back_freed_memory();
+    }
     progress_.reset();
     write_set();
     summary_.seconds = seconds_since(start);
@@ -142,6 +146,7 @@ class SetRenderer {
     const TruthScene& scene = found->second;
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
     finish_reference(scene, *estimator);
+    give_back_freed_memory();
     for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
     summary_.savings.emplace_back(definition.name, estimator->savings());
     scenes_.erase(found);

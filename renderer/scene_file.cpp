@@ -4,17 +4,17 @@
 #include <tiny_gltf.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <set>
 
 #include "renderer/gltf_accessor.h"
+#include "renderer/gltf_load.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/limits.h"
 
 namespace seamline {
 namespace {
 
 constexpr double lux_per_w_m2 = 683.0;
-constexpr int deepest_node_tree = 256;
 
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
@@ -69,9 +69,9 @@ class NodeWalker {
     const std::string field = fmt::format("nodes[{}]", index);
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       throw bad(field, "a node that exists", "none");
-    if (depth > deepest_node_tree || !visited_.insert(index).second)
+    if (depth > limits::deepest_node_tree || !visited_.insert(index).second)
       throw bad(field, "a tree of nodes",
-                depth > deepest_node_tree ? "one too deep" : "a cycle, or a node with two parents");
+                depth > limits::deepest_node_tree ? "one too deep" : "a cycle, or a node with two parents");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const Eigen::Affine3d world = parent * local_transform(node);
     if (!world.matrix().allFinite()) throw bad(field, "a finite transform", "one that is not");
@@ -87,10 +87,18 @@ class NodeWalker {
     const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = fmt::format("meshes[{}].primitives[{}]", node.mesh, p);
+      take(placed_meshes_, 1, limits::largest_scene_meshes, "placed meshes", where);
       FileMesh part = read_primitive(mesh.primitives[p], world, where);
       part.name = !node.name.empty() ? node.name : (!mesh.name.empty() ? mesh.name : where);
       if (!part.triangles.empty()) out_.meshes.push_back(std::move(part));
     }
+  }
+
+  /// Counts before the memory is taken: one mesh may be placed by many nodes.
+  void take(std::int64_t& total, std::int64_t more, std::int64_t most, const char* what,
+            const std::string& where) const {
+    if (more <= most && (total += more) <= most) return;
+    throw bad(where, fmt::format("at most {} {} in a file", most, what), "more");
   }
 
   FileMesh read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
@@ -102,11 +110,17 @@ class NodeWalker {
       return part;
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) throw bad(where, "an attribute POSITION", "none");
+    take(placed_vertices_, reader_.count(position->second), limits::largest_scene_vertices, "placed vertices",
+         where + ".POSITION");
     part.positions_m = reader_.vectors(position->second, where + ".POSITION");
     for (Eigen::Vector3d& vertex : part.positions_m) vertex = world * vertex;
     if (const auto normal = primitive.attributes.find("NORMAL"); normal != primitive.attributes.end())
       read_normals(normal->second, world, where, part);
     std::vector<std::uint32_t> indices;
+    const std::int64_t corners = primitive.indices >= 0 ? reader_.count(primitive.indices)
+                                                        : static_cast<std::int64_t>(part.positions_m.size());
+    take(placed_triangles_, mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners,
+         limits::largest_scene_triangles, "placed triangles", where);
     if (primitive.indices >= 0) {
       indices = reader_.indices(primitive.indices, where + ".indices");
     } else {
@@ -123,9 +137,9 @@ class NodeWalker {
   }
 
   void read_normals(int accessor, const Eigen::Affine3d& world, const std::string& where, FileMesh& part) {
+    if (reader_.count(accessor) != static_cast<std::int64_t>(part.positions_m.size()))
+      throw bad(where + ".NORMAL", "as many normals as positions", std::to_string(reader_.count(accessor)));
     const std::vector<Eigen::Vector3d> normals = reader_.vectors(accessor, where + ".NORMAL");
-    if (normals.size() != part.positions_m.size())
-      throw bad(where + ".NORMAL", "as many normals as positions", std::to_string(normals.size()));
     const Eigen::Matrix3d linear = world.linear();
     const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
                                       linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
@@ -209,46 +223,13 @@ class NodeWalker {
   GltfReader reader_;
   SceneFile out_;
   std::set<int> visited_;
+  std::int64_t placed_meshes_ = 0, placed_vertices_ = 0, placed_triangles_ = 0;
 };
-
-/// Textures are never looked at: decoding them would cost time and memory for nothing.
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
-                void*) {
-  return true;
-}
-
-tinygltf::Model load_model(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path))
-    throw input_error({.file = path.string(), .wanted = "a .gltf or .glb file", .found = "no such file"});
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(skip_image, nullptr);
-  tinygltf::Model model;
-  std::string error, warning;
-  const bool binary = path.extension() == ".glb";
-  const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path.string())
-                             : loader.LoadASCIIFromFile(&model, &error, &warning, path.string());
-  while (!error.empty() && error.back() == '\n') error.pop_back();
-  std::replace(error.begin(), error.end(), '\n', ' ');
-  if (!loaded)
-    throw input_error({.file = path.string(),
-                       .wanted = "a whole glTF 2.0 file",
-                       .found = error.empty() ? "something else" : error});
-  static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                              "KHR_mesh_quantization", "KHR_materials_unlit",
-                                              "KHR_texture_transform"};
-  for (const std::string& extension : model.extensionsRequired)
-    if (!known.contains(extension))
-      throw input_error({.file = path.string(),
-                         .field = "extensionsRequired",
-                         .wanted = "extensions that Seamline knows",
-                         .found = "\"" + extension + "\""});
-  return model;
-}
 
 }  // namespace
 
 SceneFile read_scene_file(const std::filesystem::path& path) {
-  const tinygltf::Model model = load_model(path);
+  const tinygltf::Model model = load_gltf(path);
   return NodeWalker(model, path.string()).walk();
 }
 

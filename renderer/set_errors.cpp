@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
@@ -25,7 +26,9 @@ Pieces read_timings(const std::filesystem::path& set_folder, SetErrors& errors) 
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("timings") || !name.ends_with(".json")) continue;
     try {
-      const Json json = Json::parse(read_file(entry.path()));
+      const std::string text = read_file(entry.path());
+      require_bounded_json(text, entry.path().string());
+      const Json json = Json::parse(text);
       errors.threads = std::max(errors.threads, json.value("threads", 0));
       errors.machine = json.value("machine", errors.machine);
       const Json lines = json.value("pieces", Json::object());

@@ -8,8 +8,10 @@
 #include "renderer/geometry.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -19,12 +21,13 @@ using Json = nlohmann::ordered_json;
 
 /// The JSON part of a .gltf or .glb file; an unreadable one is complained about by the scene reader.
 Json gltf_json(const fs::path& path) {
-  std::string bytes = read_file(path);
+  std::string bytes = read_file(path, limits::largest_scene_file_bytes);
   if (bytes.starts_with("glTF") && bytes.size() >= 20) {
     std::uint32_t length = 0;
     std::memcpy(&length, bytes.data() + 12, sizeof length);
-    bytes = bytes.substr(20, length);
+    bytes = bytes.substr(20, length);  // as long as there is
   }
+  require_bounded_json(bytes, path.string());
   return Json::parse(bytes, nullptr, false);
 }
 
@@ -37,7 +40,8 @@ std::string scene_file_hash(const fs::path& path) {
     if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
     const std::string uri = buffer["uri"];
     std::error_code error;
-    if (!uri.starts_with("data:") && fs::is_regular_file(path.parent_path() / uri, error))
+    if (!uri.starts_with("data:") && fs::is_regular_file(path.parent_path() / uri, error) &&
+        lies_below(path.parent_path() / uri, path.parent_path()))
       hashes += sha256_of_file(path.parent_path() / uri);
   }
   return hashes;
@@ -58,7 +62,14 @@ bool has_hash(const fs::path& file, const std::string& expected) {
 std::optional<Json> read_record(const fs::path& path, const std::string& inputs) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;
-  const Json json = Json::parse(read_file(path), nullptr, false);
+  std::string text;
+  try {
+    text = read_file(path);
+    require_bounded_json(text, path.string());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("inputs", "") != inputs || !json.contains("record"))
     return std::nullopt;
   return json["record"];

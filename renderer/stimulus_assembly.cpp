@@ -153,10 +153,12 @@ class Assembly {
 
 }  // namespace
 
-StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters, int threads) {
+StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters, int threads,
+                                 std::optional<std::size_t> only_half) {
   const TruthLayers& truth = parts.truth.layers;
   StimulusLayers out{.width_px = truth.width_px, .height_px = truth.height_px, .spp = truth.spp};
-  for (auto& half : out.halves) half.resize(truth.guides.size());
+  for (std::size_t half = 0; half < 2; ++half)
+    if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
   out.guides = truth.guides;
   out.depth_lights_rest = depth_lights_rest(parts.recipe.answers);
   out.rays = parts.depth.rays;
@@ -173,7 +175,9 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
       const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.tile_of(x, y));
       const bool filtered = filters.ratio_tiles.empty() || filters.ratio_tiles[tile] != 0;
       for (std::size_t half = 0; half < 2; ++half)
-        assembly.pixel(x, y, half, filtered ? rest : no_filter, object, out.halves[half][truth.index(x, y)]);
+        if (!out.halves[half].empty())
+          assembly.pixel(x, y, half, filtered ? rest : no_filter, object,
+                         out.halves[half][truth.index(x, y)]);
     }
   });
   return out;

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "renderer/bounce_filter.h"
 #include "renderer/depth_pass.h"
 #include "renderer/object_truth.h"
@@ -21,8 +23,9 @@ struct DepthFilters {
 };
 
 /// Puts a stimulus together from the truth's sums and the depth mesh's answers, pixel by pixel: DESIGN
-/// section 3's formula with sums of samples that truth and depth mesh sort alike.
+/// section 3's formula with sums of samples that truth and depth mesh sort alike. With `only_half` (0 or 1)
+/// the other half stays empty.
 [[nodiscard]] StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters,
-                                               int threads);
+                                               int threads, std::optional<std::size_t> only_half = {});
 
 }  // namespace seamline

@@ -45,7 +45,7 @@ void run_capture(const CaptureOptions& options) {
   if (options.width_px % 2 != 0)
     throw input_error(
         {.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
-  const std::filesystem::path path = resolve_asset(options.scene, "./command line", "SCENE");
+  const std::filesystem::path path = resolve_named_file(options.scene, "SCENE");
   const SceneFile file = read_scene_file(path);
   if (options.at.empty() && !file.camera)
     throw input_error(
@@ -147,7 +147,7 @@ void run_composite(const CompositeOptions& options) {
                        .wanted = "three colour channels",
                        .found = std::to_string(photograph.channels)});
   const SceneDefinition scene = scene_of(options);
-  const SceneFile object_file = read_scene_file(resolve_asset(options.object, "./command line", "--object"));
+  const SceneFile object_file = read_scene_file(resolve_named_file(options.object, "--object"));
   Eigen::Vector3d centre_m;
   const Camera camera = scene_camera(scene, object_file, photograph.width_px, photograph.height_px, centre_m);
   const Geometry depth(mesh_of(options.mesh), Rgb::Constant(static_cast<float>(options.albedo)));

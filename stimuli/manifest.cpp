@@ -2,14 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "stimuli/json_fields.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
+#include "stimuli/support/text_bounds.h"
 
 namespace seamline {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr int widest_depth_px = 16384;  ///< as in study files
 
 Json to_json(const ManifestStimulus& record) {
   const Stimulus& stimulus = record.stimulus;
@@ -40,78 +42,52 @@ Json to_json(const ManifestStimulus& record) {
   return json;
 }
 
-/// Reads fields of one JSON object; complaints name file and field.
-class FieldReader {
- public:
-  FieldReader(const Json& json, std::string file, std::string prefix)
-      : json_(json), file_(std::move(file)), prefix_(std::move(prefix)) {}
-
-  template <class T>
-  [[nodiscard]] T get(const char* key) const {
-    const auto found = json_.is_object() ? json_.find(key) : json_.end();
-    if (found == json_.end()) throw complaint(key, "a value", "nothing");
-    try {
-      return found->get<T>();
-    } catch (const Json::exception&) {
-      throw complaint(key, "a value of its kind", found->dump().substr(0, 40));
-    }
-  }
-  [[nodiscard]] FieldReader object(const char* key) const {
-    if (!json_.is_object() || !json_.contains(key)) throw complaint(key, "an object", "nothing");
-    return {json_.at(key), file_, prefix_ + key + "."};
-  }
-  [[nodiscard]] const Json& array(const char* key) const {
-    if (!json_.is_object() || !json_.contains(key) || !json_.at(key).is_array())
-      throw complaint(key, "an array", "nothing");
-    return json_.at(key);
-  }
-  [[nodiscard]] InputError complaint(const char* key, const std::string& wanted,
-                                     const std::string& found) const {
-    return input_error({.file = file_, .field = prefix_ + key, .wanted = wanted, .found = found});
-  }
-
- private:
-  const Json& json_;
-  std::string file_, prefix_;
-};
-
-Artifact read_artifact(const FieldReader& fields) {
+Artifact read_artifact(const JsonFields& fields) {
   const auto text = fields.get<std::string>("artifact");
   const std::optional<Artifact> artifact = artifact_from_word(text);
   if (!artifact) throw fields.complaint("artifact", "a known artifact", "\"" + text + "\"");
   return *artifact;
 }
 
-Stimulus read_stimulus(const FieldReader& fields) {
-  const FieldReader condition = fields.object("condition");
-  Stimulus stimulus{.scene = fields.get<std::string>("scene"),
-                    .artifact = read_artifact(fields),
-                    .object = fields.get<std::string>("object"),
-                    .object_index = fields.get<int>("object_index"),
-                    .condition = {.depth_width_px = condition.get<int>("depth_width_px"),
-                                  .yaw_texels = condition.get<int>("yaw_texels")}};
-  if (stimulus.object_index < 1 || stimulus.object_index > 3)
-    throw fields.complaint("object_index", "1, 2 or 3", std::to_string(stimulus.object_index));
+Stimulus read_stimulus(const JsonFields& fields) {
+  const JsonFields condition = fields.object("condition");
+  Stimulus stimulus{
+      .scene = fields.get<std::string>("scene"),
+      .artifact = read_artifact(fields),
+      .object = fields.get<std::string>("object"),
+      .object_index = fields.number("object_index", 1, 3),
+      .condition = {.depth_width_px = condition.number("depth_width_px", 2, widest_depth_px),
+                    .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
   return stimulus;
 }
 
-ManifestStimulus read_record(const FieldReader& fields) {
+/// It becomes part of file names.
+std::string read_id(const JsonFields& fields) {
+  const auto id = fields.get<std::string>("id");
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+  if (id.empty() || id.size() > 200 || id.front() == '.' ||
+      id.find_first_not_of(letters) != std::string::npos)
+    throw fields.complaint("id", "letters, digits, dots, dashes and underscores", "\"" + id + "\"");
+  return id;
+}
+
+ManifestStimulus read_record(const JsonFields& fields) {
   ManifestStimulus record;
-  record.id = fields.get<std::string>("id");
+  record.id = read_id(fields);
   record.stimulus = read_stimulus(fields);
   const auto isolation = isolation_from_word(fields.get<std::string>("isolation"));
   if (!isolation) throw fields.complaint("isolation", "query or mask", fields.get<std::string>("isolation"));
   record.isolation = *isolation;
-  record.image = fields.get<std::string>("image");
-  record.object_ids = fields.get<std::string>("object_ids");
-  record.reference = fields.get<std::string>("reference");
+  record.image = fields.file_below("image");
+  record.object_ids = fields.file_below("object_ids");
+  record.reference = fields.file_below("reference");
   record.spp = fields.get<int>("spp");
   record.rays = fields.get<std::int64_t>("rays");
   const auto rmse = fields.get<Json>("rmse");
   if (rmse.is_number()) record.rmse = rmse.get<double>();
-  const FieldReader mesh = fields.object("mesh");
+  const JsonFields mesh = fields.object("mesh");
   record.mesh = {mesh.get<std::int64_t>("triangles"), mesh.get<double>("max_relative_error")};
-  const FieldReader tiny = fields.object("tiny_denominators");
+  const JsonFields tiny = fields.object("tiny_denominators");
   record.tiny_denominators = {
       tiny.get<std::int64_t>("floored_pixels"), tiny.get<std::int64_t>("clamped_pixels"),
       tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
@@ -131,15 +107,18 @@ Json to_json(const ManifestReference& reference) {
 }
 
 Json parse(const std::string& text, const std::string& file) {
+  require_bounded_json(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw input_error(
         {.file = file, .wanted = "JSON", .found = "something else at byte " + std::to_string(error.byte)});
+  } catch (const Json::exception&) {
+    throw input_error({.file = file, .wanted = "JSON with numbers of this machine", .found = "a larger one"});
   }
 }
 
-void check_version(const FieldReader& fields) {
+void check_version(const JsonFields& fields) {
   const auto format = fields.get<std::string>("format");
   if (format != manifest_format)
     throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
@@ -163,30 +142,30 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
     throw input_error(
         {.file = path.string(), .wanted = "a set rendered by `seamline render`", .found = "no such file"});
   const Json json = parse(read_file(path), path.string());
-  const FieldReader fields(json, path.string(), "");
+  const JsonFields fields(json, path.string(), "");
   check_version(fields);
   Manifest manifest;
-  const FieldReader study = fields.object("study");
+  const JsonFields study = fields.object("study");
   manifest.study_name = study.get<std::string>("name");
   manifest.study_hash = study.get<std::string>("sha256");
-  manifest.study_file = study.get<std::string>("file");
-  const FieldReader program = fields.object("program");
+  manifest.study_file = study.file_below("file");
+  const JsonFields program = fields.object("program");
   manifest.program_version = program.get<std::string>("version");
   manifest.instruction_set = program.get<std::string>("instruction_set");
   manifest.left_out = fields.get<std::vector<std::string>>("left_out");
-  manifest.width_px = fields.get<int>("width_px");
-  manifest.height_px = fields.get<int>("height_px");
+  manifest.width_px = fields.number("width_px", 1, limits::largest_picture_side_px);
+  manifest.height_px = fields.number("height_px", 1, limits::largest_picture_side_px);
   for (const Json& item : fields.array("references")) {
-    const FieldReader reference(item, path.string(),
-                                "references[" + std::to_string(manifest.references.size()) + "].");
-    manifest.references.push_back({reference.get<std::string>("scene"), reference.get<std::string>("image"),
-                                   reference.get<std::string>("object_ids"),
+    const JsonFields reference(item, path.string(),
+                               "references[" + std::to_string(manifest.references.size()) + "].");
+    manifest.references.push_back({reference.get<std::string>("scene"), reference.file_below("image"),
+                                   reference.file_below("object_ids"),
                                    reference.get<std::string>("image_sha256"),
                                    reference.get<std::string>("object_ids_sha256")});
   }
   for (const Json& item : fields.array("stimuli"))
     manifest.stimuli.push_back(read_record(
-        FieldReader(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].")));
+        JsonFields(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].")));
   return manifest;
 }
 
@@ -214,7 +193,7 @@ std::string stimulus_record_text(const ManifestStimulus& record) {
 
 ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file) {
   const Json json = parse(text, file);
-  return read_record(FieldReader(json, file, ""));
+  return read_record(JsonFields(json, file, ""));
 }
 
 std::string set_hash(const std::filesystem::path& set_folder) {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
 #include "stimuli/support/parallel.h"
@@ -36,7 +37,8 @@ std::vector<SetFile> set_files(const Manifest& manifest) {
 }
 
 void check_set_file(const fs::path& set_folder, const SetFile& wanted) {
-  const fs::path path = set_folder / wanted.file;
+  const fs::path path = path_below(set_folder, wanted.file,
+                                   {.file = (set_folder / "manifest.json").string(), .field = "files"});
   check_exists(path);
   if (const std::string found = sha256_of_file(path); found != wanted.sha256)
     throw input_error({.file = path.string(),

@@ -8,6 +8,8 @@
 #include "stimuli/study_file_scene.h"
 #include "stimuli/study_file_session.h"
 #include "stimuli/study_files.h"
+#include "stimuli/support/assets.h"
+#include "stimuli/support/error.h"
 #include "stimuli/toml_table.h"
 
 namespace seamline {
@@ -64,8 +66,8 @@ ObserverDefinition read_observer(const TomlTable& table) {
   return observer;
 }
 
-StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::path& path,
-                                 AssetCheck assets) {
+StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
+  const std::filesystem::path& path = folders.study_file;
   check_format(table);
   StudyDefinition study;
   study.file = path;
@@ -86,7 +88,7 @@ StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::
   read_people(table, study);
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
-    study.scenes.push_back(read_scene(scene, path, assets));
+    study.scenes.push_back(read_scene(scene, folders, assets));
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
@@ -99,12 +101,18 @@ StudyDefinition read_study_table(const TomlTable& table, const std::filesystem::
 
 }  // namespace
 
-StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets) {
-  return read_study_table(TomlTable::read(path), path, assets);
+StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets,
+                           const std::filesystem::path& asset_root) {
+  std::error_code error;
+  if (!asset_root.empty() && !std::filesystem::is_directory(asset_root, error))
+    throw input_error(
+        {.field = "--asset-root", .wanted = "a folder", .found = "no folder at " + asset_root.string()});
+  return read_study_table(TomlTable::read(path), {.study_file = path, .asset_root = asset_root}, assets);
 }
 
 StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be) {
-  return read_study_table(TomlTable::parse(text, said_to_be), said_to_be, AssetCheck::not_needed);
+  return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be},
+                          AssetCheck::not_needed);
 }
 
 }  // namespace seamline

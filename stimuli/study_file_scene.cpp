@@ -6,8 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "stimuli/support/assets.h"
-
 namespace seamline {
 namespace {
 
@@ -27,14 +25,13 @@ std::string read_name(const TomlTable& table) {
   return name;
 }
 
-std::filesystem::path find_asset(const TomlTable& table, const std::string& file,
-                                 const std::filesystem::path& study_file, AssetCheck assets) {
-  return assets == AssetCheck::must_exist ? resolve_asset(file, study_file, table.field("file"))
+std::filesystem::path find_asset(const TomlTable& table, const std::string& file, const AssetFolders& folders,
+                                 AssetCheck assets) {
+  return assets == AssetCheck::must_exist ? resolve_asset(file, folders, table.field("file"))
                                           : std::filesystem::path{};
 }
 
-ObjectDefinition read_object(const TomlTable& table, const std::filesystem::path& study_file,
-                             AssetCheck assets) {
+ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   ObjectDefinition object;
   object.name = read_name(table);
   object.file = table.text("file");
@@ -43,7 +40,7 @@ ObjectDefinition read_object(const TomlTable& table, const std::filesystem::path
   object.scale = table.number("scale", 1.0, {1e-9, unlimited});
   object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
   table.finish();
-  object.path = find_asset(table, object.file, study_file, assets);
+  object.path = find_asset(table, object.file, folders, assets);
   return object;
 }
 
@@ -87,8 +84,7 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 
 }  // namespace
 
-SceneDefinition read_scene(const TomlTable& table, const std::filesystem::path& study_file,
-                           AssetCheck assets) {
+SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   SceneDefinition scene;
   scene.name = read_name(table);
   scene.file = table.text("file");
@@ -104,7 +100,7 @@ SceneDefinition read_scene(const TomlTable& table, const std::filesystem::path& 
   if (const auto camera = table.table("camera")) scene.camera = read_camera(*camera);
   std::set<std::string> names;
   for (const TomlTable& object : table.tables("object")) {
-    scene.objects.push_back(read_object(object, study_file, assets));
+    scene.objects.push_back(read_object(object, folders, assets));
     if (!names.insert(scene.objects.back().name).second)
       throw object.complaint("name", "a name that no other object of the scene has",
                              "\"" + scene.objects.back().name + "\"");
@@ -113,7 +109,7 @@ SceneDefinition read_scene(const TomlTable& table, const std::filesystem::path& 
   if (scene.objects.size() != 3)
     throw table.complaint("object", "three objects: left, middle, right",
                           std::to_string(scene.objects.size()));
-  scene.path = find_asset(table, scene.file, study_file, assets);
+  scene.path = find_asset(table, scene.file, folders, assets);
   return scene;
 }
 

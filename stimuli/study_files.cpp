@@ -1,21 +1,11 @@
 #include "stimuli/study_files.h"
 
-#include <algorithm>
-
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
-namespace {
-
-bool stays_below(const fs::path& path) {
-  return path.is_relative() &&
-         std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
-}
-
-}  // namespace
-
 std::vector<std::string> session_files(const StudyDefinition& study) {
   std::vector<std::string> files;
   for (const InstructionPage& page : study.instructions)
@@ -27,14 +17,16 @@ std::vector<std::string> session_files(const StudyDefinition& study) {
 void copy_session_files(const StudyDefinition& study, const fs::path& set_folder) {
   for (const std::string& file : session_files(study)) {
     fs::create_directories((set_folder / file).parent_path());
-    write_file_atomically(set_folder / file, read_file(study.file.parent_path() / file));
+    write_file_atomically(set_folder / file,
+                          read_file(study.file.parent_path() / file, limits::largest_picture_file_bytes));
   }
 }
 
 void check_session_files(const StudyDefinition& study, const fs::path* folder) {
   for (const std::string& file : session_files(study)) {
     const char* field = file == study.session.font ? "session.font" : "instructions.page.pictures";
-    if (file.empty() || !stays_below(file))
+    if (file.empty() || !is_written_below(file) ||
+        (folder != nullptr && fs::exists(*folder / file) && !lies_below(*folder / file, *folder)))
       throw input_error({.file = study.file.string(),
                          .field = field,
                          .wanted = "a file beside the study file or in a folder below it",

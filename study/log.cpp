@@ -1,11 +1,16 @@
 #include "study/log.h"
 
+#include <limits>
+
 #include "study/log_database.h"
+#include "study/log_values.h"
 #include "study/session_claims.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr int most = std::numeric_limits<int>::max();
 
 void read_study_row(SQLite::Database& database, LogContents& log) {
   SQLite::Statement row(database,
@@ -42,22 +47,23 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
               WHERE set_aside_answers.participant = participants.participant)
       FROM participants ORDER BY participant)sql");
   std::vector<ParticipantRecord> participants;
+  const LogValues values(row, file, "participants");
   while (row.executeStep()) {
     const std::int64_t number = row.getColumn(7).getInt64();
-    participants.push_back({.code = row.getColumn(0).getString(),
-                            .pilot = row.getColumn(1).getInt() != 0,
-                            .excluded = row.getColumn(2).getInt() != 0,
+    participants.push_back({.code = values.code(0),
+                            .pilot = values.flag(1),
+                            .excluded = values.flag(2),
                             .simulated = !row.getColumn(3).isNull(),
                             .observer = row.getColumn(3).getString(),
-                            .completed = row.getColumn(4).getInt() != 0,
+                            .completed = values.flag(4),
                             .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
                             .planned_trials = row.getColumn(6).getInt(),
-                            .slot = row.getColumn(8).getInt(),
+                            .slot = values.number(8, 0, most),
                             .sessions = row.getColumn(10).getInt(),
                             .restarts = row.getColumn(12).getInt(),
-                            .last_seen_unix_s = row.getColumn(11).getInt64()});
+                            .last_seen_unix_s = values.time(11)});
     ParticipantRecord& record = participants.back();
-    if (!row.getColumn(9).isNull()) record.image_gain = row.getColumn(9).getDouble();
+    if (!row.getColumn(9).isNull()) record.image_gain = values.positive(9);
     if (record.simulated) continue;
     record.in_progress = is_claimed(file, number);
     record.form = read_form(database, number);
@@ -83,44 +89,45 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                    JOIN participants USING (participant)
       WHERE kind = 'stimulus'
       ORDER BY participant, trial_index)sql");
+  const LogValues values(row, file, "answers");
   std::vector<Answer> answers;
   while (row.executeStep())
     answers.push_back({.participant = row.getColumn(0).getString(),
-                       .trial_index = row.getColumn(1).getInt(),
+                       .trial_index = values.number(1, 0, most),
                        .stimulus_id = row.getColumn(2).getString(),
                        .scene = row.getColumn(3).getString(),
                        .artifact = artifact_of(row.getColumn(4).getString(), file),
                        .object = row.getColumn(5).getString(),
-                       .object_index = row.getColumn(6).getInt(),
-                       .depth_width_px = row.getColumn(7).getInt(),
-                       .chosen_index = row.getColumn(8).getInt(),
-                       .rating = row.getColumn(9).getInt(),
-                       .choice_ns = row.getColumn(10).getInt64(),
-                       .rating_ns = row.getColumn(11).getInt64(),
-                       .image_scale = row.getColumn(12).getDouble()});
+                       .object_index = values.number(6, 1, 3),
+                       .depth_width_px = values.number(7, 2, most),
+                       .chosen_index = values.number(8, 1, 3),
+                       .rating = values.number(9, 1, 4),
+                       .choice_ns = values.time(10),
+                       .rating_ns = values.time(11),
+                       .image_scale = values.positive(12)});
   return answers;
 }
 
-std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database) {
+std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs::path& file) {
   SQLite::Statement row(database, R"sql(
       SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind <> 'stimulus'
       ORDER BY participant, trial_index)sql");
+  const LogValues values(row, file, "answers");
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
-    const TrialKind kind =
-        trial_kind_from_word(row.getColumn(2).getString()).value();  // by the table's CHECK
+    const TrialKind kind = values.kind(2);
     catches.push_back({.participant = row.getColumn(0).getString(),
-                       .trial_index = row.getColumn(1).getInt(),
+                       .trial_index = values.number(1, 0, most),
                        .kind = kind,
                        .scene = row.getColumn(3).getString(),
-                       .right_index = kind == TrialKind::attention ? row.getColumn(4).getInt() : 0,
-                       .chosen_index = row.getColumn(5).getInt(),
-                       .rating = row.getColumn(6).getInt(),
-                       .choice_ns = row.getColumn(7).getInt64(),
-                       .rating_ns = row.getColumn(8).getInt64()});
+                       .right_index = kind == TrialKind::attention ? values.number(4, 1, 3) : 0,
+                       .chosen_index = values.number(5, 1, 3),
+                       .rating = values.number(6, 1, 4),
+                       .choice_ns = values.time(7),
+                       .rating_ns = values.time(8)});
   }
   return catches;
 }
@@ -133,7 +140,7 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   read_study_row(database, log);
   log.participants = read_participants(database, path);
   log.answers = read_answers(database, path);
-  log.catches = read_catches(database);
+  log.catches = read_catches(database, path);
   log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();
   log.declined_visits = database.execAndGet("SELECT count(*) FROM declines").getInt();
   return log;

@@ -1,8 +1,11 @@
 // Who is in the log, and in which order they see the trials.
 #include <fmt/core.h>
 
+#include <limits>
+
 #include "stimuli/support/assets.h"
 #include "study/log_tables.h"
+#include "study/log_values.h"
 
 namespace seamline {
 namespace {
@@ -22,10 +25,7 @@ std::string kind_text(const Enrolment& enrolment) {
   return kind_text(false, std::string(word(simulated.observer)), simulated.seed, simulated.image_gain);
 }
 
-/// The kind of trial that a row names; the table's CHECK lets nothing else in.
-TrialKind kind_of(const SQLite::Column& column) {
-  return trial_kind_from_word(column.getString()).value();
-}
+constexpr int most = std::numeric_limits<int>::max();
 
 constexpr const char* own_slot = R"sql(
     WITH taken AS (SELECT slot FROM participants
@@ -108,8 +108,9 @@ void LogWriter::Tables::read_plan(OpenSession& session) {
   SQLite::Statement row(database,
                         "SELECT kind, stimulus FROM trials WHERE participant = ? ORDER BY trial_index");
   SQLite::bind(row, session.participant);
+  const LogValues values(row, path, "trials");
   while (row.executeStep())
-    session.planned.push_back({.kind = kind_of(row.getColumn(0)), .stimulus = row.getColumn(1).getInt()});
+    session.planned.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0, most)});
 }
 
 void LogWriter::Tables::read_answers(OpenSession& session) {
@@ -117,12 +118,13 @@ void LogWriter::Tables::read_answers(OpenSession& session) {
       SELECT trial_index, chosen_index, rating, choice_ns, rating_ns FROM answers
       WHERE participant = ? ORDER BY trial_index)sql");
   SQLite::bind(row, session.participant);
+  const LogValues values(row, path, "answers");
   while (row.executeStep())
-    session.answers.push_back({.trial_index = row.getColumn(0).getInt(),
-                               .chosen_index = row.getColumn(1).getInt(),
-                               .rating = row.getColumn(2).getInt(),
-                               .choice_ns = row.getColumn(3).getInt64(),
-                               .rating_ns = row.getColumn(4).getInt64()});
+    session.answers.push_back({.trial_index = values.number(0, 0, most),
+                               .chosen_index = values.number(1, 1, 3),
+                               .rating = values.number(2, 1, 4),
+                               .choice_ns = values.time(3),
+                               .rating_ns = values.time(4)});
   session.answered = static_cast<int>(session.answers.size());
   const int last = session.answers.empty() ? -1 : session.answers.back().trial_index;
   if (session.answered != last + 1)

@@ -44,7 +44,13 @@ namespace {
 
 void enter_study(SQLite::Database& database, const StudySet& set) {
   enter_study_row(database, set);
-  enter_missing_stimuli(database, set.manifest.stimuli);
+  const auto wanted = static_cast<std::int64_t>(set.manifest.stimuli.size());
+  const std::int64_t entered = enter_missing_stimuli(database, set.manifest.stimuli);
+  if (entered != wanted)
+    throw input_error({.file = (set.folder / "manifest.json").string(),
+                       .field = "stimuli",
+                       .wanted = "each stimulus id once",
+                       .found = std::to_string(entered) + " different ones among " + std::to_string(wanted)});
 }
 
 /// The study and set of the log are those at hand. Writes where the set is now, which is the write test.

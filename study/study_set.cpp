@@ -2,6 +2,7 @@
 
 #include "stimuli/study_file.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
@@ -25,7 +26,8 @@ StudySet load_study_set(const fs::path& folder) {
                .set_hash = set_hash(folder),
                .study = {},
                .study_text = {}};
-  const fs::path study_file = folder / set.manifest.study_file;
+  const fs::path study_file = path_below(
+      folder, set.manifest.study_file, {.file = (folder / "manifest.json").string(), .field = "study.file"});
   set.study = read_study(study_file, AssetCheck::not_needed);
   set.study_text = read_file(study_file);
   check_study_belongs(set, study_file);

@@ -30,6 +30,26 @@ Values values_of(const FitProblem& problem, const Maximum& at, std::optional<dou
   return values;
 }
 
+/// The least and the largest values that are as likely: the same but for a step, whose threshold may lie
+/// anywhere between two levels.
+struct Ends {
+  Values low, high;
+};
+
+Ends ends_of(const FitProblem& problem, const Maximum& at, std::optional<double> correct) {
+  const Values values = values_of(problem, at, correct);
+  Ends ends{values, values};
+  if (std::isfinite(values[1])) return ends;
+  const std::optional<StepFit> step = likeliest_step(problem);
+  if (!step) return ends;
+  for (const std::size_t place : {std::size_t{0}, std::size_t{3}}) {
+    if (!std::isfinite(values[place])) continue;
+    ends.low[place] = std::min(values[place], step->low_t);
+    ends.high[place] = std::max(values[place], step->high_t);
+  }
+  return ends;
+}
+
 /// Sums for the acceleration: leaving out one right and one wrong answer of every level, as often as there
 /// are.
 struct Jackknife {
@@ -102,19 +122,26 @@ BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit, const Bootstr
                                .replicates = request.replicates};
   if (request.correct) intervals.level_of_correct = Interval{};
   if (fit.levels.size() < 2 || request.replicates < 1) return intervals;
-  std::array<std::vector<double>, 4> samples;
+  std::array<std::vector<double>, 4> lows, highs;
   for (int i = 0; i < request.replicates; ++i) {
     const FitProblem problem = simulated_problem(fit, request.seed, static_cast<std::uint64_t>(i));
-    const Values values = values_of(problem, refit(problem, fit.search.best), request.correct);
-    for (std::size_t j = 0; j < values.size(); ++j) samples[j].push_back(values[j]);
+    const Maximum refitted = refit(problem, fit.search.best);
+    const Ends ends = ends_of(problem, refitted, request.correct);
+    for (std::size_t j = 0; j < ends.low.size(); ++j) {
+      lows[j].push_back(ends.low[j]);
+      highs[j].push_back(ends.high[j]);
+    }
+    const Values values = values_of(problem, refitted, request.correct);
     intervals.without_threshold += std::isfinite(values[0]) ? 0 : 1;
     intervals.steps += std::isfinite(values[1]) ? 0 : 1;
   }
   const FitProblem& problem = fit.search.problem;
-  const Values estimate = values_of(problem, fit.search.best, request.correct);
+  const Ends estimate = ends_of(problem, fit.search.best, request.correct);
   const Jackknife jackknife = leave_one_answer_out(fit, request.correct);
   const auto interval = [&](std::size_t j) {
-    return bca(samples[j], estimate[j], acceleration(jackknife, j));
+    const double a = acceleration(jackknife, j);
+    return Interval{.low = bca(lows[j], estimate.low[j], a).low,
+                    .high = bca(highs[j], estimate.high[j], a).high};
   };
   const auto to_levels = [&](const Interval& unit) {
     const auto level = [&](double t) {

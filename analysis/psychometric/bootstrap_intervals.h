@@ -24,8 +24,9 @@ struct BootstrapIntervals {
 };
 
 /// Parametric bootstrap: counts simulated from the fit are fitted again; bias-corrected and accelerated (BCa,
-/// Efron 1987) with the acceleration from leaving out one answer at a time. The same bits for the same seed.
-/// Everything is open with fewer than two levels.
+/// Efron 1987) with the acceleration from leaving out one answer at a time. A replicate that is a step, whose
+/// threshold may lie anywhere between two levels, counts with the lower for the low end and with the upper
+/// for the high end. The same bits for the same seed. Everything is open with fewer than two levels.
 [[nodiscard]] BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit,
                                                      const BootstrapRequest& request);
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 
+#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/csv.h"
 #include "stimuli/support/error.h"
 
@@ -94,9 +95,7 @@ class Line {
 }  // namespace
 
 std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw input_error({.file = file.string(), .field = "", .wanted = "a readable CSV file", .found = "none"});
+  std::istringstream in(read_file(file, limits::largest_csv_bytes));
   std::string text;
   if (!std::getline(in, text))
     throw input_error({.file = file.string(),
@@ -108,6 +107,11 @@ std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file) {
   std::vector<LevelCounts> counts;
   for (int number = 2; std::getline(in, text); ++number) {
     if (trimmed(text).empty()) continue;
+    if (static_cast<std::int64_t>(counts.size()) >= limits::largest_csv_rows)
+      throw input_error({.file = file.string(),
+                         .field = "line " + std::to_string(number),
+                         .wanted = "at most " + std::to_string(limits::largest_csv_rows) + " lines of counts",
+                         .found = "more"});
     const Line line(file.string(), number, text);
     counts.push_back({.level = line.number(columns.level, "level"),
                       .correct = line.count(columns.correct, "correct"),

@@ -72,7 +72,10 @@ double design_effect(const PooledChoices& choices, const PsychometricFit& fit) {
   if (fit.is_step) return variance_ratio_of_sums(choices, fit);
   const double information = coordinate_variance(fit.search.problem, fit.search.best, parameter::threshold);
   if (!std::isfinite(information)) return variance_ratio_of_sums(choices, fit);
-  return jackknife_variance(choices, fit) / information;
+  // People who answer exactly alike leave the jackknife nothing to measure, which is not the same as no
+  // variance: their answers are then taken for independent.
+  const double variance = jackknife_variance(choices, fit);
+  return variance > 1e-6 * information ? variance / information : 1;
 }
 
 }  // namespace

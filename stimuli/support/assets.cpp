@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/suggest.h"
 
@@ -27,6 +28,19 @@ std::vector<std::string> builtin_names(const fs::path& folder) {
   return names;
 }
 
+fs::path find_builtin(const std::string& name, const Complaint& where) {
+  const std::string wanted = name.substr(builtin_prefix.size());
+  const fs::path path = builtin_folder() / (wanted + ".glb");
+  const bool is_name = wanted.find('/') == std::string::npos;
+  if (is_name && fs::exists(path)) return path;
+  const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder()));
+  throw input_error(
+      {.file = where.file,
+       .field = where.field,
+       .wanted = "a built-in scene or object",
+       .found = "\"" + name + "\"" + (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
+}
+
 }  // namespace
 
 std::string program_version() {
@@ -40,25 +54,32 @@ fs::path builtin_study(const std::string& name) {
   return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / (name + ".toml");
 }
 
-fs::path resolve_asset(const std::string& name, const fs::path& study_file, const std::string& field) {
-  if (name.starts_with(builtin_prefix)) {
-    const std::string wanted = name.substr(builtin_prefix.size());
-    const fs::path path = builtin_folder() / (wanted + ".glb");
-    if (fs::exists(path)) return path;
-    const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder()));
-    throw input_error({.file = study_file.string(),
-                       .field = field,
-                       .wanted = "a built-in scene or object",
-                       .found = "\"" + name + "\"" +
-                                (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
-  }
-  const fs::path path = study_file.parent_path() / name;
-  if (!fs::is_regular_file(path))
-    throw input_error({.file = study_file.string(),
+fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field) {
+  const std::string study_file = folders.study_file.string();
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = study_file, .field = field});
+  const fs::path own_folder = folders.study_file.parent_path();
+  std::error_code error;
+  fs::path path = own_folder / name;
+  if (!fs::is_regular_file(path, error) && !folders.asset_root.empty()) path = folders.asset_root / name;
+  if (!fs::is_regular_file(path, error))
+    throw input_error({.file = study_file,
                        .field = field,
                        .wanted = "a file",
-                       .found = "no file at " + path.string()});
-  return path;
+                       .found = "no file at " + (own_folder / name).string()});
+  if (lies_below(path, own_folder)) return path;
+  if (!folders.asset_root.empty() && lies_below(path, folders.asset_root)) return path;
+  throw input_error({.file = study_file,
+                     .field = field,
+                     .wanted = "a file in the study file's folder or below it (or give --asset-root DIR)",
+                     .found = "\"" + name + "\", which lies elsewhere"});
+}
+
+fs::path resolve_named_file(const std::string& name, const std::string& option) {
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = {}, .field = option});
+  std::error_code error;
+  if (!fs::is_regular_file(name, error))
+    throw input_error({.field = option, .wanted = "a file", .found = "no file at " + name});
+  return name;
 }
 
 }  // namespace seamline

@@ -10,11 +10,21 @@ namespace seamline {
 /// A study file that comes with Seamline, e.g. "quick" for `stimuli/quick.toml`.
 [[nodiscard]] std::filesystem::path builtin_study(const std::string& name);
 
-/// The file that a study names: `builtin:NAME` is NAME.glb among the built-in scenes, anything else a path
-/// relative to the study file's folder. Throws InputError (naming `field` of `study_file`) when there is no
-/// such file.
-[[nodiscard]] std::filesystem::path resolve_asset(const std::string& name,
-                                                  const std::filesystem::path& study_file,
+/// Where files that a study file names may lie: below the study file's own folder, or below the folder that
+/// the person at the command line trusts (`--asset-root`; empty: none).
+struct AssetFolders {
+  std::filesystem::path study_file;
+  std::filesystem::path asset_root = {};
+};
+
+/// The file that a study names: `builtin:NAME` is NAME.glb among the built-in scenes; a relative path is
+/// looked for in the study file's folder, then in the asset root. Throws InputError (naming `field` of the
+/// study file) when there is no such file, or when it lies, links followed, outside both folders.
+[[nodiscard]] std::filesystem::path resolve_asset(const std::string& name, const AssetFolders& folders,
                                                   const std::string& field);
+
+/// The file that a person names on the command line: any path, or `builtin:NAME`. Throws InputError naming
+/// `option` when there is none.
+[[nodiscard]] std::filesystem::path resolve_named_file(const std::string& name, const std::string& option);
 
 }  // namespace seamline

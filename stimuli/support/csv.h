@@ -25,7 +25,7 @@ struct CsvTable {
 };
 
 /// RFC 4180 with a header line, "\n" line ends. Text is quoted where needed, and text that a spreadsheet
-/// would run as a formula (it begins with = + - @, tab or carriage return) gets a leading apostrophe. Numbers
+/// would run as a formula (it begins with = + - @, tab or a line end) gets a leading apostrophe. Numbers
 /// have 6 significant digits
 /// ("NaN" stays visible).
 [[nodiscard]] std::string csv_text(const CsvTable& table);

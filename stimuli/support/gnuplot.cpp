@@ -51,6 +51,13 @@ int run_gnuplot(const std::string& argument, const fs::path& messages) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// A text as gnuplot reads it between single quotes.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char letter : text) safe += letter == '\'' ? "''" : std::string(1, letter);
+  return safe + "'";
+}
+
 /// Files that are gone at the end, however it comes.
 struct Removed {
   std::vector<fs::path> files;
@@ -102,7 +109,8 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
   const fs::path caller = fs::path(svg).replace_extension(".call");
   const Removed at_the_end{{messages, caller}};
   write_file_atomically(svg, [&](const fs::path& temporary) {
-    write_file_atomically(caller, fmt::format("call '{}' '{}'\n", script_file.string(), temporary.string()));
+    write_file_atomically(
+        caller, fmt::format("call {} {}\n", quoted(script_file.string()), quoted(temporary.string())));
     const int status = run_gnuplot(caller.string(), messages);
     if (status != 0)
       throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + read_file(messages));

@@ -6,31 +6,92 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <fmt/core.h>
+
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <string_view>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/exr_header.h"
+#include "stimuli/support/limits.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::int64_t largest_pixel_count = std::int64_t{16384} * 16384;
+/// The library's name of the format that a file begins like. Its other two dozen formats are never tried,
+/// whatever a file is called: each would be one more decoder that strangers' bytes reach.
+std::string format_of(const fs::path& path) {
+  std::array<char, 12> block{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(block.data(), block.size());
+  const std::string_view start(block.data(), static_cast<std::size_t>(in.gcount()));
+  if (start.starts_with("\x76\x2f\x31\x01")) return "openexr";
+  if (start.starts_with("\x89PNG\r\n\x1a\n")) return "png";
+  if (start.starts_with("\xff\xd8\xff")) return "jpeg";
+  if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return "hdr";
+  throw input_error(
+      {.file = path.string(), .wanted = "an EXR, HDR, PNG or JPEG image", .found = "another kind of file"});
+}
+
+/// Throws InputError unless what the header promises is bearable, and can be in a file of this size.
+void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
+  using namespace limits;
+  const auto refuse = [&](const std::string& wanted, const std::string& found) {
+    return input_error({.file = path.string(), .wanted = wanted, .found = found});
+  };
+  const std::string found =
+      fmt::format("{} x {} pixels with {} channels", spec.width, spec.height, spec.nchannels);
+  if (spec.deep || spec.depth > 1) throw refuse("a flat picture", "a deep or three-dimensional one");
+  const bool sides = spec.width >= 1 && spec.width <= largest_picture_side_px && spec.height >= 1 &&
+                     spec.height <= largest_picture_side_px && spec.nchannels >= 1 &&
+                     spec.nchannels <= largest_picture_channels;
+  if (!sides || std::int64_t{spec.width} * spec.height * spec.nchannels > largest_picture_values)
+    throw refuse(fmt::format("a picture of at most {0} x {0} pixels with {1} channels, and {2} values in all",
+                             largest_picture_side_px, largest_picture_channels, largest_picture_values),
+                 found);
+  const auto file_bytes = static_cast<std::uint64_t>(fs::file_size(path));
+  if (std::uint64_t{spec.image_bytes(true)} / largest_picture_expansion > file_bytes)
+    throw refuse(fmt::format("a file that can hold {}", found), fmt::format("{} bytes", file_bytes));
+}
 
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
-  if (!fs::exists(path))
+  if (!fs::is_regular_file(path))
     throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
-  auto input = OIIO::ImageInput::open(path.string());
-  if (!input)
-    throw input_error(
-        {.file = path.string(), .wanted = "an image that can be decoded", .found = OIIO::geterror()});
-  const OIIO::ImageSpec& spec = input->spec();
-  if (std::int64_t{spec.width} * spec.height > largest_pixel_count || spec.nchannels < 1 ||
-      spec.nchannels > 16 || spec.depth > 1)
+  const std::string format = format_of(path);
+  if (format == "openexr") check_exr_header(path);
+  auto input = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(path.string(), spec))
     throw input_error({.file = path.string(),
-                       .wanted = "a flat image of at most 16384 x 16384 pixels",
-                       .found = std::to_string(spec.width) + " x " + std::to_string(spec.height)});
+                       .wanted = "an image that can be decoded",
+                       .found = input ? input->geterror() : OIIO::geterror()});
+  check_size(spec, path);
   return input;
+}
+
+/// Runs `read`; what the image libraries throw at damaged bytes becomes an InputError.
+template <class Read>
+auto with_image_errors(const fs::path& path, Read&& read) {
+  try {
+    return read();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw input_error(
+        {.file = path.string(), .wanted = "an image that can be decoded", .found = error.what()});
+  }
+}
+
+void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs::path& path) {
+  if (!input.read_image(0, 0, 0, input.spec().nchannels, type, values))
+    throw input_error(
+        {.file = path.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
 }
 
 /// The picture is encoded in memory and then written: image libraries do not notice every write that failed,
@@ -60,35 +121,37 @@ ByteImage display_image(const Image& linear, double exposure_ev) {
 }
 
 Image read_float_image(const fs::path& path) {
-  if (const auto input = open_image(path); !input->spec().format.is_floating_point())
-    throw input_error({.file = path.string(),
-                       .wanted = "an image of floating-point values",
-                       .found = input->spec().format.c_str()});
+  with_image_errors(path, [&] {
+    if (const auto input = open_image(path); !input->spec().format.is_floating_point())
+      throw input_error({.file = path.string(),
+                         .wanted = "an image of floating-point values",
+                         .found = input->spec().format.c_str()});
+  });
   return read_image(path);
 }
 
 Image read_image(const fs::path& path) {
-  const auto input = open_image(path);
-  const OIIO::ImageSpec spec = input->spec();
-  Image image(spec.width, spec.height, spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-    throw input_error(
-        {.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
-  if (!spec.format.is_floating_point())
-    for (float& value : image.values) value = linear_from_srgb(value);
-  return image;
+  return with_image_errors(path, [&] {
+    const auto input = open_image(path);
+    const OIIO::ImageSpec spec = input->spec();
+    Image image(spec.width, spec.height, spec.nchannels);
+    decode(*input, OIIO::TypeDesc::FLOAT, image.values.data(), path);
+    if (!spec.format.is_floating_point())
+      for (float& value : image.values) value = linear_from_srgb(value);
+    return image;
+  });
 }
 
 ByteImage read_bytes_image(const fs::path& path) {
-  const auto input = open_image(path);
-  const OIIO::ImageSpec spec = input->spec();
-  ByteImage image{spec.width, spec.height, spec.nchannels, {}};
-  image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
-                      static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.values.data()))
-    throw input_error(
-        {.file = path.string(), .wanted = "an image that can be decoded", .found = input->geterror()});
-  return image;
+  return with_image_errors(path, [&] {
+    const auto input = open_image(path);
+    const OIIO::ImageSpec spec = input->spec();
+    ByteImage image{spec.width, spec.height, spec.nchannels, {}};
+    image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
+                        static_cast<std::size_t>(spec.nchannels));
+    decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), path);
+    return image;
+  });
 }
 
 void write_exr(const fs::path& path, const Image& image) {

@@ -7,4 +7,8 @@ namespace seamline {
 /// computed on it (a fifth of a set's time). Called once, when the program starts.
 void keep_freed_memory();
 
+/// Gives back what was freed since: between scenes, whose buffers differ in size, so that holes of one do not
+/// add to the needs of the next.
+void give_back_freed_memory();
+
 }  // namespace seamline

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "study/app/application.h"
 #include "study/app/instruction_pictures.h"
@@ -55,8 +56,12 @@ Application::Application(const StudySet& set, VisitStore& store, const Participa
 }
 
 void Application::set_type() {
-  FontRequest font = find_font(set_.study.session.font.empty() ? std::filesystem::path()
-                                                               : set_.folder / set_.study.session.font);
+  const std::string& file = set_.study.session.font;
+  FontRequest font = find_font(
+      file.empty()
+          ? std::filesystem::path()
+          : path_below(set_.folder, file,
+                       {.file = (set_.folder / set_.manifest.study_file).string(), .field = "session.font"}));
   font.body_px = body_size_px(display_, set_.study.session.text_scale * stage_.text_scale);
   font.characters = characters_needed(set_);
   canvas_.set_font(font);

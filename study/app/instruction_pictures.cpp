@@ -1,5 +1,6 @@
 #include "study/app/instruction_pictures.h"
 
+#include "stimuli/support/confined_path.h"
 #include "study/app/look.h"
 
 namespace seamline::app {
@@ -29,7 +30,10 @@ std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set)
   for (const InstructionPage& page : set.study.instructions) {
     std::vector<Texture>& pictures = pages.emplace_back();
     for (const std::string& name : page.pictures) {
-      pictures.emplace_back().upload(opaque(read_bytes_image(set.folder / name)));
+      const std::filesystem::path file =
+          path_below(set.folder, name,
+                     {.file = (set.folder / set.manifest.study_file).string(), .field = "instructions"});
+      pictures.emplace_back().upload(opaque(read_bytes_image(file)));
       pictures.back().smooth(true);
     }
   }

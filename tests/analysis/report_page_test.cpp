@@ -136,11 +136,35 @@ TEST(ReportPage, EscapesTextFromPeople) {
   for (Answer& answer : log.answers) {
     if (answer.participant == "sim-0") answer.participant = evil;
     answer.object += evil;
+    answer.scene += evil;
+    answer.stimulus_id += evil;
   }
+  for (std::string* text : {&log.study_name, &log.study_hash, &log.set_hash, &log.study_text}) *text += evil;
+  log.file = "/logs/" + evil + ".sqlite";
+  log.set_folder = "/sets/\"" + evil;
+  for (ParticipantRecord& record : log.participants)
+    record.form = {{.field = "remark" + evil, .value = "'\"" + evil}};
   const Report report = report_of(std::move(log));
   EXPECT_THAT(report.html, Not(HasSubstr("<script")));
   EXPECT_THAT(report.html, HasSubstr("&lt;script&gt;"));
+  EXPECT_THAT(report.html, Not(HasSubstr("\"<")));  // no attribute ends early
   EXPECT_TRUE(Json::accept(report_json(report.analysis, report.methods, report.tables)));
+}
+
+TEST(ReportPage, TablesAreSafeToOpenInASpreadsheet) {
+  LogContents log = testing::people_log(6, 4);
+  const std::string formula = "=cmd|' /C calc'!A0";
+  for (Answer& answer : log.answers) answer.object = formula;
+  for (ParticipantRecord& record : log.participants) record.form = {{.field = "+1", .value = "@SUM(1,2)"}};
+  const Report report = report_of(std::move(log));
+  std::size_t shown = 0;
+  for (const CsvTable& table : report.tables) {
+    const std::string text = csv_text(table);
+    for (const char* begin : {"\n=", ",=", "\n@", ",@", "\n+", ",+", "\"=", "\"@"})
+      EXPECT_THAT(text, Not(HasSubstr(begin))) << table.name;
+    shown += text.find("'=cmd|") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(shown, 2U);
 }
 
 TEST(ReportPage, OfOnePersonSaysWhatIsMissing) {

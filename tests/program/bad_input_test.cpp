@@ -111,6 +111,27 @@ TEST(BadInput, GltfWithABadAccessor) {
   expect_complaint(with("4000000000"), {"scene.gltf", "POSITION"});
 }
 
+TEST(BadInput, ScenesElsewhereNeedAnAssetRoot) {
+  const auto folder = fresh_folder("bad-root");
+  std::filesystem::create_directories(folder / "study");
+  std::filesystem::create_directories(folder / "meshes");
+  write_text(folder / "meshes" / "statue.glb", "not looked at by --dry-run");
+  write_text(folder / "study" / "study.toml",
+             quick_study_with({{"builtin:statue", "../meshes/statue.glb"}}));
+  const std::string render = "render " + (folder / "study" / "study.toml").string() + " --dry-run";
+  expect_complaint(run_seamline(render), {"study.toml", "scene[0].object[0].file", "--asset-root DIR",
+                                          "../meshes/statue.glb"});
+  EXPECT_EQ(run_seamline(render + " --asset-root " + (folder / "meshes").string()).status, 0);
+  expect_complaint(run_seamline(render + " --asset-root " + (folder / "none").string()),
+                   {"--asset-root", "a folder", "none"});
+}
+
+TEST(BadInput, FilesWithoutEnd) {
+  expect_complaint(run_seamline("render /dev/zero --dry-run"), {"/dev/zero", "at most", "more"});
+  expect_complaint(run_seamline("fit /dev/zero --alternatives 3"), {"/dev/zero", "at most", "more"});
+  expect_complaint(run_seamline("capture /dev/zero --at 0 0 0 --width 64 --out d.exr"), {"/dev/zero"});
+}
+
 TEST(BadInput, ObjectThatCoversNoPixel) {
   const auto folder = fresh_folder("bad-object");
   expect_complaint(

@@ -27,7 +27,9 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"analysis/report",
      {"analysis", "analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}},
     {"analysis/commands",
-     {"analysis/report", "analysis", "analysis/psychometric", "study", "stimuli", "stimuli/support"}}};
+     {"analysis/report", "analysis", "analysis/psychometric", "study", "stimuli", "stimuli/support"}},
+    {"stability",
+     {"analysis", "analysis/psychometric", "analysis/ordinal", "renderer", "study", "stimuli", "stimuli/support"}}};
 
 std::string folder_of(const std::string& include) {
   const std::size_t slash = include.rfind('/');

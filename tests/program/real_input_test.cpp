@@ -93,8 +93,9 @@ TEST(RealInput, OneStimulusOfEachArtifactFromScannedMeshes) {
   const fs::path set = folder / "set";
   for (const char* only : {"hall-receiver-armadillo-0256", "hall-shadow-lion-0256",
                            "hall-overlap-nefertiti-0256", "arcade-occlusion-teapot_middle-0256"}) {
-    const test::Outcome outcome = test::run_seamline("render " + (folder / "study.toml").string() +
-                                                     " --out " + set.string() + " --only " + only);
+    const test::Outcome outcome =
+        test::run_seamline("render " + (folder / "study.toml").string() + " --out " + set.string() +
+                           " --only " + only + " --asset-root " + meshes.string());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
   }
   const Manifest manifest = read_manifest(set);

@@ -107,7 +107,7 @@ TEST(SceneFiles, RefusesAPlaceThatCannotBeWrittenTo) {
 /// The shipped objects, as the build wrote them, are as fine as the paper's comparison needs.
 TEST(ShippedObjects, HaveTwentyThousandTriangles) {
   for (const std::string_view name : builtin_object_names) {
-    const auto path = resolve_asset("builtin:" + std::string(name), "any.toml", "scene.object.file");
+    const auto path = resolve_named_file("builtin:" + std::string(name), "file");
     const SceneContents object = read_glb(path);
     ASSERT_EQ(object.parts.size(), 1U);
     EXPECT_GE(object.parts[0].mesh.triangles.size(), 20000U) << name;

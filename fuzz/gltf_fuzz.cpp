@@ -1,0 +1,18 @@
+// A scene file: .gltf, or .glb by its first bytes. A buffer file of 48 bytes lies beside it as buffer.bin.
+#include "fuzz/fuzz_target.h"
+#include "renderer/scene_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace seamline;
+  static const std::filesystem::path buffer = fuzz::file_of("buffer.bin", std::string(48, '\0'));
+  const std::filesystem::path file = fuzz::file_of("scene.gltf", fuzz::text_of(data, size));
+  return fuzz::only_input_errors([&] {
+    const SceneFile scene = read_scene_file(file);
+    for (const FileMesh& mesh : scene.meshes) {
+      if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions_m.size()) abort();
+      for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+          if (corner >= mesh.positions_m.size()) abort();
+    }
+  });
+}

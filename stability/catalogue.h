@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "stability/stability_case.h"
+
+namespace seamline {
+
+/// Every case, in the order of its groups.
+[[nodiscard]] const StabilityCases& stability_catalogue();
+
+/// The cases whose name or group is `only`; all when it is empty. Throws InputError when there is none.
+[[nodiscard]] StabilityCases chosen_cases(const std::string& only);
+
+}  // namespace seamline

@@ -1,0 +1,74 @@
+#include "stability/commands.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "renderer/parallel.h"
+#include "stability/catalogue.h"
+#include "stability/convergence_cases.h"
+#include "stability/run_cases.h"
+#include "stimuli/support/gnuplot.h"
+
+namespace seamline {
+namespace {
+
+struct CommandLine {
+  StabilityOptions options;
+  std::string only;
+  std::filesystem::path figure;
+  bool list = false, json = false, markdown = false;
+};
+
+void print_list(const StabilityCases& cases) {
+  for (const StabilityCase& one : cases) fmt::print("{}/{}: {}\n", one.group, one.name, one.tried);
+}
+
+/// Whether all passed.
+bool run_stability(const CommandLine& line) {
+  const StabilityCases cases = chosen_cases(line.only);
+  if (line.list) {
+    print_list(cases);
+    return true;
+  }
+  if (!line.figure.empty()) require_gnuplot();
+  std::vector<CaseOutcome> outcomes;
+  int failed = 0;
+  for (const StabilityCase& one : cases) {
+    fmt::print(stderr, "stability: {} of {}: {}/{}\n", outcomes.size() + 1, cases.size(), one.group,
+               one.name);
+    outcomes.push_back(run_case(one, line.options));
+    failed += outcomes.back().passed ? 0 : 1;
+    if (line.json || line.markdown) continue;
+    fmt::print("{}", outcome_line(outcomes.back()));
+    std::fflush(stdout);
+  }
+  if (line.json) fmt::print("{}", outcomes_json(outcomes));
+  if (line.markdown) fmt::print("{}", outcomes_markdown(outcomes));
+  if (!line.json && !line.markdown)
+    fmt::print("{} of {} cases passed\n", cases.size() - static_cast<std::size_t>(failed), cases.size());
+  if (!line.figure.empty()) draw_orders(order_series(), line.figure);
+  return failed == 0;
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app, bool& any_failed) {
+  auto line = std::make_shared<CommandLine>();
+  line->options.threads = default_thread_count();
+  CLI::App* stability =
+      app.add_subcommand("stability", "does the program keep its promises on stiff and extreme input");
+  stability->add_option("--only", line->only, "one case, or one group of cases");
+  stability->add_flag("--list", line->list, "names of the cases; nothing is run");
+  stability->add_option("--figure", line->figure,
+                        "an SVG file: observed orders of convergence beside the expected ones");
+  stability->add_option("--threads", line->options.threads, "threads of renders and builds")
+      ->check(CLI::Range(1, 1024));
+  auto* json = stability->add_flag("--json", line->json, "as data");
+  stability->add_flag("--markdown", line->markdown, "as the tables of the documentation")->excludes(json);
+  stability->callback([line, &any_failed] { any_failed = !run_stability(*line); });
+}
+
+}  // namespace seamline

@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+
+#include "analysis/psychometric/bootstrap_intervals.h"
+#include "analysis/psychometric/fit_intervals.h"
+#include "analysis/psychometric/psychometric_fit.h"
+#include "stability/stability_case.h"
+
+namespace seamline {
+
+/// How a fit's threshold gets its interval; the product's is `threshold_interval`, the profile likelihood.
+using IntervalRule = std::function<Interval(const PsychometricFit& fit)>;
+[[nodiscard]] Interval interval_as_product(const PsychometricFit& fit);
+
+/// A step: the likelihood is flat in the threshold, so its curvature says nothing. The interval must hold
+/// every threshold between the two levels, and the variance by Fisher's information must be infinite. Counts
+/// what is otherwise.
+[[nodiscard]] Finding try_singular_information(const IntervalRule& rule = interval_as_product);
+
+/// A maximum at the bound of the lapse rate, where the likelihood still rises: the interval must hold the
+/// planted threshold of 500 px and be finite. Counts what is otherwise.
+[[nodiscard]] Finding try_maximum_at_bound(const IntervalRule& rule = interval_as_product);
+
+/// How a fit is bootstrapped; the product's is `bootstrap_intervals`.
+using BootstrapRule =
+    std::function<BootstrapIntervals(const PsychometricFit& fit, const BootstrapRequest& request)>;
+
+/// Two answers a level: most resamples are steps or have no threshold within reach. None may be dropped: the
+/// interval must hold all of the step's own range and be open where a fortieth of the replicates has no
+/// finite one. Counts what is otherwise.
+[[nodiscard]] Finding try_degenerate_resamples(const BootstrapRule& rule = bootstrap_intervals);
+
+/// Log-likelihood terms of answers whose probability is 1e-130 to 1 - 1e-16, and sigmoids at -1e308 to 1e308:
+/// largest deviation from the exact values; NaN when one is no number.
+[[nodiscard]] Finding try_extreme_probabilities();
+
+}  // namespace seamline

@@ -1,0 +1,28 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "stability/stability_case.h"
+
+namespace seamline {
+
+/// A case with what this run found.
+struct CaseOutcome {
+  StabilityCase of;
+  Finding finding;
+  bool passed = false;
+  double seconds = 0;
+};
+
+/// Runs one case. An exception of the product is a failure whose sentence is what was found; only
+/// `Interrupted` is thrown on.
+[[nodiscard]] CaseOutcome run_case(const StabilityCase& one, const StabilityOptions& options);
+
+/// One line for a terminal.
+[[nodiscard]] std::string outcome_line(const CaseOutcome& outcome);
+/// `seamline stability --json`: format, version, and an entry a case.
+[[nodiscard]] std::string outcomes_json(const std::vector<CaseOutcome>& outcomes);
+/// The table of documentation/stability.md: a Markdown table a group.
+[[nodiscard]] std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes);
+
+}  // namespace seamline

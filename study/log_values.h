@@ -1,0 +1,35 @@
+#pragma once
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <string>
+
+#include "study/trial.h"
+
+// Inside the log only.
+namespace seamline {
+
+/// Values of a row, checked again while they are read. The tables' own CHECKs hold for what is written
+/// through them; a file that was damaged or made by another hand may hold anything, and the analysis counts
+/// with these numbers as places in arrays. Every function throws InputError naming the log, table and column.
+class LogValues {
+ public:
+  LogValues(const SQLite::Statement& row, const std::filesystem::path& log, const char* table)
+      : row_(row), log_(log), table_(table) {}
+
+  [[nodiscard]] int number(int column, int least, int most) const;
+  /// Nanoseconds or seconds: 0 or more.
+  [[nodiscard]] std::int64_t time(int column, std::int64_t least = 0) const;
+  [[nodiscard]] double positive(int column) const;
+  [[nodiscard]] bool flag(int column) const { return number(column, 0, 1) != 0; }
+  /// A code as check_participant_code has it.
+  [[nodiscard]] std::string code(int column) const;
+  [[nodiscard]] TrialKind kind(int column) const;
+
+ private:
+  const SQLite::Statement& row_;
+  const std::filesystem::path& log_;
+  const char* table_;
+};
+
+}  // namespace seamline

@@ -1,0 +1,95 @@
+// Manners of the source, kept by reading it: who writes files, and how SQL is put together.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every source file of the product, by its path from the root.
+std::map<std::string, std::string> sources() {
+  const fs::path root = SEAMLINE_SOURCE_DIR;
+  std::map<std::string, std::string> found;
+  const auto take = [&](const fs::path& path) {
+    if (path.extension() != ".cpp" && path.extension() != ".h") return;
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    found[fs::relative(path, root).generic_string()] = text.str();
+  };
+  for (const char* folder : {"stimuli", "scenes", "renderer", "study", "analysis"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) take(entry.path());
+  for (const auto& entry : fs::directory_iterator(root)) take(entry.path());
+  return found;
+}
+
+std::set<std::string> files_with(const std::string& pattern) {
+  const std::regex wanted(pattern);
+  std::set<std::string> files;
+  for (const auto& [file, text] : sources())
+    if (std::regex_search(text, wanted)) files.insert(file);
+  return files;
+}
+
+TEST(Manners, OneFunctionWritesFiles) {
+  EXPECT_GT(sources().size(), 200U);
+  // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
+  // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
+  // name, the lock beside it and the copy that a damaged one is salvaged from; the lock of a set; gnuplot's
+  // messages.
+  const std::set<std::string> openers = {"renderer/set_claim.cpp",      "stimuli/support/atomic_file.cpp",
+                                         "stimuli/support/gnuplot.cpp", "study/app/frame_times.cpp",
+                                         "study/app/trace.cpp",         "study/log_create.cpp",
+                                         "study/log_salvage.cpp",       "study/session_claims.cpp"};
+  EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
+  // A recovered log takes its name when it is whole, too.
+  EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
+            (std::set<std::string>{"stimuli/support/atomic_file.cpp", "study/log_recovery.cpp"}));
+  // Libraries that open files for writing by themselves get a temporary name from it.
+  for (const std::string& file : files_with(R"(ImageOutput::create|WriteGltfSceneToFile|set output)"))
+    EXPECT_NE(sources().at(file).find("write_file_atomically"), std::string::npos) << file;
+}
+
+TEST(Manners, SqlIsNeverPutTogetherFromValues) {
+  // The only SQL that is formatted is the schema, from the words of two enumerations, and that of recovering
+  // a log, from the names of its tables and columns; the only one that is joined, a list of columns in
+  // log_records.cpp. Values are always bound.
+  const std::regex sql_word(R"re("[^"\n]*\b(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE TABLE)\b[^"\n]*")re");
+  const std::regex formatted(
+      R"re((fmt::)?format(_to)?\(\s*(fmt::runtime\()?"[^"]*\b(SELECT|INSERT|UPDATE|DELETE)\b)re");
+  const std::regex joined(
+      R"re((\+\s*"[^"\n]*\b(FROM|WHERE|VALUES|SET)\b)|(\b(SELECT|INSERT|UPDATE|DELETE|WHERE|VALUES)\b[^"\n]*"\s*\+))re");
+  int with_sql = 0;
+  std::set<std::string> joining, formatting;
+  for (const auto& [file, text] : sources()) {
+    with_sql += std::regex_search(text, sql_word) ? 1 : 0;
+    if (std::regex_search(text, formatted)) formatting.insert(file);
+    if (std::regex_search(text, joined)) joining.insert(file);
+  }
+  EXPECT_GE(with_sql, 6);
+  EXPECT_EQ(formatting, (std::set<std::string>{"study/log_recovery.cpp", "study/log_salvage.cpp"}));
+  EXPECT_EQ(joining, (std::set<std::string>{"study/log_records.cpp"}));
+  // What is joined there is a constant of the file.
+  const std::string records = sources().at("study/log_records.cpp");
+  const std::regex operand(R"(\+\s*([A-Za-z_]+)\s*\+)");
+  for (auto match = std::sregex_iterator(records.begin(), records.end(), operand);
+       match != std::sregex_iterator(); ++match)
+    EXPECT_EQ((*match)[1], "display_columns");
+  EXPECT_NE(records.find("constexpr const char* display_columns"), std::string::npos);
+}
+
+TEST(Manners, EverythingInHtmlIsEscaped) {
+  // Whoever makes a page escapes: a page without it would be one where it was forgotten.
+  for (const std::string& file : files_with(R"(<(td|th|h1|h2|figcaption)>\{\})"))
+    EXPECT_NE(sources().at(file).find("html_escape"), std::string::npos) << file;
+}
+
+}  // namespace
+}  // namespace seamline
