@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
+#include <set>
 
 #include "stimuli/support/atomic_file.h"
 #include "study/log_database.h"
@@ -73,6 +73,7 @@ class TableReader {
 
   /// Keys are small whole numbers, so the ones between those found can be asked for. Text keys cannot.
   void ask_for_keys_between() {
+    if (rows_.empty()) return;  // its first page is lost, or it is empty
     std::vector<std::int64_t> highest(table_.key.size(), 0);
     for (const auto& [key, row] : rows_)
       for (std::size_t i = 0; i < key.size(); ++i) {
@@ -136,22 +137,31 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at, int size) {
   return value;
 }
 
-/// A new log's first page, which holds the header and where the tables begin, for a file of `bytes`. Tables
-/// begin at the same pages in every log of this schema that nobody was deleted from.
-std::string first_page(const fs::path& scratch, std::uintmax_t bytes) {
+/// Puts a new log's schema into a file: header, and every page that says what tables there are and where they
+/// begin. Tables begin at the same pages in every log of this schema that nobody was deleted from.
+void renew_schema(const fs::path& copy, const fs::path& scratch) {
   const fs::path model = scratch / "model.sqlite";
-  {
+  std::set<std::uint32_t> roots;  // of tables and indexes: in an empty log the other pages are the schema's
+  if (!fs::exists(model)) {
     SQLite::Database database(model.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     database.exec(log_schema_sql());
   }
-  std::string page = read_file(model);
-  const std::uint32_t page_bytes = big_endian(page, page_size_at, 2);
-  page.resize(page_bytes);
-  const std::uint64_t pages = bytes / page_bytes;
+  {
+    SQLite::Database database(model.string(), SQLite::OPEN_READONLY);
+    for (SQLite::Statement row(database, "SELECT rootpage FROM sqlite_schema"); row.executeStep();)
+      roots.insert(row.getColumn(0).getUInt());
+  }
+  std::string bytes = read_file(model), damaged = read_file(copy);
+  const std::uint32_t page_bytes = big_endian(bytes, page_size_at, 2);
+  const std::uint64_t pages = damaged.size() / page_bytes;
   for (std::size_t i = 0; i < 4; ++i)
-    page[page_count_at + i] = static_cast<char>(pages >> (24 - 8 * i) & 255);
-  for (std::size_t i = 0; i < 4; ++i) page[valid_for_at + i] = page[change_counter_at + i];
-  return page;
+    bytes[page_count_at + i] = static_cast<char>(pages >> (24 - 8 * i) & 255);
+  for (std::size_t i = 0; i < 4; ++i) bytes[valid_for_at + i] = bytes[change_counter_at + i];
+  for (std::uint32_t page = 1; page <= std::min<std::uint64_t>(bytes.size() / page_bytes, pages); ++page)
+    if (!roots.contains(page))
+      damaged.replace(std::size_t{page - 1} * page_bytes, page_bytes, bytes,
+                      std::size_t{page - 1} * page_bytes, page_bytes);
+  write_file_atomically(copy, damaged);
 }
 
 std::size_t rows_in(const SalvagedLog& log, const std::string& table) {
@@ -170,14 +180,11 @@ bool is_better(const SalvagedLog& one, const SalvagedLog& other) {
   return worth(one) > worth(other);
 }
 
-fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_first_page) {
-  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_first_page ? 1 : 0);
+fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_schema) {
+  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_schema ? 1 : 0);
   fs::copy_file(damaged, copy);
   if (with_ahead) fs::copy_file(damaged.string() + "-wal", copy.string() + "-wal");
-  if (!new_first_page) return copy;
-  const std::string page = first_page(scratch, fs::file_size(copy));
-  std::fstream file(copy, std::ios::in | std::ios::out | std::ios::binary);
-  file.write(page.data(), static_cast<std::streamsize>(page.size()));
+  if (new_schema) renew_schema(copy, scratch);
   return copy;
 }
 
@@ -206,10 +213,10 @@ const std::vector<LogTable>& log_tables() {
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   const bool has_ahead = fs::exists(damaged.string() + "-wal");
   SalvagedLog best;
-  for (const bool new_first_page : {false, true})
+  for (const bool new_schema : {false, true})
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
-      SalvagedLog log = read_all(copy_of(damaged, scratch, with_ahead, new_first_page));
+      SalvagedLog log = read_all(copy_of(damaged, scratch, with_ahead, new_schema));
       if (is_better(log, best)) best = std::move(log);
     }
   return best;

@@ -27,8 +27,9 @@ using SalvagedLog = std::map<std::string, std::vector<LogRow>>;
 
 /// Reads every row that SQLite can still reach: from the front until a page is damaged, from the back, and
 /// what lies between by asking for its keys one by one. With several ways to read the file (with and without
-/// what is waiting in its write-ahead log; with a first page made anew where the file's own is damaged) the
-/// one that finds most is taken. Works on copies in `scratch`; the damaged files are not touched.
+/// what is waiting in its write-ahead log; with the pages of the schema made anew where the file's own are
+/// damaged) the one that finds most is taken. Works on copies in `scratch`; the damaged files are not
+/// touched.
 [[nodiscard]] SalvagedLog salvage_log(const std::filesystem::path& damaged,
                                       const std::filesystem::path& scratch);
 

@@ -24,9 +24,9 @@ std::uintmax_t sum(const Files& files) {
   return bytes;
 }
 
-/// Position number `at` of `count`, from 0 to `end`, denser at the beginning where most files end.
+/// Position number `at` of `count`, between 0 and `end`, denser at the beginning where most files end.
 std::uint64_t position(int at, int count, std::uintmax_t end) {
-  const double share = static_cast<double>(at) / count;
+  const double share = static_cast<double>(at + 1) / (count + 1);
   return static_cast<std::uint64_t>(share * share * static_cast<double>(end));
 }
 
@@ -91,7 +91,7 @@ Tally limit_render(Lab& lab) {
 
 Tally limit_study(Lab& lab) {
   Tally tally{.fault = "file size limit, study --observer"};
-  const int count = lab.tries(3, 50);
+  const int count = lab.tries(2, 50);
   const std::uintmax_t end = 3 * fs::file_size(lab.log);  // the write-ahead log grows beyond the log
   for (int at = 0; at < count; ++at) {
     const fs::path log = lab.folder / "limited.sqlite";
@@ -106,7 +106,7 @@ Tally limit_study(Lab& lab) {
 
 Tally limit_analyze(Lab& lab) {
   Tally tally{.fault = "file size limit, analyze"};
-  const int count = lab.tries(1, 20);
+  const int count = lab.tries(0, 20);
   const std::uintmax_t end = largest(lab.report_files) + 4096;
   for (int at = 0; at < count; ++at) {
     const fs::path report = lab.folder / "limited-report";

@@ -35,7 +35,7 @@ Tally kill_render(Lab& lab) {
   Random random(lab.seed, 1);
   const fs::path set = lab.folder / "killed-set";
   int left_behind = 0;
-  for (int round = 0; tally.tries < lab.tries(2, 60); ++round) {
+  for (int round = 0; tally.tries < lab.tries(1, 60); ++round) {
     fs::remove_all(set);
     Files before;
     for (int kill = 0; kill <= round % 3; ++kill) {  // a run that continues may be killed as well
@@ -62,7 +62,7 @@ Tally kill_study(Lab& lab) {
   Tally tally{.fault = "SIGKILL of study --observer"};
   Random random(lab.seed, 2);
   const fs::path log = lab.folder / "killed.sqlite";
-  for (int round = 0; tally.tries < lab.tries(2, 100); ++round) {
+  for (int round = 0; tally.tries < lab.tries(1, 100); ++round) {
     remove_log(log);
     for (int kill = 0; kill <= round % 3; ++kill) {
       std::vector<std::string> seen;  // by a second reader, an instant before
@@ -85,7 +85,7 @@ Tally kill_analyze(Lab& lab) {
   Tally tally{.fault = "SIGKILL of analyze"};
   Random random(lab.seed, 3);
   const fs::path report = lab.folder / "killed-report";
-  for (int round = 0; round < lab.tries(1, 20); ++round) {
+  for (int round = 0; round < lab.tries(0, 20); ++round) {
     fs::remove_all(report);
     const Ending ending =
         run(lab.analyze_command(lab.log, report), {.kill_after_us = instant(random, lab.analyze_us)});

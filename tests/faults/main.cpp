@@ -59,7 +59,7 @@ int try_all(Lab& lab, std::size_t first) {
   bool all_good = true;
   for (std::size_t i = first; i < std::size(every_fault); ++i) try {
       const Tally tally = every_fault[i](lab);
-      print_row(tally);
+      if (tally.tries > 0 || !tally.note.empty()) print_row(tally);
       all_good = all_good && good(tally);
     } catch (const std::exception& error) {
       lab.complaints.push_back(fmt::format("fault {}: {}", i + 1, error.what()));
