@@ -24,7 +24,7 @@ struct RandomMaps {
 /// Rays through valid vertices that meet nothing, rays through holes that meet something, triangles that face
 /// away.
 [[nodiscard]] Finding try_holes(const RandomMaps& maps, const BoundRule& rule = bounded_as_product);
-/// By how much the mesh's own statement of its largest error is exceeded (relative distance).
+/// By how much the mesh's own statement of its largest error is exceeded, relative to the tolerance.
 [[nodiscard]] Finding try_reported_error(const RandomMaps& maps, const BoundRule& rule = bounded_as_product);
 /// Open or repeated edges of maps without holes.
 [[nodiscard]] Finding try_watertight(const RandomMaps& maps, const BoundRule& rule = bounded_as_product);

@@ -69,13 +69,13 @@ TEST(DepthGuards, AMeshThatFillsHolesCoversThem) {
 }
 
 TEST(DepthGuards, AMeshThatSaysNothingOfItsErrorIsCaught) {
-  EXPECT_LE(try_reported_error({.count = 30, .seed = 3, .kind = {.jumps = false}}).error, 1e-7);
+  EXPECT_LE(try_reported_error(few).error, 1e-6);
   const BoundRule silent = [](const DenseSphere& sphere, double tolerance) {
     DepthMesh mesh = build_adaptive_mesh(sphere, tolerance, 1);
     mesh.max_relative_error = 0;
     return mesh;
   };
-  EXPECT_GT(try_reported_error(few, silent).error, 1e-3);
+  EXPECT_GT(try_reported_error(few, silent).error, 0.1);
 }
 
 TEST(DepthGuards, AMeshThatLacksATriangleIsNotWatertight) {
