@@ -121,6 +121,12 @@ void for_each_run(int first, int last, int width, auto visit) {
   }
 }
 
+/// Not inlined: GCC 12 vectorises double -> float -> double into nothing, and the bound would be judged by
+/// corners that the mesh does not have.
+[[gnu::noinline]] Eigen::Vector3f rounded_position_m(const DenseSphere& sphere, int row, int column) {
+  return sphere.position_m(row, column);
+}
+
 }  // namespace
 
 TriangleBound::TriangleBound(const DenseSphere& sphere, double tolerance) : sphere_(sphere) {
@@ -135,7 +141,7 @@ bool TriangleBound::within(const Spread& spread) const {
 }
 
 Eigen::Vector3d TriangleBound::corner_m(const GridVertex& v) const {
-  return sphere_.position_m(v.row, v.column == sphere_.width ? 0 : v.column).cast<double>();
+  return rounded_position_m(sphere_, v.row, v.column == sphere_.width ? 0 : v.column).cast<double>();
 }
 
 bool TriangleBound::holds(const GridTriangle& t) const {

@@ -117,7 +117,7 @@ Finding try_seam_full() {
 }
 
 Finding try_seam_adaptive(double tolerance) {
-  constexpr int width = 64, dense = 128;
+  constexpr int width = 32, dense = 64;
   const DepthMap map = room_map(width);
   const DenseSphere sphere = make_dense_sphere(map, 0, 1, dense);
   double error = 0;
@@ -130,7 +130,7 @@ Finding try_seam_adaptive(double tolerance) {
     lost += check.rays_without_hit;
   }
   return {lost > 0 ? std::nan("") : error,
-          fmt::format("63 turns, {} rays lost, largest error {:.3g}", lost, error)};
+          fmt::format("31 turns, {} rays lost, largest error {:.3g}", lost, error)};
 }
 
 Finding try_direction_table() {
@@ -208,7 +208,7 @@ StabilityCases depth_shape_cases() {
        .run = [](const StabilityOptions&) { return try_seam_full(); }},
       {.group = "depth",
        .name = "seam-adaptive",
-       .tried = "the same, adaptive meshes within 1e-3",
+       .tried = "a room's panorama of 32 px turned by 1 to 31 texels, adaptive meshes within 1e-3",
        .expected = "each within its bound of the panorama that was not turned",
        .unit = "relative",
        .tolerance = 1e-3 * (1 + 1e-3),

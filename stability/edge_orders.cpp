@@ -7,7 +7,7 @@
 namespace seamline {
 namespace {
 
-constexpr int width_px = 96, height_px = 54;
+constexpr int width_px = 80, height_px = 45;
 
 /// A glowing sheet before a darker wall whose slanting edge crosses the picture, moved to the right by a
 /// number of pixels.
@@ -24,7 +24,7 @@ Image sheet_picture(double displacement_px) {
   truth.background = {shape_of({{x - 0.31F, -9, -4}, {x + 0.29F, 9, -4}, {-90, 9, -4}, {-90, -9, -4}},
                                {{0, 1, 2}, {0, 2, 3}}, {.albedo = 0, .emission = 0.5F}),
                       box_shape({-90, -90, -9}, {90, 90, -8}, {.albedo = 0, .emission = 0.3F})};
-  return render_reference(truth, {.spp = 512, .seed = 1, .threads = 1}).radiance;
+  return render_reference(truth, {.spp = 256, .seed = 1, .threads = 1}).radiance;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ OrderSeries misplaced_edge_order(bool below_a_pixel) {
       .reason =
           below_a_pixel
               ? "every pixel on the edge changes in proportion, bent by the display curve and in steps of 1 "
-                "/ 512"
+                "/ 256"
               : "the number of pixels that change grows in proportion; the edge's own pixel counts in part",
       .panel = 3,
       .measure = [below_a_pixel] {

@@ -81,7 +81,7 @@ Finding try_point_comes_back(const LearnRule& rule) {
   const Track track = make_track();
   QuestPlusPosterior posterior = uniform_posterior(track.grid.points());
   const int finest = track.tables.stimuli - 1;
-  for (int trial = 0; trial < 300; ++trial) rule(posterior, track.tables, finest, 1);
+  for (int trial = 0; trial < 1000; ++trial) rule(posterior, track.tables, finest, 1);
   const double seeing = moments(track.grid, posterior, Parameter::threshold).mean;
   for (int trial = 0; trial < 6000; ++trial)
     rule(posterior, track.tables, trial < 3000 ? 0 : finest, trial % 3 == 0 ? 1 : 0);
@@ -205,7 +205,7 @@ StabilityCases quest_plus_cases() {
       one("5000-trials", "5,000 answers of a person on the grid",
           "masses that sum to 1, the person's point among them", "mass", 1e-12, points,
           [] { return try_many_trials(); }),
-      one("point-comes-back", "300 answers of somebody who sees everything, then 6,000 guesses",
+      one("point-comes-back", "1,000 answers of somebody who sees everything, then 6,000 guesses",
           "an estimate that follows", "contradictions", 0, exact_count,
           [] { return try_point_comes_back(); }),
       one("contradictory-answers",

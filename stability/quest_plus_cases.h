@@ -14,8 +14,8 @@ using LearnRule = std::function<void(QuestPlusPosterior& posterior, const QuestP
 /// person's point is lost.
 [[nodiscard]] Finding try_many_trials(const LearnRule& rule = learn);
 
-/// 300 answers of somebody who sees everything, then 6,000 of somebody who guesses: the estimate must follow.
-/// Counts estimates on the wrong side.
+/// 1,000 answers of somebody who sees everything, then 6,000 of somebody who guesses: the estimate must
+/// follow. Counts estimates on the wrong side.
 [[nodiscard]] Finding try_point_comes_back(const LearnRule& rule = learn);
 
 /// Right at the finest map and wrong at the coarsest, 500 times each: counts posteriors that do not sum to 1,

@@ -67,8 +67,8 @@ TruthScene load_in_float(const SceneDefinition& definition, int width_px, int he
 
 TEST(LightGuards, FarScenesInSinglePrecisionAreOtherScenes) {
   const RootNode far_away{.translation_m = {1000000.3, -999999.7, 1000000.1}};
-  EXPECT_TRUE(passes(try_root_node(far_away, 2), 1));
-  EXPECT_FALSE(passes(try_root_node(far_away, 2, load_in_float), 1));
+  EXPECT_TRUE(passes(try_root_node(far_away, 2), 0.1));
+  EXPECT_FALSE(passes(try_root_node(far_away, 2, load_in_float), 0.1));
 }
 
 }  // namespace
