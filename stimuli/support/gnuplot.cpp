@@ -99,14 +99,17 @@ void require_gnuplot() {
 
 void draw_svg(const fs::path& svg, int width_px, int height_px, const std::string& script) {
   const fs::path script_file = fs::path(svg).replace_extension(".gnuplot");
-  const fs::path messages = fs::path(svg).replace_extension(".messages");
+  // Of this process alone: two programs may draw into one folder.
+  const auto passing = [&](const char* what) {
+    return svg.parent_path() / fmt::format(".{}.{}.{}", svg.stem().string(), getpid(), what);
+  };
+  const fs::path messages = passing("messages"), caller = passing("call");
   // Run from the figure's folder, so that the script names no folder and can be moved with the report.
   write_file_atomically(
       script_file,
       fmt::format("set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
                   "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
                   width_px, height_px, svg.filename().string(), script));
-  const fs::path caller = fs::path(svg).replace_extension(".call");
   const Removed at_the_end{{messages, caller}};
   write_file_atomically(svg, [&](const fs::path& temporary) {
     write_file_atomically(

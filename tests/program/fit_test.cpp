@@ -75,7 +75,7 @@ TEST(Fit, WrongInputIsOneSentence) {
     EXPECT_EQ(outcome.status, 1) << outcome.output;
     for (const std::string& part : parts) EXPECT_THAT(outcome.output, HasSubstr(part));
   };
-  complains("no/such.csv --alternatives 3", {"no/such.csv", "readable CSV"});
+  complains("no/such.csv --alternatives 3", {"no/such.csv", "readable file"});
   complains(file_with("header", "x,k,n\n1,2,3\n") + " --alternatives 3", {"line 1", "level,correct,trials"});
   complains(file_with("many", "level,correct,trials\n64,5,4\n") + " --alternatives 3",
             {"line 2", "at most the 4", "5"});

@@ -42,12 +42,11 @@ TEST(Manners, OneFunctionWritesFiles) {
   EXPECT_GT(sources().size(), 200U);
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
-  // name, the lock beside it and the copy that a damaged one is salvaged from; the lock of a set; gnuplot's
-  // messages.
+  // name, and the lock beside it; the lock of a set; gnuplot's messages.
   const std::set<std::string> openers = {"renderer/set_claim.cpp",      "stimuli/support/atomic_file.cpp",
                                          "stimuli/support/gnuplot.cpp", "study/app/frame_times.cpp",
                                          "study/app/trace.cpp",         "study/log_create.cpp",
-                                         "study/log_salvage.cpp",       "study/session_claims.cpp"};
+                                         "study/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
   // A recovered log takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
