@@ -40,7 +40,8 @@ class TableReader {
   }
 
   std::vector<LogRow> read() {
-    if (!scan("")) {
+    whole_ = scan("");
+    if (!whole_) {
       scan(" DESC");
       ask_for_keys_between();
     }
@@ -48,6 +49,8 @@ class TableReader {
     for (auto& [key, row] : rows_) rows.push_back(std::move(row));
     return rows;
   }
+
+  [[nodiscard]] bool whole() const { return whole_; }  ///< no page of it was damaged
 
  private:
   /// From one end until the end or a damaged page; true when the whole table was read.
@@ -116,18 +119,30 @@ class TableReader {
   std::string key_;
   std::map<LogRow, LogRow> rows_;
   std::optional<SQLite::Statement> one_;
+  bool whole_ = false;
 };
 
-SalvagedLog read_all(const fs::path& copy) {
+/// What one way to read a file finds.
+struct Reading {
   SalvagedLog log;
+  bool whole = false;  ///< no table met a damaged page
+};
+
+Reading read_all(const fs::path& copy) {
+  Reading reading;
   try {
     SQLite::Database database(copy.string(), SQLite::OPEN_READWRITE, log_patience_ms);
     database.exec("PRAGMA writable_schema = ON");  // a file that was cut short is read as far as it goes
-    for (const LogTable& table : log_tables()) log[table.name] = TableReader(database, table).read();
+    reading.whole = true;
+    for (const LogTable& table : log_tables()) {
+      TableReader reader(database, table);
+      reading.log[table.name] = reader.read();
+      reading.whole = reading.whole && reader.whole();
+    }
   } catch (const SQLite::Exception&) {
-    // not even its first page can be read
+    reading.whole = false;  // not even its first page can be read
   }
-  return log;
+  return reading;
 }
 
 std::uint32_t big_endian(const std::string& bytes, std::size_t at, int size) {
@@ -216,8 +231,9 @@ SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   for (const bool new_schema : {false, true})
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
-      SalvagedLog log = read_all(copy_of(damaged, scratch, with_ahead, new_schema));
-      if (is_better(log, best)) best = std::move(log);
+      Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));
+      if (is_better(reading.log, best)) best = std::move(reading.log);
+      if (reading.whole) return best;
     }
   return best;
 }

@@ -66,7 +66,7 @@ Tally other_settings_at_once(Lab& lab) {
     tally.lost += verified.status == 0 ? 0 : 1;
     rerun_render(lab, set, tally);
   }
-  tally.note = fmt::format("{} refused", refused);
+  if (tally.tries > 0) tally.note = fmt::format("{} refused", refused);
   return tally;
 }
 
