@@ -34,23 +34,24 @@ bool run_stability(const CommandLine& line) {
     return true;
   }
   if (!line.figure.empty()) require_gnuplot();
-  std::vector<CaseOutcome> outcomes;
-  int failed = 0;
-  for (const StabilityCase& one : cases) {
-    fmt::print(stderr, "stability: {} of {}: {}/{}\n", outcomes.size() + 1, cases.size(), one.group,
-               one.name);
-    outcomes.push_back(run_case(one, line.options));
-    failed += outcomes.back().passed ? 0 : 1;
-    if (line.json || line.markdown) continue;
-    fmt::print("{}", outcome_line(outcomes.back()));
-    std::fflush(stdout);
-  }
+  std::size_t begun = 0, passed = 0;
+  const std::vector<CaseOutcome> outcomes = run_cases(
+      cases, line.options,
+      [&](std::size_t number) {
+        fmt::print(stderr, "stability: {} of {}: {}/{}\n", ++begun, cases.size(), cases[number].group,
+                   cases[number].name);
+      },
+      [&](const CaseOutcome& outcome) {
+        passed += outcome.passed ? 1 : 0;
+        if (line.json || line.markdown) return;
+        fmt::print("{}", outcome_line(outcome));
+        std::fflush(stdout);
+      });
   if (line.json) fmt::print("{}", outcomes_json(outcomes));
   if (line.markdown) fmt::print("{}", outcomes_markdown(outcomes));
-  if (!line.json && !line.markdown)
-    fmt::print("{} of {} cases passed\n", cases.size() - static_cast<std::size_t>(failed), cases.size());
+  if (!line.json && !line.markdown) fmt::print("{} of {} cases passed\n", passed, cases.size());
   if (!line.figure.empty()) draw_orders(order_series(), line.figure);
-  return failed == 0;
+  return passed == cases.size();
 }
 
 }  // namespace

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "renderer/geometry.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/markdown_table.h"
+#include "stimuli/support/parallel.h"
 
 namespace seamline {
 namespace {
@@ -39,6 +42,36 @@ CaseOutcome run_case(const StabilityCase& one, const StabilityOptions& options) 
   outcome.passed = outcome.finding.error <= one.tolerance;  // false for NaN
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
+}
+
+std::vector<CaseOutcome> run_cases(const StabilityCases& cases, const StabilityOptions& options,
+                                   const std::function<void(std::size_t)>& begun,
+                                   const std::function<void(const CaseOutcome&)>& done) {
+  std::vector<std::optional<CaseOutcome>> outcomes(cases.size());
+  std::size_t told = 0;
+  std::mutex mutex;
+  const auto run = [&](std::size_t number, const StabilityOptions& how) {
+    {
+      const std::lock_guard lock(mutex);
+      begun(number);
+    }
+    CaseOutcome outcome = run_case(cases[number], how);
+    const std::lock_guard lock(mutex);
+    outcomes[number] = std::move(outcome);
+    for (; told < outcomes.size() && outcomes[told]; ++told) done(*outcomes[told]);
+  };
+  std::vector<std::size_t> beside;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].slow)
+      run(i, options);
+    else
+      beside.push_back(i);
+  }
+  run_parallel(static_cast<int>(beside.size()), options.threads,
+               [&](int i) { run(beside[static_cast<std::size_t>(i)], {.threads = 1}); });
+  std::vector<CaseOutcome> all;
+  for (std::optional<CaseOutcome>& outcome : outcomes) all.push_back(std::move(outcome.value()));
+  return all;
 }
 
 std::string outcome_line(const CaseOutcome& outcome) {

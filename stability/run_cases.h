@@ -18,6 +18,13 @@ struct CaseOutcome {
 /// `Interrupted` is thrown on.
 [[nodiscard]] CaseOutcome run_case(const StabilityCase& one, const StabilityOptions& options);
 
+/// Runs cases, those that need much memory one after the other with all threads, the rest side by side with
+/// one thread each. `begun` is called before each (number of the case), `done` with the outcomes in the
+/// cases' order; neither by two threads at a time.
+[[nodiscard]] std::vector<CaseOutcome> run_cases(const StabilityCases& cases, const StabilityOptions& options,
+                                                 const std::function<void(std::size_t)>& begun,
+                                                 const std::function<void(const CaseOutcome&)>& done);
+
 /// One line for a terminal.
 [[nodiscard]] std::string outcome_line(const CaseOutcome& outcome);
 /// `seamline stability --json`: format, version, and an entry a case.

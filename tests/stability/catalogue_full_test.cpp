@@ -9,10 +9,10 @@ namespace seamline {
 namespace {
 
 TEST(WholeCatalogue, Passes) {
-  for (const StabilityCase& one : stability_catalogue()) {
-    const CaseOutcome outcome = run_case(one, {.threads = default_thread_count()});
-    EXPECT_TRUE(outcome.passed) << outcome_line(outcome);
-  }
+  const auto outcomes = run_cases(
+      stability_catalogue(), {.threads = default_thread_count()}, [](std::size_t) {},
+      [](const CaseOutcome& outcome) { EXPECT_TRUE(outcome.passed) << outcome_line(outcome); });
+  EXPECT_EQ(outcomes.size(), stability_catalogue().size());
 }
 
 }  // namespace
