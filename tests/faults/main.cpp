@@ -28,13 +28,13 @@ bool good(const Tally& tally) {
 }
 
 void print_damage(Lab& lab) {
-  fmt::print("\n{:<20} {:>6} {:>8} {:>10} {:>9} {:>10} {:>8} {:>8}\n", "damaged log", "tries", "refused",
-             "unnoticed", "answers", "recovered", "changed", "nothing");
+  fmt::print("\n{:<20} {:>6} {:>8} {:>10} {:>9} {:>10} {:>8} {:>8} {:>8}\n", "damaged log", "tries",
+             "refused", "unnoticed", "answers", "recovered", "no code", "changed", "nothing");
   for (const char* how : {"bit flipped", "page lost", "cut short"}) {
     const Damage damage = damage_log(lab, how);
-    fmt::print("{:<20} {:>6} {:>8} {:>10} {:>9} {:>10} {:>8} {:>8}\n", damage.what, damage.tries,
-               damage.refused, damage.unnoticed, damage.answers, damage.recovered, damage.changed,
-               damage.nothing_recovered);
+    fmt::print("{:<20} {:>6} {:>8} {:>10} {:>9} {:>10} {:>8} {:>8} {:>8}\n", damage.what, damage.tries,
+               damage.refused, damage.unnoticed, damage.answers, damage.recovered, damage.without_code,
+               damage.changed, damage.nothing_recovered);
     std::fflush(stdout);
   }
 }
