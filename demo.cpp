@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "analysis/commands/analyze.h"
 #include "renderer/render_set.h"
@@ -19,12 +20,12 @@ namespace {
 constexpr int demo_observers = 20;
 
 /// Study file -> stimuli -> sessions -> log -> thresholds -> report.
-void run_demo(const std::filesystem::path& out) {
+void run_demo(const std::filesystem::path& out, std::optional<int> spp) {
   const auto start = std::chrono::steady_clock::now();
   const StudyDefinition study = read_study(builtin_study("quick"));
   fmt::print("1/3 stimuli: {} into {}\n", study.file.string(), (out / "set").string());
   std::fflush(stdout);
-  render_set(study, {.set_folder = out / "set", .contact_sheet = true});
+  render_set(study, {.set_folder = out / "set", .spp = spp, .contact_sheet = true});
 
   const std::filesystem::path log = out / "log.sqlite";
   for (const char* suffix : {"", "-wal", "-shm", "-lock"})
@@ -46,10 +47,13 @@ void run_demo(const std::filesystem::path& out) {
 
 void add_demo_command(CLI::App& app) {
   auto out = std::make_shared<std::string>("out/demo");
+  auto spp = std::make_shared<std::optional<int>>();
   CLI::App* demo =
       app.add_subcommand("demo", "the whole chain, small: stimuli, simulated observers, thresholds, report");
   demo->add_option("--out", *out, "folder of everything the demo makes")->capture_default_str();
-  demo->callback([out] { run_demo(*out); });
+  demo->add_option("--spp", *spp, "samples a pixel, instead of the study's: fewer are faster and noisier")
+      ->check(CLI::Range(1, 1 << 16));
+  demo->callback([out, spp] { run_demo(*out, *spp); });
 }
 
 }  // namespace seamline

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   const fs::path folder = test::fresh_folder("demo");
-  const test::Outcome outcome = test::run_seamline("demo --out " + (folder / "out").string());
+  const test::Outcome outcome = test::run_seamline("demo --spp 2 --out " + (folder / "out").string());
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const fs::path report = folder / "out" / "report" / "report.html";
   EXPECT_THAT(outcome.output, HasSubstr(report.string()));
