@@ -1,6 +1,8 @@
 // One composite at a wanted error: fast beside path, the background given.
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "renderer/bench.h"
 #include "renderer/convergence_runs.h"
 #include "renderer/estimator.h"
@@ -61,7 +63,7 @@ GivenBackground given_background(PathRun reference) {
 struct Reached {
   std::string how;  ///< e.g. "path, 64 samples"
   double seconds = 0;
-  double relative_rmse = 0;
+  double relative_rmse = std::numeric_limits<double>::infinity();  ///< before the first attempt
 
   [[nodiscard]] bool wanted() const { return relative_rmse <= wanted_relative_rmse; }
   [[nodiscard]] std::string text() const {
