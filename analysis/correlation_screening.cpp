@@ -1,9 +1,10 @@
 #include "analysis/correlation_screening.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "analysis/distributions.h"
 
 namespace seamline {
 
@@ -70,7 +71,7 @@ double pearson_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 double critical_correlation(int count, double probability) {
   if (count < 3) return 1;
-  const double t = boost::math::quantile(boost::math::students_t(count - 2), 1 - probability);
+  const double t = student_quantile(count - 2, 1 - probability);
   return t / std::sqrt(count - 2 + t * t);
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "analysis/curve_replicates.h"
+#include "analysis/distributions.h"
 #include "analysis/interval.h"
 
 namespace seamline {
@@ -95,8 +95,7 @@ bool right_above_chance(const GuessTrials& trials, const CellRange& range, const
   }
   if (beyond.size() < 2) return !beyond.empty() && beyond.front() > 0;
   const CellMean mean = mean_over_participants(beyond);
-  return mean.mean >
-         mean.sem * boost::math::quantile(boost::math::students_t(static_cast<double>(mean.n - 1)), 0.99);
+  return mean.mean > mean.sem * student_quantile(static_cast<double>(mean.n - 1), 0.99);
 }
 
 CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores,

@@ -1,20 +1,16 @@
 #include "analysis/interval.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
+
+#include "analysis/distributions.h"
 
 namespace seamline {
 
 namespace {
 
 constexpr int isotonic_steps_per_gap = 128;
-
-double student_quantile(int people) {
-  return boost::math::quantile(boost::math::students_t(people - 1), 0.975);
-}
 
 /// By how much the curve at one width is above (`over`) or below (`under`) the level, beyond what the test
 /// allows. Positive: excluded.
@@ -100,7 +96,7 @@ WidthInterval invert_level_test(double level, const std::vector<double>& log2_px
                                 int steps_per_gap,
                                 const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
   assert(people >= 2 && !log2_px.empty());
-  const double critical = student_quantile(people);
+  const double critical = student_quantile(people - 1, 0.975);
   std::vector<Excess> tests;
   for (std::size_t left = 0; left < log2_px.size(); ++left) {
     const int steps = left + 1 < log2_px.size() ? steps_per_gap : 1;
@@ -119,8 +115,7 @@ WidthInterval invert_level_test(double level, const std::vector<double>& log2_px
 TailLevels expanded_levels(int people) {
   if (people < 2) return {.low = 0, .high = 1};
   const double n = people;
-  const double low =
-      boost::math::cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * student_quantile(people));
+  const double low = normal_below(-std::sqrt(n / (n - 1)) * student_quantile(people - 1, 0.975));
   return {.low = low, .high = 1 - low};
 }
 

@@ -1,18 +1,15 @@
 #include "analysis/opinion_score.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "analysis/distributions.h"
 
 namespace seamline {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double t_quantile(double degrees_of_freedom) {
-  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 0.975);
-}
 
 /// Mean and variance (n - 1) of the scores of everybody but `without` (-1: of everybody).
 struct Moments {
@@ -53,8 +50,9 @@ std::vector<OpinionScore> opinion_scores(const Eigen::MatrixXd& score) {
   std::vector<OpinionScore> scores;
   for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus) {
     const Moments moments = moments_of(score.col(stimulus), -1);
-    const double half =
-        moments.n > 1 ? t_quantile(moments.n - 1) * std::sqrt(moments.variance / moments.n) : nan;
+    const double half = moments.n > 1
+                            ? student_quantile(moments.n - 1, 0.975) * std::sqrt(moments.variance / moments.n)
+                            : nan;
     scores.push_back({.n = static_cast<int>(moments.n),
                       .mean = moments.mean,
                       .sd = std::sqrt(moments.variance),
@@ -74,7 +72,7 @@ SosParameter sos_parameter(const Eigen::MatrixXd& score, const RatingScale& scal
     without.push_back(fit_sos(score, scale, person).a);
   for (double a : without) sum += a / n;
   for (double a : without) squares += (a - sum) * (a - sum);
-  const double half = t_quantile(n - 1) * std::sqrt((n - 1) / n * squares);
+  const double half = student_quantile(n - 1, 0.975) * std::sqrt((n - 1) / n * squares);
   sos.ci95_low = sos.a - half;
   sos.ci95_high = sos.a + half;
   return sos;

@@ -18,14 +18,19 @@ bool has_warning(const FitReport& report, const std::string& part) {
 
 }  // namespace
 
-std::vector<LevelCounts> counts_at_widths(std::int64_t trials,
-                                          const std::function<double(double width_px)>& share) {
+std::vector<LevelCounts> counts_at(const std::vector<double>& levels, std::int64_t trials,
+                                   const std::function<double(double level)>& share) {
   std::vector<LevelCounts> counts;
-  for (double width_px = 64; width_px <= 4096; width_px *= 2)
-    counts.push_back({.level = width_px,
-                      .correct = std::llround(static_cast<double>(trials) * share(width_px)),
+  for (const double level : levels)
+    counts.push_back({.level = level,
+                      .correct = std::llround(static_cast<double>(trials) * share(level)),
                       .trials = trials});
   return counts;
+}
+
+std::vector<LevelCounts> counts_at_widths(std::int64_t trials,
+                                          const std::function<double(double width_px)>& share) {
+  return counts_at({64, 128, 256, 512, 1024, 2048, 4096}, trials, share);
 }
 
 FitOptions falling_choice_of_three() {

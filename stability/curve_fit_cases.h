@@ -8,7 +8,10 @@
 
 namespace seamline {
 
-/// Counts at the seven widths of the paper, 64 to 4096 px, right with the share that is given, rounded.
+/// Counts at some levels, `trials` each, right with the share that is given, rounded.
+[[nodiscard]] std::vector<LevelCounts> counts_at(const std::vector<double>& levels, std::int64_t trials,
+                                                 const std::function<double(double level)>& share);
+/// The same at the seven widths of the paper, 64 to 4096 px.
 [[nodiscard]] std::vector<LevelCounts> counts_at_widths(std::int64_t trials,
                                                         const std::function<double(double width_px)>& share);
 /// Three alternatives, performance that falls with width.

@@ -84,28 +84,18 @@ Finding try_extreme_probabilities() {
 }
 
 StabilityCases interval_cases() {
-  const auto counted = [](const std::string& name, const std::string& tried, const std::string& expected,
-                          Finding (*attempt)()) {
-    return StabilityCase{.group = "statistics",
-                         .name = name,
-                         .tried = tried,
-                         .expected = expected,
-                         .unit = "contradictions",
-                         .tolerance = 0,
-                         .reason = exact_count,
-                         .run = [attempt](const StabilityOptions&) { return attempt(); }};
-  };
   return {
-      counted("singular-information", "a perfect step, whose likelihood has no curvature in the threshold",
-              "an interval over all of 256 to 512 px, and a variance that is not a number to trust",
-              [] { return try_singular_information(); }),
-      counted("maximum-at-bound",
-              "counts without lapses: the likelihood is highest at the bound 0 of the lapse rate",
-              "a finite interval that holds 500 px", [] { return try_maximum_at_bound(); }),
-      counted("degenerate-resamples",
-              "two answers a level, bootstrapped: steps and flat lines among the resamples",
-              "no replicate dropped, an end open where many have no threshold",
-              [] { return try_degenerate_resamples(); }),
+      counted_case("statistics", "singular-information",
+                   "a perfect step, whose likelihood has no curvature in the threshold",
+                   "an interval over all of 256 to 512 px, and a variance that is not a number to trust",
+                   [] { return try_singular_information(); }),
+      counted_case("statistics", "maximum-at-bound",
+                   "counts without lapses: the likelihood is highest at the bound 0 of the lapse rate",
+                   "a finite interval that holds 500 px", [] { return try_maximum_at_bound(); }),
+      counted_case("statistics", "degenerate-resamples",
+                   "two answers a level, bootstrapped: steps and flat lines among the resamples",
+                   "no replicate dropped, an end open where many have no threshold",
+                   [] { return try_degenerate_resamples(); }),
       {.group = "statistics",
        .name = "extreme-probabilities",
        .tried =

@@ -206,21 +206,10 @@ Finding try_identical_people() {
 }
 
 StabilityCases rating_cases() {
-  const auto counted = [](const std::string& name, const std::string& tried, const std::string& expected,
-                          Finding (*attempt)()) {
-    return StabilityCase{.group = "statistics",
-                         .name = name,
-                         .tried = tried,
-                         .expected = expected,
-                         .unit = "contradictions",
-                         .tolerance = 0,
-                         .reason = exact_count,
-                         .run = [attempt](const StabilityOptions&) { return attempt(); }};
-  };
   return {
-      counted("one-participant", "one person's answers",
-              "means, but no standard error, open intervals, no model of differences between people",
-              try_one_participant),
+      counted_case("statistics", "one-participant", "one person's answers",
+                   "means, but no standard error, open intervals, no model of differences between people",
+                   try_one_participant),
       {.group = "statistics",
        .name = "10000-participants",
        .tried = "10,000 simulated people with a planted PT",
@@ -229,14 +218,16 @@ StabilityCases rating_cases() {
        .tolerance = 4,
        .reason = "a right estimate is farther off with one seed in 16,000",
        .run = [](const StabilityOptions& options) { return try_ten_thousand_participants(options.threads); }},
-      counted("constant-ratings", "20 people who rate everything 0, 2 or 4",
-              "no threshold and a reason, spread 0, nobody screened", try_constant_ratings),
-      counted("ordinal-separation",
-              "scores that a predictor separates, wholly and in part; constant scores; one answer less than "
-              "separated",
-              "no numbers in the first three, numbers in the last", [] { return try_separation(); }),
-      counted("ordinal-singular-design", "a predictor that is a copy, a constant, or a sum of others",
-              "called singular, no numbers", [] { return try_singular_design(); }),
+      counted_case("statistics", "constant-ratings", "20 people who rate everything 0, 2 or 4",
+                   "no threshold and a reason, spread 0, nobody screened", try_constant_ratings),
+      counted_case(
+          "statistics", "ordinal-separation",
+          "scores that a predictor separates, wholly and in part; constant scores; one answer less than "
+          "separated",
+          "no numbers in the first three, numbers in the last", [] { return try_separation(); }),
+      counted_case("statistics", "ordinal-singular-design",
+                   "a predictor that is a copy, a constant, or a sum of others",
+                   "called singular, no numbers", [] { return try_singular_design(); }),
       {.group = "statistics",
        .name = "ordinal-units",
        .tried = "a predictor given as 1e6 + 1e-4 x",
@@ -245,11 +236,12 @@ StabilityCases rating_cases() {
        .tolerance = 1e-5,
        .reason = "x itself keeps 1e-4 / (1e6 x 1.1e-16) = 1e6 parts: 1e-6; ten times that",
        .run = [](const StabilityOptions&) { return try_units(); }},
-      counted("stiff-curves", "mean curves that are constant (twice), straight, a step, rising; and an S",
-              "an inflection point in the last alone, and a reason", try_stiff_curves),
-      counted("identical-people",
-              "12 people who answer exactly alike, so that leaving one out changes nothing",
-              "an interval around the estimate", try_identical_people),
+      counted_case("statistics", "stiff-curves",
+                   "mean curves that are constant (twice), straight, a step, rising; and an S",
+                   "an inflection point in the last alone, and a reason", try_stiff_curves),
+      counted_case("statistics", "identical-people",
+                   "12 people who answer exactly alike, so that leaving one out changes nothing",
+                   "an interval around the estimate", try_identical_people),
   };
 }
 

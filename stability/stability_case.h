@@ -35,4 +35,18 @@ using StabilityCases = std::vector<StabilityCase>;
 /// What is said of cases that count what must not happen at all.
 inline const std::string exact_count = "a count of what must not happen";
 
+/// A case that counts contradictions between what was found and what must come out: none is tolerated.
+[[nodiscard]] inline StabilityCase counted_case(const std::string& group, const std::string& name,
+                                                const std::string& tried, const std::string& expected,
+                                                Finding (*attempt)()) {
+  return {.group = group,
+          .name = name,
+          .tried = tried,
+          .expected = expected,
+          .unit = "contradictions",
+          .tolerance = 0,
+          .reason = exact_count,
+          .run = [attempt](const StabilityOptions&) { return attempt(); }};
+}
+
 }  // namespace seamline

@@ -4,11 +4,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <numeric>
 
+#include "analysis/distributions.h"
 #include "analysis/ordinal/max_t.h"
 
 namespace seamline {
@@ -36,10 +35,10 @@ void write_joint_test(const Eigen::VectorXd& t, const Eigen::MatrixXd& correlati
   table.joint_contrasts = rank;
   const double df = table.degrees_of_freedom;
   if (std::isinf(df)) {
-    table.joint_p = cdf(complement(boost::math::chi_squared(rank), statistic));
+    table.joint_p = chi_squared_above(rank, statistic);
   } else if (df - rank + 1 >= 1) {
     const double f = statistic * (df - rank + 1) / (df * rank);
-    table.joint_p = cdf(complement(boost::math::fisher_f(rank, df - rank + 1), f));
+    table.joint_p = fisher_above(rank, df - rank + 1, f);
   }
 }
 

@@ -1,9 +1,8 @@
 #include "analysis/ordinal/fixed_likelihood.h"
 
-#include <boost/math/distributions/logistic.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <vector>
 
+#include "analysis/distributions.h"
 #include "analysis/ordinal/row_terms.h"
 #include "stimuli/support/parallel.h"
 
@@ -67,8 +66,7 @@ Eigen::VectorXd null_parameters(const OrdinalProblem& problem, Link link) {
   for (int cut = 0; cut < problem.cuts(); ++cut) {
     below += count[static_cast<std::size_t>(cut)];
     const double share = below / static_cast<double>(problem.rows());
-    parameters[cut] = link == Link::logit ? boost::math::quantile(boost::math::logistic(), share)
-                                          : boost::math::quantile(boost::math::normal(), share);
+    parameters[cut] = link == Link::logit ? logistic_quantile(share) : normal_quantile(share);
   }
   return parameters;
 }

@@ -2,20 +2,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 
+#include "analysis/distributions.h"
+
 namespace seamline {
 
 namespace {
-
-using boost::math::complement;
 
 constexpr int lattice_points = 16384;
 constexpr int shares = 256;  ///< of the sphere, that one tail is computed for
@@ -51,14 +47,13 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
   const Eigen::MatrixXd root = root_of(correlation);
   dimension_ = root.cols();
   const std::vector<double> generators = lattice_generators(dimension_);
-  const boost::math::normal normal;
   std::vector<double> all(lattice_points);
   Eigen::VectorXd direction(dimension_);
   for (int point = 0; point < lattice_points; ++point) {
     for (Eigen::Index d = 0; d < dimension_; ++d) {
       const double turn = (point + 0.5) * generators[static_cast<std::size_t>(d)] + 0.5;
       const double place = turn - std::floor(turn);
-      direction[d] = boost::math::quantile(normal, std::clamp(place, 1e-12, 1 - 1e-12));
+      direction[d] = normal_quantile(std::clamp(place, 1e-12, 1 - 1e-12));
     }
     const double length = direction.norm();
     all[static_cast<std::size_t>(point)] = length > 0 ? (root * direction).cwiseAbs().maxCoeff() / length : 0;
@@ -81,8 +76,8 @@ double MaxAbsT::tail(double t) const {
     const double squared = (t / reach) * (t / reach);
     if (!std::isfinite(squared)) continue;
     sum += std::isinf(degrees_of_freedom_)
-               ? cdf(complement(boost::math::chi_squared(dimension), squared))
-               : cdf(complement(boost::math::fisher_f(dimension, degrees_of_freedom_), squared / dimension));
+               ? chi_squared_above(dimension, squared)
+               : fisher_above(dimension, degrees_of_freedom_, squared / dimension);
   }
   const double one = two_sided_tail(t, degrees_of_freedom_);
   return std::clamp(sum / shares, one, std::min(1.0, one * static_cast<double>(count_)));
@@ -103,15 +98,12 @@ double MaxAbsT::critical(double probability) const {
 double two_sided_tail(double t, double degrees_of_freedom) {
   if (std::isnan(t)) return t;
   const double size = std::abs(t);
-  return 2 * (std::isinf(degrees_of_freedom)
-                  ? cdf(complement(boost::math::normal(), size))
-                  : cdf(complement(boost::math::students_t(degrees_of_freedom), size)));
+  return 2 * (std::isinf(degrees_of_freedom) ? normal_above(size) : student_above(degrees_of_freedom, size));
 }
 
 double two_sided_critical(double probability, double degrees_of_freedom) {
-  return std::isinf(degrees_of_freedom)
-             ? quantile(complement(boost::math::normal(), probability / 2))
-             : quantile(complement(boost::math::students_t(degrees_of_freedom), probability / 2));
+  return std::isinf(degrees_of_freedom) ? normal_with_above(probability / 2)
+                                        : student_with_above(degrees_of_freedom, probability / 2);
 }
 
 }  // namespace seamline

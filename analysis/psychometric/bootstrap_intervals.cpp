@@ -1,9 +1,9 @@
 #include "analysis/psychometric/bootstrap_intervals.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "analysis/distributions.h"
 #include "analysis/psychometric/goodness.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 
@@ -103,11 +103,10 @@ Interval bca(std::vector<double> replicates, double estimate, double a) {
   const auto upper = std::upper_bound(replicates.begin(), replicates.end(), estimate);
   const double below =
       static_cast<double>(lower - replicates.begin()) + 0.5 * static_cast<double>(upper - lower);
-  const boost::math::normal normal;
-  const double z0 = boost::math::quantile(normal, std::clamp(below / n, 0.5 / n, 1 - 0.5 / n));
+  const double z0 = normal_quantile(std::clamp(below / n, 0.5 / n, 1 - 0.5 / n));
   const auto share = [&](double z) {
     const double shifted = z0 + z;
-    return boost::math::cdf(normal, z0 + shifted / std::max(1e-3, 1 - a * shifted));
+    return normal_below(z0 + shifted / std::max(1e-3, 1 - a * shifted));
   };
   return {.low = order_statistic(replicates, share(-z_95)), .high = order_statistic(replicates, share(z_95))};
 }

@@ -1,11 +1,11 @@
 #include "analysis/psychometric/pooled_fit.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "analysis/distributions.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {
@@ -117,8 +117,7 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
   pooled.fit = fit_psychometric(sums(choices), options);
   if (pooled.fit.levels.size() >= 2) {
     pooled.design_effect = design_effect(choices, pooled.fit);
-    const double t = boost::math::quantile(
-        boost::math::students_t(static_cast<double>(choices.correct.rows() - 1)), 0.975);
+    const double t = student_quantile(static_cast<double>(choices.correct.rows() - 1), 0.975);
     pooled.threshold_ci95 = threshold_interval(pooled.fit, pooled.design_effect * t * t);
   }
   pooled.verdict = verdict_on(pooled.fit, pooled.threshold_ci95, "px");

@@ -2,9 +2,9 @@
 // `analysis_full_tests --gtest_filter=PsychometricCoverage.*` to make it again.
 #include <gtest/gtest.h>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cstdio>
 
+#include "analysis/distributions.h"
 #include "tests/analysis/psychometric_people.h"
 
 namespace seamline {
@@ -29,7 +29,7 @@ struct Tally {
 /// Returns the coverage of the interval over participants, and prints it beside the plain ones.
 double measure(const char* name, const testing::Group& group) {
   const double planted_px = testing::planted_threshold_px(group);
-  const double t = boost::math::quantile(boost::math::students_t(group.people - 1), 0.975);
+  const double t = student_quantile(group.people - 1, 0.975);
   Tally people, plain, wald;
   double design_effect = 0;
   int steps = 0;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "analysis/psychometric/fit_report.h"
+#include "stability/curve_fit_cases.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/random.h"
 
@@ -17,47 +18,18 @@ using Kind = Verdict::Kind;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-const std::vector<double> widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
-
-/// Counts at the seven widths, `trials` each, right with the share that `share` gives, rounded.
-std::vector<LevelCounts> counts_at(const std::vector<double>& levels, std::int64_t trials,
-                                   const std::function<double(double)>& share) {
-  std::vector<LevelCounts> counts;
-  for (double level : levels)
-    counts.push_back({.level = level,
-                      .correct = std::llround(static_cast<double>(trials) * share(level)),
-                      .trials = trials});
-  return counts;
-}
-
-FitOptions falling_3afc() {
-  FitOptions options = options_for_alternatives(3);
-  options.direction = Direction::decreasing;
-  return options;
-}
-
 FitReport report_of(const std::vector<LevelCounts>& counts, const FitOptions& options, int replicates = 200) {
   return make_fit_report(counts, options, {.deviance_replicates = replicates, .unit = "px"});
 }
 
-PsychometricFunction planted(double lapse, double scale = 0.8) {
-  return {.sigmoid = Sigmoid::normal,
-          .axis = Axis::log2,
-          .direction = Direction::decreasing,
-          .threshold = 500,
-          .scale = scale,
-          .guess = 1.0 / 3,
-          .lapse = lapse};
-}
-
 TEST(PsychometricStiff, AllRightIsABoundWhenTheDirectionIsGiven) {
-  const auto counts = counts_at(widths_px, 60, [](double) { return 1.0; });
-  const FitReport report = report_of(counts, falling_3afc());
+  const auto counts = counts_at_widths(60, [](double) { return 1.0; });
+  const FitReport report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::above);
   EXPECT_EQ(report.verdict.text, "above 4096 px");
   EXPECT_EQ(report.threshold_ci95.high, INFINITY);
 
-  FitOptions rising = falling_3afc();
+  FitOptions rising = falling_choice_of_three();
   rising.direction = Direction::increasing;
   EXPECT_EQ(report_of(counts, rising).verdict.text, "below 64 px");
 
@@ -68,9 +40,9 @@ TEST(PsychometricStiff, AllRightIsABoundWhenTheDirectionIsGiven) {
 }
 
 TEST(PsychometricStiff, AllChanceIsNotIdentified) {
-  const auto counts = counts_at(widths_px, 60, [](double) { return 1.0 / 3; });
+  const auto counts = counts_at_widths(60, [](double) { return 1.0 / 3; });
   for (bool direction_given : {true, false}) {
-    FitOptions options = falling_3afc();
+    FitOptions options = falling_choice_of_three();
     if (!direction_given) options.direction.reset();
     const FitReport report = report_of(counts, options);
     EXPECT_EQ(report.verdict.text, "not identified: every level at chance");
@@ -79,15 +51,17 @@ TEST(PsychometricStiff, AllChanceIsNotIdentified) {
 }
 
 TEST(PsychometricStiff, FlatBetweenChanceAndCeilingAndBelowChanceAreNotIdentified) {
-  EXPECT_THAT(report_of(counts_at(widths_px, 60, [](double) { return 0.7; }), falling_3afc()).verdict.text,
-              HasSubstr("does not change with level"));
-  EXPECT_THAT(report_of(counts_at(widths_px, 60, [](double) { return 0.1; }), falling_3afc()).verdict.text,
-              HasSubstr("below chance"));
+  EXPECT_THAT(
+      report_of(counts_at_widths(60, [](double) { return 0.7; }), falling_choice_of_three()).verdict.text,
+      HasSubstr("does not change with level"));
+  EXPECT_THAT(
+      report_of(counts_at_widths(60, [](double) { return 0.1; }), falling_choice_of_three()).verdict.text,
+      HasSubstr("below chance"));
 }
 
 TEST(PsychometricStiff, PerfectStepIsAnIntervalOfLevels) {
-  const auto counts = counts_at(widths_px, 60, [](double px) { return px < 300 ? 1.0 : 1.0 / 3; });
-  const FitReport report = report_of(counts, falling_3afc());
+  const auto counts = counts_at_widths(60, [](double px) { return px < 300 ? 1.0 : 1.0 / 3; });
+  const FitReport report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::between);
   EXPECT_EQ(report.verdict.text, "between 256 and 512 px");
   EXPECT_NEAR(report.threshold_ci95.low, 256, 1);
@@ -99,18 +73,18 @@ TEST(PsychometricStiff, PerfectStepIsAnIntervalOfLevels) {
 }
 
 TEST(PsychometricStiff, StepThroughALevelIsTheIntervalBetweenItsNeighbours) {
-  const auto counts = counts_at(widths_px, 60, [](double px) {
+  const auto counts = counts_at_widths(60, [](double px) {
     return px < 200 ? 1.0 : px < 300 ? 0.7 : 1.0 / 3;
   });
-  const FitReport report = report_of(counts, falling_3afc());
+  const FitReport report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::between);
   EXPECT_EQ(report.verdict.text, "between 128 and 512 px");
 }
 
 TEST(PsychometricStiff, OneLevelAndNoTrials) {
-  EXPECT_EQ(report_of({{.level = 64, .correct = 20, .trials = 30}}, falling_3afc()).verdict.text,
+  EXPECT_EQ(report_of({{.level = 64, .correct = 20, .trials = 30}}, falling_choice_of_three()).verdict.text,
             "not identified: one level tested");
-  const FitReport report = report_of({{.level = 64}, {.level = 128}}, falling_3afc());
+  const FitReport report = report_of({{.level = 64}, {.level = 128}}, falling_choice_of_three());
   EXPECT_EQ(report.verdict.text, "not identified: no trials");
   EXPECT_FALSE(fit_json(report).empty());
 }
@@ -120,9 +94,9 @@ TEST(PsychometricStiff, TwoLevels) {
   // warning.
   const FitReport separated =
       report_of({{.level = 64, .correct = 60, .trials = 60}, {.level = 4096, .correct = 20, .trials = 60}},
-                falling_3afc());
+                falling_choice_of_three());
   EXPECT_EQ(separated.verdict.text, "between 64 and 4096 px");
-  FitOptions options = falling_3afc();
+  FitOptions options = falling_choice_of_three();
   options.lapse = fixed_rate(0);
   const FitReport rise = report_of(
       {{.level = 256, .correct = 180, .trials = 200}, {.level = 1024, .correct = 100, .trials = 200}},
@@ -133,8 +107,8 @@ TEST(PsychometricStiff, TwoLevels) {
 }
 
 TEST(PsychometricStiff, OneTrialALevel) {
-  std::vector<LevelCounts> counts = counts_at(widths_px, 1, [](double px) { return px < 300 ? 1.0 : 0.0; });
-  const FitReport few = report_of(counts, falling_3afc());
+  std::vector<LevelCounts> counts = counts_at_widths(1, [](double px) { return px < 300 ? 1.0 : 0.0; });
+  const FitReport few = report_of(counts, falling_choice_of_three());
   // A step between 256 and 512 by its looks; seven answers do not say so.
   EXPECT_EQ(few.verdict.kind, Kind::between);
   EXPECT_LT(few.verdict.range.low, 150);
@@ -147,22 +121,24 @@ TEST(PsychometricStiff, OneTrialALevel) {
   Random random(7);
   for (int i = 0; i < 400; ++i) {
     const double px = 32 * std::exp2(8.0 * i / 399);
-    counts.push_back(
-        {.level = px, .correct = random.binomial(1, response_probability(planted(0.02), px)), .trials = 1});
+    counts.push_back({.level = px,
+                      .correct = random.binomial(1, response_probability(planted_function(0.02), px)),
+                      .trials = 1});
   }
-  const FitReport many = report_of(counts, falling_3afc(), 0);
+  const FitReport many = report_of(counts, falling_choice_of_three(), 0);
   EXPECT_LE(many.threshold_ci95.low, 500);
   EXPECT_GE(many.threshold_ci95.high, 500);
   EXPECT_TRUE(std::isfinite(many.threshold_ci95.high));
 }
 
 TEST(PsychometricStiff, RowsWithoutTrialsChangeNothing) {
-  auto counts = counts_at(widths_px, 60, [](double px) { return response_probability(planted(0.02), px); });
-  const double threshold = fit_psychometric(counts, falling_3afc()).function.threshold;
+  auto counts =
+      counts_at_widths(60, [](double px) { return response_probability(planted_function(0.02), px); });
+  const double threshold = fit_psychometric(counts, falling_choice_of_three()).function.threshold;
   counts.insert(counts.begin() + 3, {.level = 300});
   counts.insert(counts.begin() + 4, {.level = 301});
   counts.push_back({.level = 1e6});
-  const FitReport report = report_of(counts, falling_3afc());
+  const FitReport report = report_of(counts, falling_choice_of_three());
   EXPECT_DOUBLE_EQ(report.fit.function.threshold, threshold);
   EXPECT_THAT(report.warnings, Contains(HasSubstr("3 rows without a trial")));
 }
@@ -170,7 +146,7 @@ TEST(PsychometricStiff, RowsWithoutTrialsChangeNothing) {
 TEST(PsychometricStiff, NonMonotoneDataAreAMisfitWithEvidence) {
   const std::vector<LevelCounts> counts = {{64, 58, 60},   {128, 30, 60},  {256, 57, 60}, {512, 25, 60},
                                            {1024, 48, 60}, {2048, 20, 60}, {4096, 22, 60}};
-  const FitReport report = report_of(counts, falling_3afc(), 999);
+  const FitReport report = report_of(counts, falling_choice_of_three(), 999);
   EXPECT_LT(report.deviance_p, 0.01);
   EXPECT_THAT(report.warnings,
               Contains(::testing::AllOf(HasSubstr("misfit: deviance"), HasSubstr("not monotone"))));
@@ -179,8 +155,8 @@ TEST(PsychometricStiff, NonMonotoneDataAreAMisfitWithEvidence) {
 
 TEST(PsychometricStiff, AMillionTrialsALevel) {
   const auto counts =
-      counts_at(widths_px, 1'000'000, [](double px) { return response_probability(planted(0.02), px); });
-  const FitReport report = report_of(counts, falling_3afc());
+      counts_at_widths(1'000'000, [](double px) { return response_probability(planted_function(0.02), px); });
+  const FitReport report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::identified);
   EXPECT_NEAR(report.fit.function.threshold, 500, 0.01);
   EXPECT_NEAR(report.fit.function.scale, 0.8, 1e-5);
@@ -219,11 +195,11 @@ TEST(PsychometricStiff, LevelsFromAMillionthToAMillion) {
 
 TEST(PsychometricStiff, LapseOfAFifthHitsTheCapAndIsFoundWithAWiderOne) {
   const auto counts =
-      counts_at(widths_px, 2000, [](double px) { return response_probability(planted(0.2), px); });
-  const FitReport capped = report_of(counts, falling_3afc());
+      counts_at_widths(2000, [](double px) { return response_probability(planted_function(0.2), px); });
+  const FitReport capped = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(capped.fit.function.lapse, 0.1);
   EXPECT_THAT(capped.warnings, Contains(HasSubstr("lapse rate is at its bound of 0.1")));
-  FitOptions wider = falling_3afc();
+  FitOptions wider = falling_choice_of_three();
   wider.lapse = free_rate(0.5);
   const FitReport found = report_of(counts, wider);
   EXPECT_NEAR(found.fit.function.lapse, 0.2, 1e-3);
@@ -233,10 +209,11 @@ TEST(PsychometricStiff, LapseOfAFifthHitsTheCapAndIsFoundWithAWiderOne) {
 }
 
 TEST(PsychometricStiff, AThresholdBeyondTheLevelsIsABoundOrAWarning) {
-  PsychometricFunction far = planted(0);
+  PsychometricFunction far = planted_function(0);
   far.threshold = 20000;
-  const FitReport report = report_of(
-      counts_at(widths_px, 60, [&](double px) { return response_probability(far, px); }), falling_3afc());
+  const FitReport report =
+      report_of(counts_at_widths(60, [&](double px) { return response_probability(far, px); }),
+                falling_choice_of_three());
   EXPECT_NE(report.verdict.kind, Kind::between);
   if (report.verdict.kind == Kind::identified) {
     EXPECT_THAT(report.warnings, Contains(HasSubstr("extrapolated")));
@@ -246,11 +223,13 @@ TEST(PsychometricStiff, AThresholdBeyondTheLevelsIsABoundOrAWarning) {
 }
 
 TEST(PsychometricStiff, WrongInputIsASentence) {
-  EXPECT_THROW((void)fit_psychometric({{.level = 0, .correct = 1, .trials = 2}}, falling_3afc()), InputError);
-  EXPECT_THROW((void)fit_psychometric({{.level = 1, .correct = 3, .trials = 2}}, falling_3afc()), InputError);
-  EXPECT_THROW((void)fit_psychometric({{.level = NAN, .correct = 1, .trials = 2}}, falling_3afc()),
+  EXPECT_THROW((void)fit_psychometric({{.level = 0, .correct = 1, .trials = 2}}, falling_choice_of_three()),
                InputError);
-  FitOptions options = falling_3afc();
+  EXPECT_THROW((void)fit_psychometric({{.level = 1, .correct = 3, .trials = 2}}, falling_choice_of_three()),
+               InputError);
+  EXPECT_THROW((void)fit_psychometric({{.level = NAN, .correct = 1, .trials = 2}}, falling_choice_of_three()),
+               InputError);
+  FitOptions options = falling_choice_of_three();
   options.lapse = fixed_rate(0.7);
   EXPECT_THROW((void)fit_psychometric({{.level = 1, .correct = 1, .trials = 2}}, options), InputError);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 
 #include "lab.h"
 
@@ -30,14 +31,25 @@ std::uint64_t position(int at, int count, std::uintmax_t end) {
   return static_cast<std::uint64_t>(share * share * static_cast<double>(end));
 }
 
-/// What every try asks of a run that had no room: it says so, and what it leaves is whole.
-void check_set(Lab& lab, Tally& tally, const fs::path& set, const Ending& ending, const std::string& what) {
+/// Tries `count` positions up to `end`.
+void sweep(int count, std::uintmax_t end, const std::function<void(std::uint64_t bytes)>& attempt) {
+  for (int at = 0; at < count; ++at) attempt(position(at, count, end));
+}
+
+std::string at_most(const std::string& command, std::uint64_t bytes) {
+  return fmt::format("{}, files of at most {} bytes", command, bytes);
+}
+
+/// What every try asks of a run that had no room for the files of a set or report: it says so, and what it
+/// leaves is whole.
+void check_files(Lab& lab, Tally& tally, const fs::path& folder, const Files& undisturbed,
+                 const Ending& ending, const std::string& what) {
   ++tally.tries;
   if (ending.status != 0) lab.refuses(what, ending);
-  const Files left = files_of(set);
+  const Files left = files_of(folder);
   tally.committed += static_cast<std::int64_t>(left.size());
-  tally.lost += files_not_in(left, lab.set_files);
-  if (leftovers(set) > 0) lab.complaints.push_back(what + ": temporary files were left behind");
+  tally.lost += files_not_in(left, undisturbed);
+  if (leftovers(folder) > 0) lab.complaints.push_back(what + ": temporary files were left behind");
 }
 
 void check_log(Lab& lab, Tally& tally, const fs::path& log, const Ending& ending, const std::string& what) {
@@ -76,52 +88,38 @@ constexpr std::uint64_t page_bytes = 4096;
 
 Tally limit_render(Lab& lab) {
   Tally tally{.fault = "file size limit, render"};
-  const int count = lab.tries(1, 20);
-  const std::uintmax_t end = largest(lab.set_files) + 2048;
-  for (int at = 0; at < count; ++at) {
-    const fs::path set = lab.folder / "limited-set";
+  const fs::path set = lab.folder / "limited-set";
+  sweep(lab.tries(1, 20), largest(lab.set_files) + 2048, [&](std::uint64_t bytes) {
     fs::remove_all(set);
-    const std::uint64_t bytes = position(at, count, end);
     const Ending ending = run(lab.render_command(set), {.file_limit_bytes = bytes});
-    check_set(lab, tally, set, ending, fmt::format("render, files of at most {} bytes", bytes));
+    check_files(lab, tally, set, lab.set_files, ending, at_most("render", bytes));
     rerun_render(lab, set, tally);
-  }
+  });
   return tally;
 }
 
 Tally limit_study(Lab& lab) {
   Tally tally{.fault = "file size limit, study --observer"};
-  const int count = lab.tries(2, 50);
-  const std::uintmax_t end = 3 * fs::file_size(lab.log);  // the write-ahead log grows beyond the log
-  for (int at = 0; at < count; ++at) {
-    const fs::path log = lab.folder / "limited.sqlite";
+  const fs::path log = lab.folder / "limited.sqlite";
+  // The write-ahead log grows beyond the log.
+  sweep(lab.tries(2, 50), 3 * fs::file_size(lab.log), [&](std::uint64_t bytes) {
     remove_log(log);
-    const std::uint64_t bytes = position(at, count, end);
     const Ending ending = run(lab.study_command(log), {.file_limit_bytes = bytes});
-    check_log(lab, tally, log, ending, fmt::format("study, files of at most {} bytes", bytes));
+    check_log(lab, tally, log, ending, at_most("study", bytes));
     rerun_study(lab, log, tally);
-  }
+  });
   return tally;
 }
 
 Tally limit_analyze(Lab& lab) {
   Tally tally{.fault = "file size limit, analyze"};
-  const int count = lab.tries(0, 20);
-  const std::uintmax_t end = largest(lab.report_files) + 4096;
-  for (int at = 0; at < count; ++at) {
-    const fs::path report = lab.folder / "limited-report";
+  const fs::path report = lab.folder / "limited-report";
+  sweep(lab.tries(0, 20), largest(lab.report_files) + 4096, [&](std::uint64_t bytes) {
     fs::remove_all(report);
-    const std::uint64_t bytes = position(at, count, end);
     const Ending ending = run(lab.analyze_command(lab.log, report), {.file_limit_bytes = bytes});
-    const std::string what = fmt::format("analyze, files of at most {} bytes", bytes);
-    ++tally.tries;
-    if (ending.status != 0) lab.refuses(what, ending);
-    const Files left = files_of(report);
-    tally.committed += static_cast<std::int64_t>(left.size());
-    tally.lost += files_not_in(left, lab.report_files);
-    if (leftovers(report) > 0) lab.complaints.push_back(what + ": temporary files were left behind");
+    check_files(lab, tally, report, lab.report_files, ending, at_most("analyze", bytes));
     rerun_analyze(lab, report, tally);
-  }
+  });
   return tally;
 }
 
@@ -137,7 +135,8 @@ Tally small_disk(Lab& lab) {
       return tally;
     }
     const Ending rendering = run(lab.render_command(place / "set"));
-    check_set(lab, tally, place / "set", rendering, fmt::format("render on a disk of {} bytes", set_bytes));
+    check_files(lab, tally, place / "set", lab.set_files, rendering,
+                fmt::format("render on a disk of {} bytes", set_bytes));
     for_set.grow();
     rerun_render(lab, place / "set", tally);
   }

@@ -30,8 +30,8 @@ Light sun_sky_bounce() {
 /// A floor, a wall and an occluder with an object before them.
 TruthScene courtyard(const Light& light) {
   test::SceneParts parts;
-  parts.background = {test::floor(-1, 30), test::box({-4, -1, -9}, {4, 2, -8}, 0.5F, 0, "wall"),
-                      test::box({1, -1, -5}, {1.6F, 1.5F, -4.4F}, 0.5F, 0, "post")};
+  parts.background = {test::floor(-1, 30), test::box({-4, -1, -9}, {4, 2, -8}, 0.5F),
+                      test::box({1, -1, -5}, {1.6F, 1.5F, -4.4F}, 0.5F)};
   parts.objects[0] = {test::sphere({0.2F, -0.3F, -5.5F}, 0.7F, 48, 0.5F, 1)};
   parts.objects[1] = {test::sphere({-1.8F, -0.5F, -5.0F}, 0.5F, 24, 0.5F, 2)};
   return scene_of(std::move(parts), light, 96, 54);
@@ -96,7 +96,7 @@ TEST(Composite, RatioIsExactlyOneOutsideTheShadowWithSunOnly) {
 
 TEST(Composite, RatioIsExactlyOneEverywhereForAnObjectInASealedRoom) {
   TruthScene scene = courtyard(sun_sky_bounce());
-  scene.background.push_back(test::box({20, -1, -20}, {24, 3, -16}, 0.5F, 0, "cell"));
+  scene.background.push_back(test::box({20, -1, -20}, {24, 3, -16}, 0.5F));
   scene.objects[0] = {test::sphere({22, 0, -18}, 0.7F, 32, 0.5F, 1)};
   const ObjectGeometry geometry = object_geometry(scene, 1);
   const TruthLayers truth = render_truth(scene, geometry, {.spp = 8, .threads = 2});
@@ -179,7 +179,7 @@ TEST(Composite, ShadowStimulusDiffersOnTheObjectOnlyAndOverlapOffItOnly) {
 TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
   // Inside a convex box nothing hides anything: no sheets, so the mesh converges to the room.
   test::SceneParts parts;
-  parts.background = {test::box({-3, -1.2F, -6}, {3.2F, 2.3F, 3}, 0.5F, 0, "room")};
+  parts.background = {test::box({-3, -1.2F, -6}, {3.2F, 2.3F, 3}, 0.5F)};
   parts.objects[0] = {test::sphere({-1.2F, -0.4F, -5.0F}, 0.5F, 48, 0.5F, 1),
                       test::box({-1.3F, -1.2F, -5.1F}, {-1.1F, -0.6F, -4.9F}, 0.5F, 1)};
   Light light;
@@ -189,7 +189,7 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
   // `receiver`.
   light.suns.push_back({Eigen::Vector3f(1.0F, 0.5F, 0.55F).normalized(), Rgb::Constant(6.0F), 0.0F});
   TruthScene scene = scene_of(std::move(parts), light, 160, 90);
-  scene.background = {test::box({-3, -1.2F, -6}, {3.2F, 2.3F, 3}, 0.5F, 0, "room")};
+  scene.background = {test::box({-3, -1.2F, -6}, {3.2F, 2.3F, 3}, 0.5F)};
   // Open the room towards the sun: leave out the ceiling and the right wall.
   auto open = std::make_shared<Part>(*scene.background[0]);
   std::erase_if(open->triangles, [&](const Triangle& t) {
@@ -215,78 +215,6 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
     EXPECT_LT(difference, last) << width_px;
     last = difference;
   }
-}
-
-TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
-  StimulusLayers layers{.width_px = 3, .height_px = 1, .spp = 2};
-  for (auto& half : layers.halves) half.resize(3);
-  layers.depth_lights_rest = true;
-  // Three surfaces that have nothing in common, so that no pocket borrows from another.
-  layers.guides = {
-      {Eigen::Vector3f(0, 1, 0), 1.0F}, {Eigen::Vector3f(1, 0, 0), 1.0F}, {Eigen::Vector3f(0, 0, 1), 1.0F}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    StimulusSums& pixel = layers.halves[0][i];
-    pixel.rest = 2;
-    pixel.background = Rgb::Constant(2.0F);
-    pixel.no = pixel.with = Rgb::Constant(2.0F);
-  }
-  layers.halves[0][1].no = Rgb::Zero();  // sealed pocket: no light at all, but the object brings some
-  layers.halves[0][1].with = Rgb::Constant(1e-3F);
-  layers.halves[0][2].no = Rgb::Constant(0.1F);  // brightened far beyond the clamp
-  layers.halves[0][2].with = Rgb::Constant(5.0F);
-  layers.halves[0][2].background = Rgb::Constant(0.2F);  // as dark in the photograph: believed
-  const Composite composite = compose(layers);
-  EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);
-  EXPECT_EQ(composite.ratio.at(1, 0), 1.0F);
-  EXPECT_EQ(composite.ratio.at(2, 0), 4.0F);
-  EXPECT_EQ(composite.tiny_denominators.floored_pixels, 1);
-  EXPECT_EQ(composite.tiny_denominators.clamped_pixels, 1);
-  for (const float value : composite.picture.values) EXPECT_TRUE(std::isfinite(value));
-}
-
-TEST(Composite, PocketsThatFewPathsFindGetTheirNeighboursRatioAndNoSpecks) {
-  // A dark strip of depth mesh before a bright photograph: one path in 16 finds light, and the object takes a
-  // third of those.
-  StimulusLayers layers{.width_px = 32, .height_px = 32, .spp = 16};
-  layers.depth_lights_rest = true;
-  for (auto& half : layers.halves) half.resize(32 * 32);
-  layers.guides.resize(32 * 32, {Eigen::Vector3f(0, 0, 1), 2.0F});
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x) {
-      StimulusSums& pixel = layers.halves[0][static_cast<std::size_t>(y * 32 + x)];
-      const bool pocket = x >= 24;
-      const int number = y * 8 + x;
-      pixel.rest = 16;
-      pixel.background = Rgb::Constant(pocket ? 1.0F : 16.0F);
-      pixel.no = Rgb::Constant(pocket ? (number % 2 == 0 ? 1.0F : 0.0F) : 16.0F);
-      pixel.with = pocket && number % 6 == 0 ? Rgb::Zero() : pixel.no;
-    }
-  const Composite composite = compose(layers);
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 24; ++x) EXPECT_EQ(composite.ratio.at(x, y), 1.0F);
-  for (int y = 6; y < 26; ++y)
-    for (int x = 24; x < 32; ++x) EXPECT_NEAR(composite.ratio.at(x, y), 2.0 / 3, 0.2) << x << " " << y;
-}
-
-TEST(Composite, WellsThatTheDepthMeshSealsDoNotTurnBlack) {
-  // A bright photograph; in the last pixel the depth mesh receives 1 % of the usual light, all of it past the
-  // object.
-  StimulusLayers layers{.width_px = 5, .height_px = 1, .spp = 2};
-  layers.depth_lights_rest = true;
-  for (auto& half : layers.halves) half.resize(5);
-  layers.guides.resize(5, {Eigen::Vector3f(0, 0, 1), 2.0F});
-  for (std::size_t i = 0; i < 5; ++i) {
-    StimulusSums& pixel = layers.halves[0][i];
-    pixel.rest = 2;
-    pixel.background = Rgb::Constant(2.0F);
-    pixel.no = Rgb::Constant(i == 4 ? 0.02F : 2.0F);
-    pixel.with = i == 4 ? Rgb::Zero() : Rgb::Constant(i == 3 ? 0.4F : 2.0F);
-  }
-  const Composite composite = compose(layers);
-  EXPECT_EQ(composite.ratio.at(0, 0), 1.0F);
-  EXPECT_NEAR(composite.ratio.at(3, 0), 0.2, 1e-6);  // a shadow stays a shadow
-  EXPECT_NEAR(composite.ratio.at(4, 0), 0.9, 1e-6);
-  EXPECT_EQ(composite.tiny_denominators.sealed_pixels, 1);
 }
 
 }  // namespace

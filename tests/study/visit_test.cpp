@@ -2,58 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "scripted_person.h"
+#include "small_visit.h"
 
 namespace seamline {
 namespace {
-
-constexpr std::int64_t second = ScriptedPerson::second;
-
-VisitPlan plan() {
-  return {.form = default_form(),
-          .instruction_pages = 2,
-          .training = {{TrialKind::stimulus, 3}, {TrialKind::stimulus, 5}},
-          .training_right = {1, 2},
-          .pace = {.break_every_trials = 3, .minimum_viewing_ns = second / 2, .inter_trial_ns = second / 2}};
-}
-
-std::shared_ptr<const VisitPlan> shared(const VisitPlan& plan) {
-  return std::make_shared<const VisitPlan>(plan);
-}
-
-TrialSequence trials(int count, int answered = 0) {
-  ConstantProcedure procedure{.order = {}, .answered = answered};
-  for (int i = 0; i < count; ++i) procedure.order.push_back(10 + i);
-  return {.procedure = procedure};
-}
-
-template <class Wanted>
-bool on(const Visit& visit) {
-  return std::holds_alternative<Wanted>(visit.screen);
-}
-
-Visit after(Visit visit, const std::vector<VisitEvent>& events) {
-  for (const VisitEvent& event : events) visit = next(std::move(visit), event);
-  return visit;
-}
-
-/// Stores whatever is pending, without a log.
-Visit stored(Visit visit, int trial_count = 7) {
-  while (visit.pending)
-    visit = std::holds_alternative<ConsentRecord>(*visit.pending)
-                ? next(std::move(visit), Enrolled{trials(trial_count)})
-                : next(std::move(visit), RecordStored{});
-  return visit;
-}
-
-/// A sensible person until the screen is the wanted one.
-template <class Wanted>
-Visit until(Visit visit, ScriptedPerson person = ScriptedPerson(1)) {
-  for (int i = 0; i < 10000 && !on<Wanted>(visit); ++i)
-    visit = stored(next(std::move(visit), person.act(visit)));
-  EXPECT_TRUE(on<Wanted>(visit));
-  return visit;
-}
 
 TEST(Visit, GoesFromConsentToThanks) {
   std::vector<std::size_t> screens;
@@ -277,81 +229,6 @@ TEST(Visit, EmptyPartsArePassedOver) {
   visit = stored(next(visit, DisplayConfirmed{}));
   EXPECT_TRUE(on<ReadyScreen>(visit));
   EXPECT_TRUE(on<ThanksScreen>(until<ThanksScreen>(visit)));
-}
-
-VisitEvent random_event(Random& random, std::int64_t now_ns) {
-  const int number = static_cast<int>(random.below(6)) - 1;
-  switch (random.below(15)) {
-    case 0:
-      return ConsentGiven{};
-    case 1:
-      return FormSubmitted{random.below(2) == 0 ? ScriptedPerson::form() : std::vector<FormAnswer>{}};
-    case 2:
-      return DisplayConfirmed{};
-    case 3:
-    case 4:
-      return Continued{};
-    case 5:
-      return WentBack{};
-    case 6:
-      return PauseBegun{};
-    case 7:
-      return Enrolled{trials(9)};
-    case 8:
-      return Event(Tick{now_ns});
-    case 9:
-      return Event(ImageShown{now_ns});
-    case 10:
-      return Event(ObjectChosen{.index = number, .now_ns = now_ns});
-    case 11:
-      return Event(RatingGiven{.rating = number, .now_ns = now_ns});
-    case 12:
-      return Event(AnswerStored{});
-    case 13:
-      return Event(BreakEnded{});
-    default:
-      return RecordStored{};
-  }
-}
-
-/// Whatever is hammered: every record comes once and in order, no trial is skipped or doubled, and the screen
-/// stays while a record waits.
-TEST(Visit, LawsHoldUnderRandomEvents) {
-  Random random(77);
-  for (int run = 0; run < 100; ++run) {
-    Visit visit = begin_visit(shared(plan()));
-    int answers = 0, practice = 0;
-    std::vector<int> others(std::variant_size_v<Record>, 0);
-    int waiting = -1;  // the kind of record that was pending before the event
-    std::int64_t now_ns = 0;
-    for (int i = 0; !is_over(visit); ++i) {
-      ASSERT_LT(i, 200000);
-      now_ns += second / 3;
-      const Screen before = visit.screen;
-      visit = next(std::move(visit), random_event(random, now_ns));
-      if (!visit.pending) {
-        waiting = -1;
-        continue;
-      }
-      const int kind = static_cast<int>(visit.pending->index());
-      if (waiting == kind) {
-        ASSERT_EQ(visit.screen.index(), before.index());
-        continue;
-      }
-      waiting = kind;
-      ++others[static_cast<std::size_t>(kind)];
-      if (const auto* answer = std::get_if<AnswerRecord>(&*visit.pending)) {
-        ASSERT_EQ(answer->answer.trial_index, answers++);
-      }
-      if (const auto* training = std::get_if<TrainingRecord>(&*visit.pending)) {
-        ASSERT_EQ(training->answer.trial_index, practice++);
-      }
-    }
-    EXPECT_TRUE(on<ThanksScreen>(visit));
-    EXPECT_EQ(answers, 9);
-    EXPECT_EQ(practice, 2);
-    EXPECT_EQ(others, (std::vector<int>{0, 1, 1, 1, 2, 9, 1}));
-  }
 }
 
 }  // namespace

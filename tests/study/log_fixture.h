@@ -1,0 +1,50 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include "stimuli/support/error.h"
+#include "study/catch_plan.h"
+#include "study/log.h"
+#include "study/log_writer.h"
+#include "study/plan.h"
+#include "temporary_set.h"
+
+namespace seamline {
+
+/// The sentence of the InputError that `work` throws; empty when it throws none.
+template <class Work>
+std::string complaint_of(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+class LogTest : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+  StudySet set = write_set(folder / "set");
+  std::filesystem::path path = folder / "log.sqlite";
+
+  [[nodiscard]] std::vector<int> order(int slot) const {
+    return plan_order(static_cast<int>(set.manifest.stimuli.size()),
+                      {.study_seed = set.study.seed, .slot = slot});
+  }
+  [[nodiscard]] std::vector<PlannedTrial> plan(int slot) const { return interleave(order(slot), {}); }
+  OpenSession enter(LogWriter& log, const Enrolment& enrolment, int answers) const {
+    OpenSession session = log.open_session(enrolment);
+    if (session.planned.empty()) log.plan_trials(session, plan(session.slot));
+    for (int i = 0; i < answers; ++i) log.append_answer(session, answer(session.answered));
+    return session;
+  }
+  [[nodiscard]] static TrialAnswer answer(int trial_index) {
+    return {.trial_index = trial_index,
+            .chosen_index = 1 + trial_index % 3,
+            .rating = 1 + trial_index % 4,
+            .choice_ns = 1000 + trial_index,
+            .rating_ns = 3000000000LL + trial_index};
+  }
+};
+
+}  // namespace seamline

@@ -1,0 +1,53 @@
+#pragma once
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include "scripted_person.h"
+#include "stimuli/support/error.h"
+#include "study/visit_store.h"
+#include "temporary_set.h"
+
+namespace seamline {
+
+inline constexpr const char* own_consent = "[consent]\ntext = \"Our own text.\"\n";
+
+inline std::string people_text(const std::string& more = "", const std::string& session = "") {
+  std::string text = study_text("tiny", "64");
+  text.insert(text.find("break_every"), session);
+  return text + own_consent + "[catch]\nattention = 1\nreference = 1\n" + more;
+}
+
+class VisitStoreTest : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+  StudySet set = write_set_of_text(folder / "set", people_text());
+  std::filesystem::path path = folder / "log.sqlite";
+
+  /// Goes on until the wanted number of answers is stored, or the end.
+  static Visit run(VisitStore& store, Visit visit, ScriptedPerson& person, int answers = 1000) {
+    for (int i = 0; i < 10000 && !is_over(visit); ++i) {
+      if (answered_trials(visit.session.trials) >= answers && on<TrialScreen>(visit)) break;
+      visit = store.step(std::move(visit), person.act(visit));
+    }
+    return visit;
+  }
+  template <class Wanted>
+  static bool on(const Visit& visit) {
+    return std::holds_alternative<Wanted>(visit.screen);
+  }
+  static std::string complaint(const StudySet& set, const std::filesystem::path& log,
+                               const Visitor& visitor) {
+    try {
+      const VisitStore store(set, log, visitor);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+  [[nodiscard]] int count(const std::string& sql) const {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+    return database.execAndGet(sql).getInt();
+  }
+};
+
+}  // namespace seamline
