@@ -1,6 +1,6 @@
 #include "analysis/adaptive_log.h"
 
-#include <limits>
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -27,7 +27,6 @@ void set_aside_adaptive(Analysis& analysis) {
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
     give_reason(analysis.thresholds.back().estimates, "widths were placed by the answers");
   }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }
 

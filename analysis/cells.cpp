@@ -14,7 +14,7 @@ namespace seamline {
 namespace {
 
 /// Sum over answers, so that repeats of one stimulus become one value.
-struct Tally {
+struct AnswerTally {
   double noticeability = 0;
   double correct = 0;
   int answers = 0;
@@ -28,7 +28,7 @@ struct ObjectKey {
   auto operator<=>(const ObjectKey&) const = default;
 };
 
-using PersonTallies = std::map<int, Tally>;                                 // person -> answers
+using PersonTallies = std::map<int, AnswerTally>;                           // person -> answers
 using ObjectTallies = std::map<ObjectKey, std::map<int, PersonTallies>>;    // object -> width -> person
 using PersonMeans = std::map<int, std::vector<std::pair<double, double>>>;  // person -> objects' means
 
@@ -47,7 +47,7 @@ ObjectTallies tally_answers(const LogContents& log, const std::vector<Participan
                          .found = "'" + answer.participant + "'"});
     if (people[static_cast<std::size_t>(found->second)].use != Use::used) continue;
     const ObjectKey key{answer.artifact, answer.scene, answer.object_index, answer.object};
-    Tally& tally = tallies[key][answer.depth_width_px][found->second];
+    AnswerTally& tally = tallies[key][answer.depth_width_px][found->second];
     tally.noticeability += answer.noticeability();
     tally.correct += answer.correct() ? 1 : 0;
     ++tally.answers;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/distributions.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean over everybody but one, of those who have a score.
 Eigen::VectorXd mean_of_others(const Eigen::MatrixXd& score, Eigen::Index person) {
@@ -44,7 +42,7 @@ int pairs(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 }
 
 bool varies(const Eigen::VectorXd& values) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinity, high = -low;
   for (double value : values)
     if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
   return high - low > 1e-12;

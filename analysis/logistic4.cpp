@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "analysis/falling_logistic.h"
+
 namespace seamline {
 
 namespace {
@@ -17,13 +19,7 @@ constexpr double margin_octaves = 2;  ///< how far outside the tested widths cen
 constexpr double edge_share = 1.02;   ///< a scale within 2 % of its bound lies at the bound
 constexpr double flat_norm =
     1e-6;  ///< a logistic that varies less than this over the widths explains nothing
-constexpr int polish_steps = 60;
-constexpr double smallest_move = 1e-7;  ///< octaves and log scale
 constexpr std::size_t polished_starts = 3;
-
-double falling_logistic(double z) {
-  return 1 / (1 + std::exp(z));
-}
 
 /// A logistic of given centre and scale with its likeliest asymptotes, and what the next step needs of it.
 struct Projection {
@@ -172,7 +168,7 @@ double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorX
   Eigen::Matrix4d curvature;
   Eigen::Vector4d gradient;
   bool stale = true;  // the normal equations are not those of `best`
-  for (int step = 0; step < polish_steps && damping < 1e8; ++step) {
+  for (int step = 0; step < LogisticPolish::most_steps && damping < 1e8; ++step) {
     if (stale) accumulate(best, log2_px_, means, curvature, gradient);
     Eigen::Matrix4d damped = curvature;
     damped.diagonal() += damping * (curvature.diagonal().array() + 1e-9).matrix();
@@ -190,7 +186,7 @@ double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorX
                          std::abs(std::log(tried.curve.scale_octaves / best.curve.scale_octaves));
     std::swap(best, tried);
     damping = std::max(damping / 8, 1e-12);
-    if (moved < smallest_move) break;
+    if (moved < LogisticPolish::smallest_move) break;
   }
   curve = best.curve;
   return best.residual_sum_of_squares;

@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "analysis/falling_logistic.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -11,12 +13,6 @@ namespace {
 
 constexpr double grid_step_octaves = 0.5;
 constexpr double grid_step_log_scale = 0.5;
-constexpr int polish_steps = 60;
-constexpr double smallest_move = 1e-7;
-
-double falling_logistic(double z) {
-  return 1 / (1 + std::exp(z));
-}
 
 /// Where the curve goes: through the level at a width.
 struct Constraint {
@@ -29,7 +25,7 @@ struct Shape {
 };
 
 struct Tried {
-  double fall = 0, residual = std::numeric_limits<double>::infinity();
+  double fall = 0, residual = infinity;
 };
 
 Tried try_shape(const Shape& shape, const Constraint& through, const std::vector<double>& log2_px,
@@ -73,7 +69,7 @@ Tried polish(Shape& shape, const Constraint& through, const std::vector<double>&
              const Eigen::VectorXd& means, const LogisticBox& box) {
   Tried best = try_shape(shape, through, log2_px, means);
   double damping = 1e-3;
-  for (int step = 0; step < polish_steps && damping < 1e8; ++step) {
+  for (int step = 0; step < LogisticPolish::most_steps && damping < 1e8; ++step) {
     const Eigen::Vector3d move = damped_step(shape, best.fall, through, log2_px, means, damping);
     const Shape moved{.centre = std::clamp(shape.centre + move[1], box.lowest_centre, box.highest_centre),
                       .log_scale = std::clamp(shape.log_scale + std::clamp(move[2], -1.0, 1.0),
@@ -88,7 +84,7 @@ Tried polish(Shape& shape, const Constraint& through, const std::vector<double>&
     shape = moved;
     best = tried;
     damping = std::max(damping / 8, 1e-12);
-    if (distance < smallest_move) break;
+    if (distance < LogisticPolish::smallest_move) break;
   }
   return best;
 }
@@ -96,7 +92,7 @@ Tried polish(Shape& shape, const Constraint& through, const std::vector<double>&
 Shape best_of_grid(const Constraint& through, const std::vector<double>& log2_px,
                    const Eigen::VectorXd& means, const LogisticBox& box) {
   Shape best{.centre = box.lowest_centre, .log_scale = std::log(box.smallest_scale)};
-  double residual = std::numeric_limits<double>::infinity();
+  double residual = infinity;
   for (double centre = box.lowest_centre; centre <= box.highest_centre; centre += grid_step_octaves)
     for (double log_scale = std::log(box.smallest_scale); log_scale <= std::log(box.largest_scale);
          log_scale += grid_step_log_scale) {

@@ -1,15 +1,13 @@
 #include "analysis/opinion_score.h"
 
 #include <cmath>
-#include <limits>
 
 #include "analysis/distributions.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean and variance (n - 1) of the scores of everybody but `without` (-1: of everybody).
 struct Moments {

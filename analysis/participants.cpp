@@ -1,14 +1,13 @@
 #include "analysis/participants.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Use use_of(const ParticipantRecord& record, bool include_pilot) {
   if (record.excluded) return Use::excluded;

@@ -1,16 +1,16 @@
 #include "analysis/response_times.h"
 
-#include <limits>
 #include <map>
 #include <set>
 
 #include "analysis/interval.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
-struct Tally {
+struct TimeTally {
   std::set<std::string> people;
   std::vector<double> choice_s, rating_s;
 };
@@ -33,7 +33,6 @@ std::string_view word(TimedAnswers answers) {
 }
 
 Quartiles quartiles(std::vector<double> values) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {.lower_s = nan, .median_s = nan, .upper_s = nan};
   const double lower = quantile(values, 0.25), median = quantile(values, 0.5);
   return {.lower_s = lower, .median_s = median, .upper_s = quantile(values, 0.75)};
@@ -43,13 +42,13 @@ ResponseTimes response_times(const Analysis& analysis) {
   std::set<std::string> timed;
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used && !person.record.simulated) timed.insert(person.record.code);
-  std::map<Key, Tally> tallies;
+  std::map<Key, TimeTally> tallies;
   for (const Answer& answer : analysis.log.answers) {
     if (!timed.contains(answer.participant)) continue;
     for (int artifact : {-1, static_cast<int>(answer.artifact)})
       for (TimedAnswers which :
            {TimedAnswers::all, answer.correct() ? TimedAnswers::right : TimedAnswers::wrong}) {
-        Tally& tally = tallies[{artifact, answer.depth_width_px, which}];
+        TimeTally& tally = tallies[{artifact, answer.depth_width_px, which}];
         tally.people.insert(answer.participant);
         tally.choice_s.push_back(static_cast<double>(answer.choice_ns) * 1e-9);
         tally.rating_s.push_back(static_cast<double>(answer.rating_ns - answer.choice_ns) * 1e-9);

@@ -2,7 +2,8 @@
 add_library(seamline_warnings INTERFACE)
 target_compile_options(seamline_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
-  -Wno-restrict  # GCC 12 sees overlaps in std::string that are not there (GCC bug 105651)
+  # GCC 12 sees overlaps and overflows in std::string and std::map that are not there (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized>
   $<$<BOOL:${SEAMLINE_WERROR}>:-Werror>)
 
 # Same input, same bits: no fused multiply-add unless the source says so, no unsafe algebra.
@@ -16,32 +17,14 @@ if(SEAMLINE_COVERAGE)
   add_link_options(--coverage)
 endif()
 
-# What most files include, compiled once a target: half of the time to build. Every file names its own includes all the
-# same; SEAMLINE_PRECOMPILE=OFF shows whether it does.
-option(SEAMLINE_PRECOMPILE "Compile the headers that most files include once, and commands together" ON)
-function(seamline_precompile name)
-  if(SEAMLINE_PRECOMPILE)
-    target_precompile_headers(${name} PRIVATE
-      <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <variant> <vector>
-      <Eigen/Dense> ${ARGN})
-  endif()
-  # The same bug of GCC 12, with a std::map's values too; and it forgets that precompiled headers are the system's.
-  target_compile_options(${name} PRIVATE
-    -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized)
-endfunction()
+# The files of a folder are compiled ten at a time, as one: their headers and templates are most of the time to build.
+# Every file stands alone all the same; CMAKE_UNITY_BUILD=OFF shows it, and rebuilds less after a change.
+set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder ten at a time")
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
 
 # One library a folder. The repository root is the include root, so an include names its folder: "stimuli/manifest.h".
 function(seamline_library name)
   add_library(${name} STATIC ${ARGN})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE seamline_warnings)
-  seamline_precompile(${name})
-endfunction()
-
-# The command line's library takes 13 s of every file that includes it: a library's commands are compiled as one file.
-function(seamline_commands name)
-  if(SEAMLINE_PRECOMPILE)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP commands)
-  endif()
 endfunction()

@@ -19,7 +19,7 @@ namespace seamline {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 InputError bad(const fs::path& path, const std::string& field, const std::string& wanted,
                const std::string& found) {

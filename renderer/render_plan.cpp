@@ -13,10 +13,10 @@ constexpr const char* no_change = "none";
 constexpr const char* noise_only = "within the estimated errors (no bias)";
 
 /// Decides for one scene.
-class Planner {
+class ScenePlanner {
  public:
-  Planner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
-          const RenderSettings& settings)
+  ScenePlanner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
+               const RenderSettings& settings)
       : study_(study), scene_(scene), light_(light), settings_(settings) {
     limit_ = needed_bounces(light, scene.exposure_ev, settings.error);
     plan_ = {.scene = scene.name, .light = light, .bounces = light.bounces};
@@ -182,7 +182,7 @@ RenderPlan render_plan(const StudyDefinition& study, const std::map<std::string,
   RenderPlan plan{.settings = settings, .isolation = study.isolation, .scenes = {}};
   for (const SceneDefinition& scene : study.scenes)
     if (const auto light = lights.find(scene.name); light != lights.end())
-      plan.scenes.push_back(Planner(study, scene, light->second, settings).plan());
+      plan.scenes.push_back(ScenePlanner(study, scene, light->second, settings).plan());
   return plan;
 }
 

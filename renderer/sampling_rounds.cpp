@@ -23,9 +23,9 @@ struct Step {
   }
 };
 
-class Planner {
+class RoundPlanner {
  public:
-  Planner(const std::vector<TileState>& tiles, double image_square, const ErrorTarget& target)
+  RoundPlanner(const std::vector<TileState>& tiles, double image_square, const ErrorTarget& target)
       : tiles_(tiles),
         target_square_(target.rmse * target.rmse),
         square_(target.rmse * target.rmse - rounding_square),
@@ -87,7 +87,7 @@ class Planner {
 
 std::vector<int> next_samples(const std::vector<TileState>& tiles, double image_square,
                               const ErrorTarget& target) {
-  return Planner(tiles, image_square, target).plan();
+  return RoundPlanner(tiles, image_square, target).plan();
 }
 
 }  // namespace seamline

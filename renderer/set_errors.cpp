@@ -10,7 +10,7 @@
 namespace seamline {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 struct Piece {
   double seconds = 0;

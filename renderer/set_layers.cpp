@@ -46,7 +46,7 @@ bool has_layers(const fs::path& set_folder, const Stimulus& stimulus, const std:
 }
 
 void write_layers(const LayerTarget& target, const TruthScene& scene, const Geometry* depth,
-                  const StimulusParts& parts) {
+                  const LayerSources& parts) {
   const fs::path folder = layer_folder(target.set_folder, target.stimulus);
   prepare_output_folder(folder);
   fs::remove(folder / "inputs");

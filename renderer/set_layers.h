@@ -15,7 +15,7 @@ struct LayerTarget {
 };
 
 /// Everything that one stimulus was made of.
-struct StimulusParts {
+struct LayerSources {
   const TruthLayers& truth;
   const StimulusLayers& layers;
   const Composite& composite;
@@ -25,7 +25,7 @@ struct StimulusParts {
 /// composite, difference (composite minus reference), additive (Debevec's form), and `local_scene.png`, a
 /// shaded picture of the depth mesh (paper Fig. 2).
 void write_layers(const LayerTarget& target, const TruthScene& scene, const Geometry* depth,
-                  const StimulusParts& parts);
+                  const LayerSources& parts);
 
 /// Whether the layers of a stimulus are there and were made from these inputs.
 [[nodiscard]] bool has_layers(const std::filesystem::path& set_folder, const Stimulus& stimulus,

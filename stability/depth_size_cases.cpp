@@ -9,10 +9,10 @@
 #include "renderer/geometry.h"
 #include "stability/groups.h"
 #include "stability/mesh_check.h"
-#include "stability/temporary_folder.h"
 #include "stability/worst.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {

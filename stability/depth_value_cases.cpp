@@ -9,13 +9,13 @@
 #include "stability/mesh_check.h"
 #include "stability/shapes.h"
 #include "stability/small_render.h"
-#include "stability/temporary_folder.h"
 #include "stimuli/support/image.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
 
-constexpr int width_px = 64, first_column = 20, first_row = 10, patch_px = 4;
+constexpr int map_width_px = 64, first_column = 20, first_row = 10, patch_px = 4;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Through a file, as a measured map would come.
@@ -35,7 +35,8 @@ int vertices_off(const DepthMesh& mesh, double distance_m) {
 }
 
 Ray ray_through(double column, double row) {
-  return {Eigen::Vector3f::Zero(), panorama_direction(column, row, width_px, width_px / 2).cast<float>()};
+  return {Eigen::Vector3f::Zero(),
+          panorama_direction(column, row, map_width_px, map_width_px / 2).cast<float>()};
 }
 
 StabilityCase value_case(const std::string& name, float value, const std::string& tried) {
@@ -52,10 +53,10 @@ StabilityCase value_case(const std::string& name, float value, const std::string
 }  // namespace
 
 Finding try_bad_texels(float value, bool counted, const MeshRule& rule) {
-  DepthMap map = constant_map(width_px, 2);
+  DepthMap map = constant_map(map_width_px, 2);
   for (int row = first_row; row < first_row + patch_px; ++row)
     for (int column = first_column; column < first_column + patch_px; ++column)
-      map.distance_m[static_cast<std::size_t>(row * width_px + column)] = value;
+      map.distance_m[static_cast<std::size_t>(row * map_width_px + column)] = value;
   const std::int64_t cleaned = through_file(map).cleaned_texels;
   int wrong = cleaned == (counted ? patch_px * patch_px : 0) ? 0 : 1;
   for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {
@@ -64,7 +65,7 @@ Finding try_bad_texels(float value, bool counted, const MeshRule& rule) {
     wrong += vertices_off(mesh, 2);
     const auto hits = [&](double column, double row) {
       return std::isfinite(
-          brute_force_distance_m(mesh, panorama_direction(column, row, width_px, width_px / 2)));
+          brute_force_distance_m(mesh, panorama_direction(column, row, map_width_px, map_width_px / 2)));
     };
     for (double at = 0.25; at < patch_px; at += 0.5) wrong += hits(first_column + at, first_row + at) ? 1 : 0;
     wrong += hits(first_column - 1, first_row - 1) ? 0 : 1;
@@ -75,11 +76,12 @@ Finding try_bad_texels(float value, bool counted, const MeshRule& rule) {
 Finding try_all_sky(int threads) {
   int wrong = 0;
   for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {
-    const DepthMesh mesh = build_depth_mesh(constant_map(width_px, std::numeric_limits<double>::infinity()),
-                                            {.density = density, .threads = 1});
+    const DepthMesh mesh =
+        build_depth_mesh(constant_map(map_width_px, std::numeric_limits<double>::infinity()),
+                         {.density = density, .threads = 1});
     wrong += static_cast<int>(mesh.triangles.size() + mesh.vertices_m.size());
     const Geometry geometry(mesh, Rgb::Constant(0.5F));
-    for (int i = 0; i < width_px; ++i)
+    for (int i = 0; i < map_width_px; ++i)
       wrong += geometry.nearest(ray_through(i + 0.5, 0.5 * i + 0.25)) ? 1 : 0;
   }
   SmallScene scene{.background = {},
@@ -93,8 +95,8 @@ Finding try_all_sky(int threads) {
 }
 
 Finding try_one_texel(const MeshRule& rule) {
-  DepthMap map = constant_map(width_px, std::numeric_limits<double>::infinity());
-  map.distance_m[first_row * width_px + first_column] = 2;
+  DepthMap map = constant_map(map_width_px, std::numeric_limits<double>::infinity());
+  map.distance_m[first_row * map_width_px + first_column] = 2;
   int wrong = 0;
   std::size_t triangles = 0;
   for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {
@@ -103,8 +105,8 @@ Finding try_one_texel(const MeshRule& rule) {
     wrong += vertices_off(mesh, 2);
     if (wrong > 0) break;  // a mesh that is elsewhere may be large, and is wrong without rays
     const Geometry geometry(mesh, Rgb::Constant(0.5F));
-    for (int row = 0; row < width_px / 2; ++row)
-      for (int column = 0; column < width_px; ++column) {
+    for (int row = 0; row < map_width_px / 2; ++row)
+      for (int column = 0; column < map_width_px; ++column) {
         const bool hit = geometry.nearest(ray_through(column + 0.5, row + 0.5)).has_value();
         wrong += hit == (row == first_row && column == first_column) ? 0 : 1;
       }

@@ -10,12 +10,12 @@
 namespace seamline {
 namespace {
 
-constexpr int width_px = 256;
+constexpr int cave_width_px = 256;
 
 /// A smooth cave, so that curvature alone decides how fine the mesh must be.
 DepthMap cave_map() {
-  return make_depth_map(width_px, [](int column, int row) {
-    const Eigen::Vector3d d = panorama_direction(column + 0.5, row + 0.5, width_px, width_px / 2);
+  return make_depth_map(cave_width_px, [](int column, int row) {
+    const Eigen::Vector3d d = panorama_direction(column + 0.5, row + 0.5, cave_width_px, cave_width_px / 2);
     return 2 + 0.5 * d.x() * d.y() + 0.7 * d.z() * d.z() * d.x();
   });
 }
@@ -35,7 +35,7 @@ OrderSeries mesh_error_order() {
           .measure = [] {
             std::vector<std::pair<double, double>> points;
             const DepthMap map = cave_map();
-            const DenseSphere sphere = make_dense_sphere(map, 0, 1, width_px);
+            const DenseSphere sphere = make_dense_sphere(map, 0, 1, cave_width_px);
             for (double tolerance = 0.05; tolerance > 5e-4; tolerance /= 2)
               points.emplace_back(
                   tolerance, check_mesh(build_adaptive_mesh(sphere, tolerance, 1), sphere).largest_error);
@@ -54,7 +54,7 @@ OrderSeries mesh_triangles_order() {
           .measure = [] {
             std::vector<std::pair<double, double>> points;
             const DepthMap map = cave_map();
-            const DenseSphere sphere = make_dense_sphere(map, 0, 1, width_px);
+            const DenseSphere sphere = make_dense_sphere(map, 0, 1, cave_width_px);
             const auto full = static_cast<double>(build_full_mesh(sphere, 1).triangles.size());
             for (double tolerance = 0.05; tolerance > 5e-4; tolerance /= 2)
               points.emplace_back(

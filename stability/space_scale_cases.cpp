@@ -4,8 +4,8 @@
 
 #include "stability/groups.h"
 #include "stability/small_render.h"
-#include "stability/temporary_folder.h"
 #include "stimuli/difference.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {

@@ -1,7 +1,5 @@
 #include "study/log.h"
 
-#include <limits>
-
 #include "study/log_database.h"
 #include "study/log_values.h"
 #include "study/session_claims.h"
@@ -9,8 +7,6 @@
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr int most = std::numeric_limits<int>::max();
 
 void read_study_row(SQLite::Database& database, LogContents& log) {
   SQLite::Statement row(database,
@@ -58,7 +54,7 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
                             .completed = values.flag(4),
                             .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
                             .planned_trials = row.getColumn(6).getInt(),
-                            .slot = values.number(8, 0, most),
+                            .slot = values.number(8, 0),
                             .sessions = row.getColumn(10).getInt(),
                             .restarts = row.getColumn(12).getInt(),
                             .last_seen_unix_s = values.time(11)});
@@ -93,13 +89,13 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
   std::vector<Answer> answers;
   while (row.executeStep())
     answers.push_back({.participant = row.getColumn(0).getString(),
-                       .trial_index = values.number(1, 0, most),
+                       .trial_index = values.number(1, 0),
                        .stimulus_id = row.getColumn(2).getString(),
                        .scene = row.getColumn(3).getString(),
                        .artifact = artifact_of(row.getColumn(4).getString(), file),
                        .object = row.getColumn(5).getString(),
                        .object_index = values.number(6, 1, 3),
-                       .depth_width_px = values.number(7, 2, most),
+                       .depth_width_px = values.number(7, 2),
                        .chosen_index = values.number(8, 1, 3),
                        .rating = values.number(9, 1, 4),
                        .choice_ns = values.time(10),
@@ -120,7 +116,7 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs:
   while (row.executeStep()) {
     const TrialKind kind = values.kind(2);
     catches.push_back({.participant = row.getColumn(0).getString(),
-                       .trial_index = values.number(1, 0, most),
+                       .trial_index = values.number(1, 0),
                        .kind = kind,
                        .scene = row.getColumn(3).getString(),
                        .right_index = kind == TrialKind::attention ? values.number(4, 1, 3) : 0,

@@ -1,8 +1,6 @@
 // Who is in the log, and in which order they see the trials.
 #include <fmt/core.h>
 
-#include <limits>
-
 #include "stimuli/support/assets.h"
 #include "study/log_tables.h"
 #include "study/log_values.h"
@@ -24,8 +22,6 @@ std::string kind_text(const Enrolment& enrolment) {
   const Simulated& simulated = *enrolment.simulated;
   return kind_text(false, std::string(word(simulated.observer)), simulated.seed, simulated.image_gain);
 }
-
-constexpr int most = std::numeric_limits<int>::max();
 
 constexpr const char* own_slot = R"sql(
     WITH taken AS (SELECT slot FROM participants
@@ -110,7 +106,7 @@ void LogWriter::Tables::read_plan(OpenSession& session) {
   SQLite::bind(row, session.participant);
   const LogValues values(row, path, "trials");
   while (row.executeStep())
-    session.planned.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0, most)});
+    session.planned.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0)});
 }
 
 void LogWriter::Tables::read_answers(OpenSession& session) {
@@ -120,7 +116,7 @@ void LogWriter::Tables::read_answers(OpenSession& session) {
   SQLite::bind(row, session.participant);
   const LogValues values(row, path, "answers");
   while (row.executeStep())
-    session.answers.push_back({.trial_index = values.number(0, 0, most),
+    session.answers.push_back({.trial_index = values.number(0, 0),
                                .chosen_index = values.number(1, 1, 3),
                                .rating = values.number(2, 1, 4),
                                .choice_ns = values.time(3),

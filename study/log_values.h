@@ -2,6 +2,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "study/trial.h"
@@ -17,7 +18,7 @@ class LogValues {
   LogValues(const SQLite::Statement& row, const std::filesystem::path& log, const char* table)
       : row_(row), log_(log), table_(table) {}
 
-  [[nodiscard]] int number(int column, int least, int most) const;
+  [[nodiscard]] int number(int column, int least, int most = std::numeric_limits<int>::max()) const;
   /// Nanoseconds or seconds: 0 or more.
   [[nodiscard]] std::int64_t time(int column, std::int64_t least = 0) const;
   [[nodiscard]] double positive(int column) const;

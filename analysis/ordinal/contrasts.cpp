@@ -9,13 +9,13 @@
 
 #include "analysis/distributions.h"
 #include "analysis/ordinal/max_t.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
 constexpr double level = 0.05;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Eigenvalues of the correlation below this share of the largest are combinations of other contrasts.
 constexpr double dependent_share = 1e-8;
 

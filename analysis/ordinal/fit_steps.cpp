@@ -5,18 +5,16 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
-#include <limits>
 
 #include "analysis/ordinal/fixed_likelihood.h"
 #include "analysis/ordinal/separation.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr int most_iterations = 100;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -75,7 +73,7 @@ bool maximise_fixed(const OrdinalData& data, const OrdinalProblem& problem, cons
   const auto likelihood = [&](const Eigen::VectorXd& parameters) {
     return fixed_likelihood(problem, request.link, parameters, request.threads);
   };
-  search = maximise(likelihood, null_parameters(problem, request.link), most_iterations);
+  search = maximise(likelihood, null_parameters(problem, request.link), most_newton_iterations);
   const Separation separation = look_for_separation(problem, request.link, search);
   if (separation.found) {
     std::vector<std::string> names;

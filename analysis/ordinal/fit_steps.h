@@ -9,6 +9,8 @@ namespace seamline {
 
 // The steps that fits with and without participants share.
 
+constexpr int most_newton_iterations = 100;
+
 /// A fit without numbers: what the data are.
 [[nodiscard]] OrdinalFit begin_fit(const OrdinalData& data, const OrdinalProblem& problem,
                                    const OrdinalRequest& request);

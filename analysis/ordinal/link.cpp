@@ -1,14 +1,14 @@
 #include "analysis/ordinal/link.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double half_log_two_pi = 0.91893853320467274178;
 
 /// F, log F and the derivatives of F at x for the standard logistic distribution.

@@ -1,21 +1,19 @@
 #include <cmath>
-#include <limits>
 
 #include "analysis/ordinal/fit_steps.h"
 #include "analysis/ordinal/marginal_likelihood.h"
 #include "analysis/ordinal/robust_covariance.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
-constexpr int most_iterations = 100;
 /// Below this (in link units) the participants' standard deviation is at its bound.
 constexpr double smallest_sd = 1e-4;
 /// Above this participants' effects decide every answer: odds differ by e^30 between people.
 constexpr double largest_sd = 30;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Covariances and participants' effects at the maximum.
 bool write_uncertainty(const OrdinalProblem& problem, const OrdinalRequest& request,
@@ -54,11 +52,10 @@ bool maximise_mixed(const OrdinalProblem& problem, const OrdinalRequest& request
   const auto likelihood = [&](const Eigen::VectorXd& parameters) {
     Evaluation evaluation =
         marginal_likelihood(problem, request.link, quadrature, parameters, request.threads);
-    if (std::abs(parameters[parameters.size() - 1]) > 4 * largest_sd)
-      evaluation.value = -std::numeric_limits<double>::infinity();
+    if (std::abs(parameters[parameters.size() - 1]) > 4 * largest_sd) evaluation.value = -infinity;
     return evaluation;
   };
-  search = maximise(likelihood, start, most_iterations);
+  search = maximise(likelihood, start, most_newton_iterations);
   double& sd = search.at[search.at.size() - 1];
   if (sd < 0) {  // the likelihood is even in the sd
     sd = -sd;

@@ -1,12 +1,11 @@
 #include "analysis/ordinal/row_terms.h"
 
-#include <limits>
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 RowEnds row_ends(const OrdinalProblem& problem, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& x_beta, Eigen::Index row) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const int c = problem.category[static_cast<std::size_t>(row)];
   return {.upper = c < problem.cuts() ? parameters[c] - x_beta[row] : infinity,
           .lower = c > 0 ? parameters[c - 1] - x_beta[row] : -infinity};

@@ -7,12 +7,12 @@
 #include "analysis/ordinal/max_t.h"
 #include "stimuli/support/csv.h"
 #include "stimuli/support/markdown_table.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// With fewer participants nobody should believe a standard error over participants.
 constexpr int few_participants = 6;
 
@@ -25,8 +25,7 @@ Eigen::MatrixXd covariance_of(const OrdinalStudy& study) {
 
 std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Eigen::MatrixXd& covariance) {
   const OrdinalFit& fit = study.fit;
-  const double df = study.errors == ErrorSource::participants ? study.design.participants - 1
-                                                              : std::numeric_limits<double>::infinity();
+  const double df = study.errors == ErrorSource::participants ? study.design.participants - 1 : infinity;
   const double factor = two_sided_critical(0.05, df);
   std::vector<CoefficientRow> rows;
   const auto add = [&](const std::string& name, double estimate, double error, bool has_null) {

@@ -6,12 +6,12 @@
 #include "analysis/distributions.h"
 #include "analysis/psychometric/goodness.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double z_95 = 1.959963984540054;
 
 /// What intervals are made for, of one fit: unit threshold, ln scale, lapse, unit place of the level of a

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 
 namespace seamline {
@@ -18,7 +19,6 @@ constexpr double enough_log_units = 1e-11;    ///< stop when a step can gain no 
 constexpr double largest_log_scale_step = 2;  ///< in e-folds
 constexpr double largest_place_step = 1;      ///< in ranges of the levels
 constexpr double share_margin = 1e-9;         ///< keeps F strictly between 0 and 1 at the sought level
-constexpr double largest_eta = 0.95;
 
 /// F at the sought level.
 double sigmoid_share(const SoughtLevel& level, const Theta& theta) {

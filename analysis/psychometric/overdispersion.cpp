@@ -5,12 +5,6 @@
 
 namespace seamline {
 
-namespace {
-
-constexpr double largest_eta = 0.95;
-
-}  // namespace
-
 OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
   OverdispersionEstimate estimate;
   estimate.ci95.low = 0;

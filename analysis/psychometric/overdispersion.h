@@ -13,6 +13,8 @@ struct OverdispersionEstimate {
   std::string reason;  ///< why there is no estimate
 };
 
+inline constexpr double largest_eta = 0.95;
+
 /// Estimated with all other parameters, whatever the fit itself assumed.
 [[nodiscard]] OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit);
 

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_strides = 60, most_cuts = 60;
 constexpr double stride_growth = 1.7;
 constexpr double relative_precision = 1e-6;  ///< of an end, in lengths of the interval's half

@@ -11,14 +11,14 @@ namespace seamline {
 
 namespace {
 
-std::string beside_table(const Analysis& analysis) {
+std::string beside_text(const Analysis& analysis) {
   std::vector<std::vector<std::string>> lines = {
       {"artifact", "", "isotonic", "logistic", "corrected for guessing", "one object left out"}};
   for (const ThresholdRow& row : threshold_rows(analysis)) lines.push_back(otherwise_estimated_cells(row));
   return "The same widths W in px, otherwise estimated (95 % interval)\n" + aligned(lines);
 }
 
-std::string screened_table(const Analysis& analysis) {
+std::string screened_text(const Analysis& analysis) {
   std::vector<std::vector<std::string>> lines = screened_lines(analysis);
   lines.insert(lines.begin(), {"thresholds", "artifact", "PT", "SN", "IP"});
   return aligned(lines);
@@ -52,9 +52,9 @@ std::string screening_sentence(const Screening& screening) {
 std::string checks_text(const Analysis& analysis) {
   std::string text;
   if (!analysis.guessing.curves.empty())
-    text = beside_table(analysis) + guessers_text(analysis.guessing) + "\n\n";
+    text = beside_text(analysis) + guessers_text(analysis.guessing) + "\n\n";
   text += screening_sentence(analysis.screening) + "\n";
-  if (analysis.screened.size() > 1) text += screened_table(analysis);
+  if (analysis.screened.size() > 1) text += screened_text(analysis);
   if (std::isnan(analysis.sos.a)) return text;
   return text + fmt::format("SOS parameter a = {:.3f} ({:.3f} to {:.3f}) over {} stimuli.\n", analysis.sos.a,
                             analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);

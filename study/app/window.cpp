@@ -50,22 +50,20 @@ KeyPress key_press(int key, int modifiers, bool repeated) {
   return press;
 }
 
-struct Queue {
-  std::deque<RawInput> inputs;
-};
+using InputQueue = std::deque<RawInput>;
 
-Queue& queue_of(GLFWwindow* window) {
-  return *static_cast<Queue*>(glfwGetWindowUserPointer(window));
+InputQueue& queue_of(GLFWwindow* window) {
+  return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
 }
 
 void on_key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
   if (action == GLFW_RELEASE) return;
-  queue_of(window).inputs.emplace_back(
+  queue_of(window).emplace_back(
       KeyPressed{key_press(key, modifiers, action == GLFW_REPEAT), monotonic_ns()});
 }
 
 void on_character(GLFWwindow* window, unsigned character) {
-  queue_of(window).inputs.emplace_back(CharacterTyped{static_cast<char32_t>(character)});
+  queue_of(window).emplace_back(CharacterTyped{static_cast<char32_t>(character)});
 }
 
 /// From the window system's units to framebuffer pixels.
@@ -74,36 +72,36 @@ void on_move(GLFWwindow* window, double x, double y) {
   glfwGetWindowSize(window, &width, &height);
   glfwGetFramebufferSize(window, &width_px, &height_px);
   if (width <= 0 || height <= 0) return;
-  queue_of(window).inputs.emplace_back(MouseMoved{{x * width_px / width, y * height_px / height}});
+  queue_of(window).emplace_back(MouseMoved{{x * width_px / width, y * height_px / height}});
 }
 
 void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
   if (action == GLFW_PRESS)
-    queue_of(window).inputs.emplace_back(MousePressed{monotonic_ns()});
+    queue_of(window).emplace_back(MousePressed{monotonic_ns()});
   else
-    queue_of(window).inputs.emplace_back(MouseReleased{});
+    queue_of(window).emplace_back(MouseReleased{});
 }
 
 void on_scroll(GLFWwindow* window, double /*x*/, double y) {
-  queue_of(window).inputs.emplace_back(Scrolled{y});
+  queue_of(window).emplace_back(Scrolled{y});
 }
 
 void on_focus(GLFWwindow* window, int focused) {
-  queue_of(window).inputs.emplace_back(FocusChanged{focused == GLFW_TRUE, monotonic_ns()});
+  queue_of(window).emplace_back(FocusChanged{focused == GLFW_TRUE, monotonic_ns()});
 }
 
 void on_size(GLFWwindow* window, int /*width*/, int /*height*/) {
-  queue_of(window).inputs.emplace_back(Resized{monotonic_ns()});
+  queue_of(window).emplace_back(Resized{monotonic_ns()});
 }
 
 void on_refresh(GLFWwindow* window) {
-  queue_of(window).inputs.emplace_back(Exposed{});
+  queue_of(window).emplace_back(Exposed{});
 }
 
 void on_close(GLFWwindow* window) {
   glfwSetWindowShouldClose(window, GLFW_FALSE);  // the session decides
-  queue_of(window).inputs.emplace_back(CloseAsked{});
+  queue_of(window).emplace_back(CloseAsked{});
 }
 
 void set_hints(const GLFWvidmode* mode, bool fullscreen) {
@@ -131,7 +129,7 @@ std::int64_t monotonic_ns() {
 }
 
 struct Window::Handles {
-  Queue queue;
+  std::deque<RawInput> queue;
   GLFWwindow* window = nullptr;
   Point mouse = {-1, -1};
 
@@ -187,7 +185,7 @@ Window::Window(const WindowRequest& request) {
 Window::~Window() = default;
 
 FrameInput Window::next_input(std::optional<double> timeout_s) {
-  std::deque<RawInput>& queue = handles_->queue.inputs;
+  InputQueue& queue = handles_->queue;
   if (!queue.empty() || (timeout_s && *timeout_s <= 0))
     glfwPollEvents();
   else if (timeout_s)

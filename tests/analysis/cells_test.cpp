@@ -10,8 +10,8 @@
 namespace seamline {
 namespace {
 
-using testing::answer;
-using testing::person;
+using test::answer;
+using test::person;
 
 NoticeabilityData averaged(const LogContents& log, bool include_pilot = false) {
   return average_answers(log, select_participants(log, include_pilot));

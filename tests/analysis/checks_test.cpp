@@ -27,7 +27,7 @@ constexpr ResamplingRequest few = {.replicates = 200, .seed = 3};
 
 /// 20 `threshold` observers, of whom the third answers as somebody who looks at nothing.
 LogContents log_with_a_random_rater() {
-  LogContents log = testing::simulate_log(20, 4);
+  LogContents log = test::simulate_log(20, 4);
   Random random(8);
   for (Answer& answer : log.answers) {
     if (answer.participant != "sim-2") continue;
@@ -76,13 +76,13 @@ TEST(Checks, ScreenedPeopleAreLeftOutWhenAsked) {
 }
 
 TEST(Checks, WhenNobodyIsNamedThereIsOneTable) {
-  const Analysis analysis = analyze(testing::simulate_log(20, 4), false, few);
+  const Analysis analysis = analyze(test::simulate_log(20, 4), false, few);
   EXPECT_EQ(analysis.screened.size(), 1U);
   EXPECT_THAT(checks_text(analysis), HasSubstr("kurtosis names 0, correlation names 0"));
 }
 
 TEST(Checks, LeavingOneObjectOutIsTheCurveOfTheOthers) {
-  LogContents log = testing::simulate_log(20, 5);
+  LogContents log = test::simulate_log(20, 5);
   const std::vector<ParticipantUse> people = select_participants(log, false);
   const NoticeabilityData data = average_answers(log, people);
   const std::vector<ObjectInfluence> influence = leave_one_object_out(log, people, data);
@@ -104,7 +104,7 @@ TEST(Checks, LeavingOneObjectOutIsTheCurveOfTheOthers) {
 }
 
 TEST(Checks, OfOneObjectLeaveNothingOut) {
-  LogContents log = testing::simulate_log(4, 5);
+  LogContents log = test::simulate_log(4, 5);
   std::erase_if(log.answers, [](const Answer& answer) { return answer.object_index != 2; });
   const Analysis analysis = analyze(std::move(log), false, few);
   EXPECT_THAT(analysis.object_influence[0].without, IsEmpty());
@@ -114,7 +114,7 @@ TEST(Checks, OfOneObjectLeaveNothingOut) {
 }
 
 TEST(Checks, OfOnePersonAreComputedWithoutIntervals) {
-  const Analysis analysis = analyze(testing::simulate_log(1, 5), false, few);
+  const Analysis analysis = analyze(test::simulate_log(1, 5), false, few);
   EXPECT_EQ(analysis.guessing.curves[0].estimates.perceptual.ci95.high_log2_px, above_every_width);
   EXPECT_TRUE(std::isnan(analysis.opinion[0].ci95_low));
   EXPECT_FALSE(checks_text(analysis).empty());

@@ -13,10 +13,10 @@
 namespace seamline {
 namespace {
 
-using testing::CoverageTally;
-using testing::planted_thresholds;
-using testing::Population;
-using testing::simulate_scores;
+using test::CoverageTally;
+using test::planted_thresholds;
+using test::Population;
+using test::simulate_scores;
 
 constexpr int studies = 1000;
 constexpr int people = 20;

@@ -4,7 +4,7 @@
 
 #include "analysis/estimate.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// How often intervals held a planted value, and by which end they missed it.
 struct CoverageTally {
@@ -46,4 +46,4 @@ struct CoverageTally {
   }
 };
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

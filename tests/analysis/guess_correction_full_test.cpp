@@ -11,19 +11,19 @@
 namespace seamline {
 namespace {
 
-using testing::corrected;
-using testing::CoverageTally;
-using testing::GuessingStudy;
-using testing::Population;
+using test::corrected;
+using test::CoverageTally;
+using test::GuessingStudy;
+using test::Population;
 
 constexpr int studies = 1000;
 constexpr int replicates = 499;
 
 CurveThresholds true_thresholds(const Population& population, Artifact artifact) {
   std::vector<double> means;
-  for (int width_px : testing::paper_widths_px)
-    means.push_back(testing::true_noticeability(population, artifact, width_px));
-  return thresholds_of_means(log2_widths({testing::paper_widths_px.begin(), testing::paper_widths_px.end()}),
+  for (int width_px : test::paper_widths_px)
+    means.push_back(test::true_noticeability(population, artifact, width_px));
+  return thresholds_of_means(log2_widths({test::paper_widths_px.begin(), test::paper_widths_px.end()}),
                              means);
 }
 
@@ -36,7 +36,7 @@ void measure(const char* name, const GuessingStudy& study) {
   for (std::size_t a = 0; a < 4; ++a) truth[a] = true_thresholds(study.population, paper_artifacts[a]);
   for (std::uint64_t seed = 1; seed <= studies; ++seed) {
     const GuessCorrection found =
-        corrected(testing::simulate_guessing(study, seed), {.replicates = replicates, .seed = seed});
+        corrected(test::simulate_guessing(study, seed), {.replicates = replicates, .seed = seed});
     for (std::size_t a = 0; a < 4; ++a) {
       const CorrectedCurve& curve = found.curves[a];
       rows[a].pt.add(curve.estimates.perceptual, truth[a].perceptual);

@@ -11,14 +11,14 @@
 namespace seamline {
 namespace {
 
+using test::corrected;
+using test::GuessingLog;
+using test::GuessingStudy;
+using test::simulate_guessing;
+using test::true_noticeability;
 using ::testing::Contains;
-using testing::corrected;
-using testing::GuessingLog;
-using testing::GuessingStudy;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::simulate_guessing;
-using testing::true_noticeability;
 
 Guessers habits_of(const GuessingStudy& study) {
   Guessers guessers;

@@ -5,7 +5,7 @@
 #include "analysis/guess_correction.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// What simulated people do when they see nothing.
 struct GuessingHabits {
@@ -97,4 +97,4 @@ inline GuessCorrection corrected(const GuessingLog& simulated,
   return correct_for_guessing(count_guess_trials(simulated.log, data, simulated.references), data, request);
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

@@ -10,9 +10,9 @@
 namespace seamline {
 namespace {
 
-using testing::planted_thresholds;
-using testing::Population;
-using testing::simulate_scores;
+using test::planted_thresholds;
+using test::Population;
+using test::simulate_scores;
 
 bool holds(const WidthInterval& interval, double log2_px) {
   return interval.low_log2_px <= log2_px && log2_px <= interval.high_log2_px;

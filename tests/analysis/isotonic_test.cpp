@@ -44,10 +44,10 @@ TEST(Isotonic, BlocksHoldWhatWasPooled) {
   EXPECT_EQ(fit.block_end, (std::vector<std::size_t>{1, 3, 3, 4}));
 }
 
-const std::vector<double> octaves = {6, 7, 8, 9};
+const std::vector<double> four_octaves = {6, 7, 8, 9};
 
 double at_half(const std::vector<double>& fit) {
-  return largest_log2_width_at(0.5, octaves, fit);
+  return largest_log2_width_at(0.5, four_octaves, fit);
 }
 
 TEST(Threshold, CrossesBetweenTwoWidthsLinearlyInLog2) {
@@ -77,9 +77,9 @@ TEST(Threshold, FlatPartsOffTheLevelDoNotMatter) {
 
 TEST(Threshold, ValueAtIsTheInverse) {
   const std::vector<double> fit = {4, 1, 0.25, 0};
-  EXPECT_DOUBLE_EQ(value_at(octaves, fit, at_half(fit)), 0.5);
-  EXPECT_DOUBLE_EQ(value_at(octaves, fit, 5), 4);
-  EXPECT_DOUBLE_EQ(value_at(octaves, fit, 10), 0);
+  EXPECT_DOUBLE_EQ(value_at(four_octaves, fit, at_half(fit)), 0.5);
+  EXPECT_DOUBLE_EQ(value_at(four_octaves, fit, 5), 4);
+  EXPECT_DOUBLE_EQ(value_at(four_octaves, fit, 10), 0);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "stimuli/support/random.h"
+#include "tests/analysis/octaves.h"
 
 namespace seamline {
 namespace {
 
-const std::vector<double> octaves = {6, 7, 8, 9, 10, 11, 12};
+using test::octaves;
 
 std::vector<double> values_of(const Logistic4& curve) {
   std::vector<double> values;

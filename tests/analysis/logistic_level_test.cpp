@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "analysis/angular_resolution.h"
+#include "tests/analysis/octaves.h"
 
 namespace seamline {
 namespace {
 
-const std::vector<double> octaves = {6, 7, 8, 9, 10, 11, 12};
+using test::octaves;
 
 Logistic4Fit fitted(const std::vector<double>& means) {
   return Logistic4Fitter(octaves).fit(means);

@@ -7,14 +7,13 @@
 
 #include "analysis/ordinal/contrasts.h"
 #include "analysis/ordinal/max_t.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Correlation of all pairwise differences of k independent means.
 Eigen::MatrixXd all_pairs(int k) {

@@ -9,15 +9,14 @@
 #include "analysis/ordinal/gauss_hermite.h"
 #include "analysis/ordinal/link.h"
 #include "analysis/ordinal/marginal_likelihood.h"
+#include "stimuli/support/numbers.h"
 #include "tests/analysis/ordinal_people.h"
 
 namespace seamline {
 namespace {
 
-using testing::OrdinalPopulation;
-using testing::simulate_scores;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::OrdinalPopulation;
+using test::simulate_scores;
 
 /// Central difference with one Richardson step: error of order step^4.
 Eigen::VectorXd difference(const std::function<Eigen::VectorXd(double)>& function, double step) {

@@ -6,7 +6,7 @@
 #include "analysis/ordinal/ordinal_data.h"
 #include "stimuli/support/random.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// A population that scores by a cumulative link model: cuts, slopes over octaves of width and for two of
 /// three objects, and participants who differ in level and, if wanted, in slope.
@@ -54,4 +54,4 @@ inline OrdinalData simulate_scores(const OrdinalPopulation& population, int peop
   return data;
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

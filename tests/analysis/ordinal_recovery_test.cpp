@@ -7,8 +7,8 @@
 namespace seamline {
 namespace {
 
-using testing::OrdinalPopulation;
-using testing::simulate_scores;
+using test::OrdinalPopulation;
+using test::simulate_scores;
 
 /// Over many studies estimates scatter around what was planted as their standard errors say.
 void expect_recovery(const OrdinalPopulation& population, int nodes) {

@@ -11,9 +11,9 @@
 namespace seamline {
 namespace {
 
-using testing::simulate_answers;
-using testing::simulated_groups;
-using testing::StudyPopulation;
+using test::simulate_answers;
+using test::simulated_groups;
+using test::StudyPopulation;
 
 struct Rates {
   double over_participants = 0, of_model = 0;  ///< intervals of one contrast that exclude 0 though it is 0

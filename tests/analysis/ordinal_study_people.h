@@ -8,7 +8,7 @@
 #include "tests/analysis/ordinal_people.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// Participants of the paper's study who score by a cumulative link model: 4 artifacts x 3 objects x 7
 /// widths.
@@ -61,4 +61,4 @@ inline std::map<std::string, std::string> simulated_groups(int people) {
   return groups;
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

@@ -9,11 +9,11 @@
 namespace seamline {
 namespace {
 
+using test::simulate_answers;
+using test::simulated_groups;
+using test::StudyPopulation;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using testing::simulate_answers;
-using testing::simulated_groups;
-using testing::StudyPopulation;
 
 const ContrastRow& row_named(const OrdinalStudy& study, const std::string& name) {
   for (const ContrastTable& table : study.contrasts)
@@ -161,7 +161,7 @@ TEST(OrdinalStudy, ObjectsOfOneNameAreToldApart) {
 }
 
 TEST(OrdinalStudy, OfALogUsesTheUsedParticipantsOnly) {
-  LogContents log = testing::simulate_log(12, 3);
+  LogContents log = test::simulate_log(12, 3);
   log.participants[2].excluded = true;
   const Analysis analysis = analyze(log, false, {.replicates = 50});
   EXPECT_EQ(used_answers(analysis.log, analysis.people).size(), 11u * 84);

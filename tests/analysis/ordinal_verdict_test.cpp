@@ -7,12 +7,13 @@
 #include "analysis/ordinal/ordinal_fit.h"
 #include "stimuli/support/error.h"
 #include "tests/analysis/ordinal_people.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
 
+using test::simulate_scores;
 using ::testing::HasSubstr;
-using testing::simulate_scores;
 
 void expect_no_numbers(const OrdinalFit& fit, OrdinalVerdict verdict, const std::string& said) {
   EXPECT_EQ(word(fit.verdict), word(verdict)) << fit.explanation;
@@ -120,7 +121,7 @@ TEST(OrdinalVerdicts, ParticipantsWhoEachStepAtAWidthOfTheirOwn) {
 }
 
 TEST(OrdinalVerdicts, ParticipantsWhoDoNotDiffer) {
-  testing::OrdinalPopulation population;
+  test::OrdinalPopulation population;
   population.sd = 0;
   int at_bound = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -152,12 +153,7 @@ TEST(OrdinalVerdicts, UnitsOfAPredictorDoNotMatter) {
 
 TEST(OrdinalVerdicts, WrongInputIsASentence) {
   const auto complaint = [](const OrdinalData& data, const OrdinalRequest& request) -> std::string {
-    try {
-      (void)fit_cumulative_link_mixed(data, request);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::complaint_of([&] { (void)fit_cumulative_link_mixed(data, request); });
   };
   OrdinalData data = simulate_scores({}, 3, 1);
   EXPECT_EQ(complaint(data, {.nodes = 0}), "nodes: wanted 1 (Laplace) to 100, found 0");

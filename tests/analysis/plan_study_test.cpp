@@ -9,6 +9,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
@@ -17,12 +18,6 @@ namespace fs = std::filesystem;
 
 class PlanStudy : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-plan-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   PlanRequest request(const std::string& head, const std::string& artifacts = "\"receiver\", \"overlap\"") {
     std::string text = "format = \"seamline study 1\"\nname = \"plan\"\n" + head +
                        "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [" + artifacts + "]\n";
@@ -32,7 +27,7 @@ class PlanStudy : public testing::Test {
     return {.study_file = folder_ / "study.toml", .participants = {5, 20, 60}, .studies = 60};
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 const std::string paper_widths = "depth_width_px = [64, 128, 256, 512, 1024, 2048, 4096]";

@@ -27,15 +27,14 @@ struct Tally {
 };
 
 /// Returns the coverage of the interval over participants, and prints it beside the plain ones.
-double measure(const char* name, const testing::Group& group) {
-  const double planted_px = testing::planted_threshold_px(group);
+double measure(const char* name, const test::Group& group) {
+  const double planted_px = test::planted_threshold_px(group);
   const double t = student_quantile(group.people - 1, 0.975);
   Tally people, plain, wald;
   double design_effect = 0;
   int steps = 0;
   for (std::uint64_t seed = 1; seed <= studies; ++seed) {
-    const PooledFit pooled =
-        fit_pooled_choices(testing::simulate_group(group, seed), testing::group_options());
+    const PooledFit pooled = fit_pooled_choices(test::simulate_group(group, seed), test::group_options());
     people.add(pooled.threshold_ci95, planted_px);
     plain.add(threshold_interval(pooled.fit), planted_px);
     steps += pooled.fit.is_step ? 1 : 0;
@@ -56,7 +55,7 @@ double measure(const char* name, const testing::Group& group) {
 }
 
 TEST(PsychometricCoverage, OfAThresholdPooledOverPeopleWhoDiffer) {
-  std::vector<std::pair<const char*, testing::Group>> groups = {
+  std::vector<std::pair<const char*, test::Group>> groups = {
       {"normal, 512 px", {}},
       {"normal, 181 px", {.threshold_px = 181}},
       {"normal, 1448 px", {.threshold_px = 1448}},

@@ -5,7 +5,7 @@
 #include "analysis/psychometric/pooled_fit.h"
 #include "stimuli/support/random.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 inline constexpr std::array<double, 7> widths_64_to_4096_px = {64, 128, 256, 512, 1024, 2048, 4096};
 
@@ -73,4 +73,4 @@ inline PooledChoices simulate_group(const Group& group, std::uint64_t seed) {
   return choices;
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

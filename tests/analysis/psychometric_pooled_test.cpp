@@ -9,17 +9,16 @@
 namespace seamline {
 namespace {
 
-using testing::Group;
+using test::Group;
 
 TEST(PsychometricPooled, TheIntervalOverParticipantsCoversWhereThePlainOneDoesNot) {
   const Group group;
-  const double planted_px = testing::planted_threshold_px(group);
+  const double planted_px = test::planted_threshold_px(group);
   EXPECT_NEAR(planted_px, 512, 1);  // normal people around a normal group: the same function, wider
   int covered = 0, plain = 0;
   constexpr int studies = 300;
   for (std::uint64_t seed = 1; seed <= studies; ++seed) {
-    const PooledFit pooled =
-        fit_pooled_choices(testing::simulate_group(group, seed), testing::group_options());
+    const PooledFit pooled = fit_pooled_choices(test::simulate_group(group, seed), test::group_options());
     covered += pooled.threshold_ci95.low <= planted_px && planted_px <= pooled.threshold_ci95.high ? 1 : 0;
     const Interval binomial = threshold_interval(pooled.fit);
     plain += binomial.low <= planted_px && planted_px <= binomial.high ? 1 : 0;
@@ -30,20 +29,20 @@ TEST(PsychometricPooled, TheIntervalOverParticipantsCoversWhereThePlainOneDoesNo
 }
 
 TEST(PsychometricPooled, OrderOfParticipantsDoesNotMatterAndOneIsTooFew) {
-  PooledChoices choices = testing::simulate_group({}, 3);
-  const PooledFit pooled = fit_pooled_choices(choices, testing::group_options());
+  PooledChoices choices = test::simulate_group({}, 3);
+  const PooledFit pooled = fit_pooled_choices(choices, test::group_options());
   EXPECT_EQ(pooled.verdict.kind, Verdict::Kind::identified);
   EXPECT_GT(pooled.design_effect, 0.3);
   choices.correct = choices.correct.colwise().reverse().eval();
-  const PooledFit reversed = fit_pooled_choices(choices, testing::group_options());
+  const PooledFit reversed = fit_pooled_choices(choices, test::group_options());
   EXPECT_NEAR(reversed.threshold_ci95.low, pooled.threshold_ci95.low, 1e-6 * pooled.threshold_ci95.low);
   choices.correct.conservativeResize(1, Eigen::NoChange);
   choices.trials.conservativeResize(1, Eigen::NoChange);
-  EXPECT_THROW((void)fit_pooled_choices(choices, testing::group_options()), InputError);
+  EXPECT_THROW((void)fit_pooled_choices(choices, test::group_options()), InputError);
 }
 
 TEST(PsychometricPooled, ChoicesOfALogAreCountedByPersonAndWidth) {
-  const LogContents log = testing::simulate_log(4, 1);
+  const LogContents log = test::simulate_log(4, 1);
   const PooledChoices choices = pooled_choices(log, {"sim-2", "sim-0", "nobody"}, Artifact::shadow);
   EXPECT_EQ(choices.people, (std::vector<std::string>{"sim-2", "sim-0"}));
   ASSERT_EQ(choices.level.size(), 7U);

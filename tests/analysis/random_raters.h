@@ -4,7 +4,7 @@
 
 #include "tests/analysis/guessing_people.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// A study of 20 good raters, to which `random` people are added who look at nothing.
 inline LogContents with_random_raters(const GuessingStudy& study, int random_people, std::uint64_t seed) {
@@ -32,4 +32,4 @@ inline GuessingStudy people_who_differ() {
   return study;
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

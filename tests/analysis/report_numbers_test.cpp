@@ -20,7 +20,7 @@ Analysis analysed(LogContents log, int threads = 1) {
 }
 
 TEST(ReportNumbers, FitOfRightChoicesIsThePooledFit) {
-  const Analysis analysis = analysed(testing::people_log(10, 1));
+  const Analysis analysis = analysed(test::people_log(10, 1));
   const ReportNumbers numbers = report_numbers(analysis);
   ASSERT_EQ(numbers.choices.size(), 4U);
   std::vector<std::string> codes;
@@ -38,8 +38,8 @@ TEST(ReportNumbers, FitOfRightChoicesIsThePooledFit) {
 }
 
 TEST(ReportNumbers, BandHoldsTheCurveWithinZeroAndOneAndIsTheSameForAnyThreads) {
-  const ReportNumbers one = report_numbers(analysed(testing::people_log(12, 2), 1)),
-                      two = report_numbers(analysed(testing::people_log(12, 2), 2));
+  const ReportNumbers one = report_numbers(analysed(test::people_log(12, 2), 1)),
+                      two = report_numbers(analysed(test::people_log(12, 2), 2));
   for (std::size_t a = 0; a < one.choices.size(); ++a) {
     const ChoiceCurve& curve = one.choices[a];
     EXPECT_EQ(curve.band_replicates, 200);
@@ -68,7 +68,7 @@ TEST(ReportNumbers, QuartilesOfTimes) {
 }
 
 TEST(ReportNumbers, TimesCountEveryAnswerOfPeopleOnceAndLeaveSimulatedObserversOut) {
-  LogContents log = testing::people_log(6, 3);
+  LogContents log = test::people_log(6, 3);
   log.participants[2].simulated = true;
   log.participants[4].excluded = true;
   const ResponseTimes times = response_times(analysed(std::move(log)));
@@ -88,13 +88,13 @@ TEST(ReportNumbers, TimesCountEveryAnswerOfPeopleOnceAndLeaveSimulatedObserversO
 }
 
 TEST(ReportNumbers, SimulatedObserversHaveNoTimes) {
-  const ResponseTimes times = response_times(analysed(testing::simulate_log(4, 1)));
+  const ResponseTimes times = response_times(analysed(test::simulate_log(4, 1)));
   EXPECT_THAT(times.rows, IsEmpty());
   EXPECT_THAT(times.missing, HasSubstr("simulated"));
 }
 
 TEST(ReportNumbers, EveryParticipantHasALineThatSaysWhyTheyAreNotUsed) {
-  LogContents log = testing::people_log(5, 3);
+  LogContents log = test::people_log(5, 3);
   log.participants[1].excluded = true;
   log.participants[2].pilot = true;
   log.participants[3].completed = false;
@@ -113,7 +113,7 @@ TEST(ReportNumbers, EveryParticipantHasALineThatSaysWhyTheyAreNotUsed) {
 }
 
 TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
-  const ReportNumbers numbers = report_numbers(analysed(testing::people_log(1, 3)));
+  const ReportNumbers numbers = report_numbers(analysed(test::people_log(1, 3)));
   for (const ChoiceCurve& curve : numbers.choices) {
     EXPECT_FALSE(curve.pooled);
     EXPECT_THAT(curve.missing, HasSubstr("at least two"));
@@ -125,7 +125,7 @@ TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
 }
 
 TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
-  const Analysis analysis = analysed(testing::adaptive_log());
+  const Analysis analysis = analysed(test::adaptive_log());
   const ReportNumbers numbers = report_numbers(analysis);
   EXPECT_TRUE(analysis.adaptive);
   EXPECT_FALSE(numbers.comparisons);

@@ -71,7 +71,7 @@ void expect_explained(const std::string& json_text, const std::string& file, con
 }
 
 TEST(ReportPage, HasEverySectionAndFigure) {
-  const Report report = report_of(testing::people_log(8, 4));
+  const Report report = report_of(test::people_log(8, 4));
   for (const char* section : {"thresholds", "noticeability", "psychometric", "comparisons", "checks", "times",
                               "participants", "stimuli", "methods", "data"}) {
     EXPECT_THAT(report.html, HasSubstr(std::string("<h2 id=\"") + section + "\">"));
@@ -83,7 +83,7 @@ TEST(ReportPage, HasEverySectionAndFigure) {
 }
 
 TEST(ReportPage, EveryFieldIsInTheDictionary) {
-  for (LogContents log : {testing::people_log(8, 4), testing::simulate_log(1, 1)}) {
+  for (LogContents log : {test::people_log(8, 4), test::simulate_log(1, 1)}) {
     const Report report = report_of(std::move(log));
     const CsvTable dictionary = report_dictionary(report.tables);
     expect_explained(thresholds_json(report.analysis), "thresholds.json", dictionary);
@@ -95,7 +95,7 @@ TEST(ReportPage, EveryFieldIsInTheDictionary) {
 }
 
 TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
-  const Report report = report_of(testing::people_log(12, 4));
+  const Report report = report_of(test::people_log(12, 4));
   const Json tables = Json::parse(report_json(report.analysis, report.methods, report.tables))["tables"];
   ASSERT_EQ(tables["psychometric"].size(), 4U);
   const std::string terminal = numbers_text(report.numbers);
@@ -117,7 +117,7 @@ TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
 }
 
 TEST(ReportPage, MethodsNameNumbersSeedsVersionAndReferences) {
-  LogContents log = testing::people_log(8, 4);
+  LogContents log = test::people_log(8, 4);
   log.participants[1].excluded = true;
   const Report report = report_of(std::move(log));
   const std::string text = plain_text(report.methods);
@@ -130,7 +130,7 @@ TEST(ReportPage, MethodsNameNumbersSeedsVersionAndReferences) {
 }
 
 TEST(ReportPage, EscapesTextFromPeople) {
-  LogContents log = testing::people_log(6, 4);
+  LogContents log = test::people_log(6, 4);
   const std::string evil = "<script>alert(1)</script>";
   log.participants[0].code = evil;
   for (Answer& answer : log.answers) {
@@ -152,7 +152,7 @@ TEST(ReportPage, EscapesTextFromPeople) {
 }
 
 TEST(ReportPage, TablesAreSafeToOpenInASpreadsheet) {
-  LogContents log = testing::people_log(6, 4);
+  LogContents log = test::people_log(6, 4);
   const std::string formula = "=cmd|' /C calc'!A0";
   for (Answer& answer : log.answers) answer.object = formula;
   for (ParticipantRecord& record : log.participants) record.form = {{.field = "+1", .value = "@SUM(1,2)"}};
@@ -168,14 +168,14 @@ TEST(ReportPage, TablesAreSafeToOpenInASpreadsheet) {
 }
 
 TEST(ReportPage, OfOnePersonSaysWhatIsMissing) {
-  const Report report = report_of(testing::people_log(1, 4));
+  const Report report = report_of(test::people_log(1, 4));
   EXPECT_THAT(report.html, HasSubstr("one participant answered, and intervals over participants need"));
   EXPECT_THAT(report.html, HasSubstr("No comparison is made"));
   EXPECT_THAT(report.html, HasSubstr("Response times"));
 }
 
 TEST(ReportPage, OfAnAdaptiveLogShowsTracksAndSaysWhatIsMissing) {
-  const Report report = report_of(testing::adaptive_log());
+  const Report report = report_of(test::adaptive_log());
   for (const char* words : {"<h3>Tracks</h3>", "There is no curve of everybody", "Artifacts are not compared",
                             "Thresholds are not estimated otherwise", "There are no response times"})
     EXPECT_THAT(report.html, HasSubstr(words));

@@ -3,7 +3,7 @@
 #include "tests/analysis/threshold_people.h"
 #include "tests/study/temporary_set.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 /// The same answers as if people had given them: nobody is simulated, and a choice takes between 1 and 4 s,
 /// the rating 1 s more.
@@ -33,4 +33,4 @@ inline LogContents adaptive_log() {
   return read_log(folder / "log");
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

@@ -20,13 +20,14 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Analysis analysed(LogContents log) {
+Analysis analysed_without_the_second(LogContents log) {
   log.participants[1].excluded = true;
   return analyze(std::move(log), false, {.replicates = 300, .seed = 9});
 }
 
 TEST(ThresholdsJson, HasTheFieldsOfTheContract) {
-  const auto json = nlohmann::json::parse(thresholds_json(analysed(testing::simulate_log(8, 1))));
+  const auto json =
+      nlohmann::json::parse(thresholds_json(analysed_without_the_second(test::simulate_log(8, 1))));
   EXPECT_EQ(json["format"], thresholds_format);
   EXPECT_EQ(json["version"], thresholds_version);
   EXPECT_EQ(json["study"]["hash"], "study");
@@ -55,9 +56,9 @@ TEST(ThresholdsJson, HasTheFieldsOfTheContract) {
 }
 
 TEST(PlantedValues, AreTheFunctionalsOfTheExpectedMeans) {
-  const Analysis analysis = analysed(testing::simulate_log(8, 1));
+  const Analysis analysis = analysed_without_the_second(test::simulate_log(8, 1));
   const PlantedValues planted = planted_values({}, analysis.data);
-  const CurveThresholds expected = testing::planted_thresholds({}, Artifact::overlap);
+  const CurveThresholds expected = test::planted_thresholds({}, Artifact::overlap);
   EXPECT_DOUBLE_EQ(*planted.at(Artifact::overlap).perceptual.log2_px, *expected.perceptual.log2_px);
   EXPECT_TRUE(analysis.planted.empty());  // the log has no study text
   EXPECT_THAT(analysis.notes, ::testing::Contains(HasSubstr("planted values are not known")));
@@ -85,7 +86,7 @@ TEST(Csv, TextThatASpreadsheetWouldRunIsDefused) {
 }
 
 TEST(Csv, EveryColumnOfEveryTableIsInTheDictionary) {
-  const std::vector<CsvTable> tables = report_tables(analysed(testing::simulate_log(4, 1)));
+  const std::vector<CsvTable> tables = report_tables(analysed_without_the_second(test::simulate_log(4, 1)));
   std::size_t columns = 0;
   for (const CsvTable& table : tables) {
     columns += table.columns.size();
@@ -107,7 +108,7 @@ TEST(Html, Base64OfRfc4648) {
 }
 
 TEST(Report, IsOneEscapedPageWithFiguresThatSayWhoAnswered) {
-  LogContents log = testing::simulate_log(6, 2);
+  LogContents log = test::simulate_log(6, 2);
   const std::string evil = "<script>alert(1)</script>";
   log.study_name = evil;
   log.participants[0].code = evil;
@@ -115,7 +116,7 @@ TEST(Report, IsOneEscapedPageWithFiguresThatSayWhoAnswered) {
     if (answer.participant == "sim-0") answer.participant = evil;
     answer.object = "`touch x` $HOME \" {/Bold @^_" + answer.object;
   }
-  const Analysis analysis = analysed(log);
+  const Analysis analysis = analysed_without_the_second(log);
   const std::filesystem::path folder = std::filesystem::path(SEAMLINE_TEST_OUTPUT) / "report";
   std::filesystem::create_directories(folder);
   const ReportNumbers numbers = report_numbers(analysis);

@@ -13,7 +13,7 @@
 namespace seamline {
 namespace {
 
-using testing::GuessingStudy;
+using test::GuessingStudy;
 
 constexpr int studies = 500;
 
@@ -36,7 +36,7 @@ struct Rate {
 void measure(const char* name, const GuessingStudy& study, int random_people) {
   std::map<bool, Rate> rates;
   for (std::uint64_t seed = 1; seed <= studies; ++seed) {
-    const LogContents log = testing::with_random_raters(study, random_people, seed);
+    const LogContents log = test::with_random_raters(study, random_people, seed);
     const ScoreMatrix scores = score_matrix(log, select_participants(log, false));
     for (const ScreenedPerson& person : screen_participants(scores, {}).people)
       rates[person.code.starts_with("random")].add(person);
@@ -56,8 +56,8 @@ TEST(ScreeningRates, OfTheThresholdObserver) {
 }
 
 TEST(ScreeningRates, OfPeopleWhoDiffer) {
-  measure("people", testing::people_who_differ(), 0);
-  measure("people", testing::people_who_differ(), 4);
+  measure("people", test::people_who_differ(), 0);
+  measure("people", test::people_who_differ(), 4);
 }
 
 }  // namespace

@@ -16,12 +16,12 @@
 namespace seamline {
 namespace {
 
+using test::GuessingStudy;
+using test::people_who_differ;
+using test::simulate_guessing;
+using test::with_random_raters;
 using ::testing::ElementsAre;
-using testing::GuessingStudy;
 using ::testing::IsEmpty;
-using testing::people_who_differ;
-using testing::simulate_guessing;
-using testing::with_random_raters;
 
 Screening screened(const LogContents& log, const std::vector<CatchAnswer>& catches = {}) {
   return screen_participants(score_matrix(log, select_participants(log, false)), catches);

@@ -9,7 +9,7 @@
 #include "study/log.h"
 #include "study/observer.h"
 
-namespace seamline::testing {
+namespace seamline::test {
 
 inline constexpr std::array<int, 7> paper_widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
 
@@ -141,4 +141,4 @@ inline LogContents simulate_log(int people, std::uint64_t seed) {
   return log;
 }
 
-}  // namespace seamline::testing
+}  // namespace seamline::test

@@ -22,12 +22,6 @@ bool is_about_the_run(const fs::path& file) {
          file.filename() == "rendered-with";
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 std::string text_of(SQLite::Statement& row) {
   std::string text;
   for (int column = 0; column < row.getColumnCount(); ++column) {
@@ -53,6 +47,12 @@ SQLite::Database open(const fs::path& log) {
 }
 
 }  // namespace
+
+std::string bytes_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 Files files_of(const fs::path& folder) {
   Files files;

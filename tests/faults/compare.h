@@ -6,6 +6,11 @@
 
 namespace seamline::faults {
 
+/// Of SQLite's files and of small disks.
+inline constexpr std::uint64_t page_bytes = 4096;
+
+[[nodiscard]] std::string bytes_of(const std::filesystem::path& file);
+
 /// The files of a set or report under their final names, with their bytes; without those that tell how long a
 /// run took (timings, errors page) and without temporary ones.
 using Files = std::map<std::string, std::string>;

@@ -6,20 +6,13 @@
 #include <iterator>
 #include <sstream>
 
+#include "compare.h"
 #include "damage.h"
 #include "stimuli/support/random.h"
 
 namespace seamline::faults {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::uint64_t page_bytes = 4096;
-
-std::string bytes_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 void overwrite(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 
+#include "compare.h"
 #include "lab.h"
 
 namespace seamline::faults {
@@ -81,8 +82,6 @@ class SmallDisk {
   fs::path at_;
   bool made_ = false;
 };
-
-constexpr std::uint64_t page_bytes = 4096;
 
 }  // namespace
 

@@ -7,11 +7,13 @@
 #include "renderer/estimator.h"
 #include "stimuli/difference.h"
 #include "stimuli/study_file.h"
+#include "tests/renderer/picture_size.h"
 
 namespace seamline {
 namespace {
 
-constexpr int picture_width_px = 192, picture_height_px = 108;
+using test::picture_height_px;
+using test::picture_width_px;
 
 StudyDefinition paper_study() {
   return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "depth_resolution.toml");

@@ -11,6 +11,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/limits.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
@@ -22,12 +23,10 @@ using testing::HasSubstr;
 class GltfLimits : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-gltf-" + std::to_string(::getpid()));
     fs::create_directories(folder_ / "scene");
     write_file_atomically(folder_ / "scene" / "buffer.bin", std::string(48, '\0'));
     write_file_atomically(folder_ / "outside.bin", std::string(48, '\0'));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   /// What is said to a glTF file of these bytes.
   std::string complaint(const std::string& bytes, const char* name = "scene.gltf") {
@@ -40,11 +39,11 @@ class GltfLimits : public testing::Test {
     }
     return "no complaint";
   }
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 /// One triangle of zeros; the parts may be replaced.
-struct Parts {
+struct GltfParts {
   std::string buffers = R"([{"byteLength":48,"uri":"buffer.bin"}])";
   std::string accessor = R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3})";
   std::string nodes = R"([{"mesh":0}])";
@@ -52,7 +51,7 @@ struct Parts {
   std::string more = {};
 };
 
-std::string gltf(const Parts& parts) {
+std::string gltf(const GltfParts& parts) {
   return fmt::format(
       R"({{"asset":{{"version":"2.0"}},"buffers":{},"bufferViews":[{{"buffer":0,"byteLength":48}}],)"
       R"("accessors":[{}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"nodes":{},)"

@@ -13,7 +13,7 @@
 namespace seamline {
 namespace {
 
-constexpr int picture_width_px = 96, picture_height_px = 54, depth_width_px = 128, threads = 2;
+constexpr int small_width_px = 96, small_height_px = 54, depth_width_px = 128, threads = 2;
 
 StudyDefinition isolated_study() {
   return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" /
@@ -36,7 +36,7 @@ struct Rendered {
 class Bench {
  public:
   explicit Bench(const SceneDefinition& definition)
-      : scene_(load_truth_scene(definition, picture_width_px, picture_height_px)) {}
+      : scene_(load_truth_scene(definition, small_width_px, small_height_px)) {}
 
   [[nodiscard]] Rendered render(Artifact artifact, EstimateOptions options) const {
     options.threads = threads;

@@ -9,6 +9,7 @@
 
 #include "renderer/truth_scene.h"
 #include "stimuli/support/error.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -64,12 +65,7 @@ class GltfFile : public testing::Test {
 
   template <class... Arguments>
   std::string complaint(const Arguments&... arguments) {
-    try {
-      (void)read(arguments...);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
+    return test::complaint_of([&] { (void)read(arguments...); });
   }
   fs::path path_;
 };

@@ -14,34 +14,25 @@
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
+#include "stimuli/support/temporary_folder.h"
 #include "stimuli/support/text_bounds.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
 
 namespace fs = std::filesystem;
+using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
-
-template <class Work>
-std::string complaint(Work&& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
 
 class Limits : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-limits-" + std::to_string(::getpid()));
     fs::create_directories(folder_ / "study" / "below");
     fs::create_directories(folder_ / "elsewhere");
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 std::string big_endian(std::uint32_t value) {
@@ -63,18 +54,18 @@ std::string png_header(std::uint32_t width_px, std::uint32_t height_px) {
 
 TEST_F(Limits, APictureThatPromisesMoreThanItsFileCanHoldIsRefused) {
   write_file_atomically(folder_ / "bomb.png", png_header(16384, 16384));
-  EXPECT_THAT(complaint([&] { (void)read_bytes_image(folder_ / "bomb.png"); }),
+  EXPECT_THAT(complaint_of([&] { (void)read_bytes_image(folder_ / "bomb.png"); }),
               AllOf(HasSubstr("bomb.png"), HasSubstr("wanted a file that can hold 16384 x 16384 pixels"),
                     HasSubstr("found 41 bytes")));
   write_file_atomically(folder_ / "wide.png", png_header(1000000, 1000));
-  EXPECT_THAT(complaint([&] { (void)read_image(folder_ / "wide.png"); }),
+  EXPECT_THAT(complaint_of([&] { (void)read_image(folder_ / "wide.png"); }),
               AllOf(HasSubstr("wide.png"), HasSubstr("wanted a")));
 }
 
 TEST_F(Limits, AnHdrOfTwoToThe31PixelsIsRefused) {
   const auto with_size = [&](const std::string& size) {
     write_file_atomically(folder_ / "bomb.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n");
-    return complaint([&] { (void)read_image(folder_ / "bomb.hdr"); });
+    return complaint_of([&] { (void)read_image(folder_ / "bomb.hdr"); });
   };
   EXPECT_THAT(with_size("-Y 32768 +X 65536"), AllOf(HasSubstr("bomb.hdr"), HasSubstr("wanted a")));
   EXPECT_THAT(with_size("-Y 16384 +X 16384"), HasSubstr("wanted a file that can hold"));
@@ -82,13 +73,13 @@ TEST_F(Limits, AnHdrOfTwoToThe31PixelsIsRefused) {
 
 TEST_F(Limits, OtherPictureFormatsAreNeverTried) {
   write_file_atomically(folder_ / "a.png", "II*\0 a TIFF by another name");
-  EXPECT_THAT(complaint([&] { (void)read_image(folder_ / "a.png"); }),
+  EXPECT_THAT(complaint_of([&] { (void)read_image(folder_ / "a.png"); }),
               HasSubstr("wanted an EXR, HDR, PNG or JPEG image"));
-  EXPECT_THAT(complaint([&] { (void)read_image("null.null?RES=64x64"); }), HasSubstr("no such file"));
+  EXPECT_THAT(complaint_of([&] { (void)read_image("null.null?RES=64x64"); }), HasSubstr("no such file"));
 }
 
 TEST_F(Limits, AFileWithoutEndIsNotReadToItsEnd) {
-  EXPECT_THAT(complaint([] { (void)read_file("/dev/zero", 1 << 20); }),
+  EXPECT_THAT(complaint_of([] { (void)read_file("/dev/zero", 1 << 20); }),
               HasSubstr("/dev/zero: wanted at most 1048576 bytes, found more"));
   write_file_atomically(folder_ / "four", "1234");
   EXPECT_EQ(read_file(folder_ / "four", 4), "1234");
@@ -101,7 +92,7 @@ TEST_F(Limits, TextsMayNotNestDeeperThanTheStackIsMeantFor) {
   };
   const std::size_t deepest = limits::deepest_text_nesting;
   EXPECT_NO_THROW(require_bounded_json(brackets(deepest), "a.json"));
-  EXPECT_THAT(complaint([&] { require_bounded_json("\n" + brackets(deepest + 1), "a.json"); }),
+  EXPECT_THAT(complaint_of([&] { require_bounded_json("\n" + brackets(deepest + 1), "a.json"); }),
               HasSubstr("a.json: line 2: wanted at most 128 levels"));
   EXPECT_NO_THROW(require_bounded_json("\"" + brackets(9999) + "\\\"[\"", "a.json"));
 
@@ -109,28 +100,28 @@ TEST_F(Limits, TextsMayNotNestDeeperThanTheStackIsMeantFor) {
   EXPECT_THROW(require_bounded_toml("a = " + brackets(100000), "a.toml"), InputError);
   std::string many = "[";
   for (std::int64_t i = 0; i < limits::most_text_values; ++i) many += "0,";
-  EXPECT_THAT(complaint([&] { require_bounded_json(many, "a.json"); }),
+  EXPECT_THAT(complaint_of([&] { require_bounded_json(many, "a.json"); }),
               HasSubstr("a.json: wanted at most 10000000 values, found more"));
-  EXPECT_THAT(complaint([&] { require_bounded_toml("a = " + many, "a.toml"); }),
+  EXPECT_THAT(complaint_of([&] { require_bounded_toml("a = " + many, "a.toml"); }),
               HasSubstr("10000000 values"));
   std::string dotted = "a";
   for (int i = 0; i < 100000; ++i) dotted += ".a";
   EXPECT_THROW(require_bounded_toml(dotted + " = 1", "a.toml"), InputError);
   EXPECT_NO_THROW(require_bounded_toml("a = \"" + dotted + "\" # " + dotted, "a.toml"));
   EXPECT_NO_THROW(require_bounded_toml("a = '''\n" + dotted + brackets(999) + "'''", "a.toml"));
-  EXPECT_THAT(complaint([&] { (void)read_study_text(dotted + " = 1", "a.toml"); }), HasSubstr("levels"));
-  EXPECT_THAT(complaint([&] { (void)stimulus_record_from_text(brackets(100000), "record.json"); }),
+  EXPECT_THAT(complaint_of([&] { (void)read_study_text(dotted + " = 1", "a.toml"); }), HasSubstr("levels"));
+  EXPECT_THAT(complaint_of([&] { (void)stimulus_record_from_text(brackets(100000), "record.json"); }),
               HasSubstr("record.json: line 1: wanted at most 128 levels"));
 }
 
 TEST_F(Limits, TomlThatFuzzingFound) {
   for (const char* text :
        {"a = [{,na\n", "a = 0.\xd0\xac", "a = 1\xc3\xa9", "\xd0\xac = 1", "a = {b = 1,}", "a = {", "a."})
-    EXPECT_THAT(complaint([&] { (void)read_study_text(text, "a.toml"); }), HasSubstr("a.toml: ")) << text;
+    EXPECT_THAT(complaint_of([&] { (void)read_study_text(text, "a.toml"); }), HasSubstr("a.toml: ")) << text;
 }
 
 TEST_F(Limits, ANumberTooLargeForTheMachineIsRefused) {
-  EXPECT_THAT(complaint([] { (void)stimulus_record_from_text(R"({"spp": 961e308})", "record.json"); }),
+  EXPECT_THAT(complaint_of([] { (void)stimulus_record_from_text(R"({"spp": 961e308})", "record.json"); }),
               HasSubstr("record.json: wanted JSON"));
 }
 
@@ -143,7 +134,7 @@ TEST_F(Limits, AnExrAttributeLiesInsideTheFileAndHasItsTypesSize) {
     if (at == std::string::npos) return std::string("no such type");
     bytes.replace(at + std::string(type).size() + 2, 4, size, 4);
     write_file_atomically(folder_ / "b.exr", bytes);
-    return complaint([&] { (void)read_image(folder_ / "b.exr"); });
+    return complaint_of([&] { (void)read_image(folder_ / "b.exr"); });
   };
   EXPECT_THAT(with_size("float", "\5\0\0\0"),
               HasSubstr("b.exr: wanted a whole EXR file, found a value of type float with 5 bytes"));
@@ -165,7 +156,7 @@ TEST_F(Limits, ManifestsHoldWholeNumbersOfTheirKindAndFilesOfTheirSet) {
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    return complaint([&] { (void)stimulus_record_from_text(text, "r.json"); });
+    return complaint_of([&] { (void)stimulus_record_from_text(text, "r.json"); });
   };
   EXPECT_EQ(with("\"spp\":0", "\"spp\":16"), "no complaint");
   EXPECT_THAT(with("\"spp\":0", "\"spp\":1e300"), HasSubstr("r.json: spp: wanted a whole number"));
@@ -187,7 +178,7 @@ TEST_F(Limits, ScenesLieBelowTheStudyFileOrTheAssetRoot) {
   const AssetFolders own{.study_file = folder_ / "study" / "s.toml"};
   const AssetFolders both{.study_file = own.study_file, .asset_root = folder_ / "elsewhere"};
   const auto refusal = [&](const AssetFolders& folders, const std::string& name) {
-    return complaint([&] { (void)resolve_asset(name, folders, "scene[0].file"); });
+    return complaint_of([&] { (void)resolve_asset(name, folders, "scene[0].file"); });
   };
   EXPECT_EQ(resolve_asset("below/a.glb", own, ""), folder_ / "study" / "below" / "a.glb");
   EXPECT_EQ(resolve_asset("below/../below/a.glb", own, ""), folder_ / "study" / "below/../below/a.glb");
@@ -213,7 +204,7 @@ TEST_F(Limits, FilesOfASetMayNotLeaveItThroughALink) {
   fs::create_symlink(folder_ / "study" / "own.png", folder_ / "study" / "in.png");
   const fs::path set = folder_ / "study";
   const auto refusal = [&](const std::string& name) {
-    return complaint([&] { (void)path_below(set, name, {.file = "manifest.json", .field = "image"}); });
+    return complaint_of([&] { (void)path_below(set, name, {.file = "manifest.json", .field = "image"}); });
   };
   EXPECT_EQ(path_below(set, "own.png", {}), set / "own.png");
   EXPECT_EQ(refusal("in.png"), "no complaint");

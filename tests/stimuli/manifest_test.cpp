@@ -5,6 +5,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
@@ -42,43 +43,38 @@ Manifest example() {
 
 class ManifestFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-manifest-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(ManifestFile, RoundTripKeepsEveryByte) {
-  write_manifest(folder_, example());
+  write_manifest(folder_.path(), example());
   const std::string bytes = read_file(folder_ / "manifest.json");
-  const Manifest back = read_manifest(folder_);
+  const Manifest back = read_manifest(folder_.path());
   EXPECT_EQ(back.stimuli[0].stimulus.artifact, Artifact::overlap);
   EXPECT_EQ(back.stimuli[0].rays, 123456789012);
   EXPECT_FALSE(back.stimuli[1].rmse);
-  write_manifest(folder_, back);
+  write_manifest(folder_.path(), back);
   EXPECT_EQ(read_file(folder_ / "manifest.json"), bytes);
-  EXPECT_EQ(set_hash(folder_).size(), 64U);
+  EXPECT_EQ(set_hash(folder_.path()).size(), 64U);
 }
 
 TEST_F(ManifestFile, EveryMissingFieldAndEveryCutIsTheUsersInput) {
-  write_manifest(folder_, example());
+  write_manifest(folder_.path(), example());
   const std::string bytes = read_file(folder_ / "manifest.json");
   for (const char* key : {"\"version\"", "\"stimuli\"", "\"rays\"", "\"depth_width_px\"", "\"artifact\"",
                           "\"sha256\"", "\"references\""}) {
     std::string broken = bytes;
     broken.replace(broken.find(key), 3, "\"x_");
     write_file_atomically(folder_ / "manifest.json", broken);
-    EXPECT_THROW((void)read_manifest(folder_), InputError) << key;
+    EXPECT_THROW((void)read_manifest(folder_.path()), InputError) << key;
   }
   for (std::size_t length = 0; length + 2 < bytes.size(); length += 97) {
     write_file_atomically(folder_ / "manifest.json", bytes.substr(0, length));
-    EXPECT_THROW((void)read_manifest(folder_), InputError) << length;
+    EXPECT_THROW((void)read_manifest(folder_.path()), InputError) << length;
   }
   for (const char* text : {"[]", "3", "null", "{\"format\": 3}"}) {
     write_file_atomically(folder_ / "manifest.json", text);
-    EXPECT_THROW((void)read_manifest(folder_), InputError) << text;
+    EXPECT_THROW((void)read_manifest(folder_.path()), InputError) << text;
   }
 }
 

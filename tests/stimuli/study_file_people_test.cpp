@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <set>
@@ -11,6 +10,9 @@
 #include "stimuli/study_files.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/temporary_folder.h"
+#include "tests/complaint.h"
+#include "tests/stimuli/study_of_no_files.h"
 
 namespace seamline {
 namespace {
@@ -18,30 +20,16 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string text_of(const std::string& top, const std::string& tables) {
-  std::string text = "format = \"seamline study 1\"\nname = \"people\"\ndepth_width_px = [64, 4096]\n" + top +
-                     "\n" + tables +
-                     "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n";
-  for (const char* object : {"a", "b", "c"})
-    text += std::string("[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return text;
+StudyDefinition read_people(const std::string& tables, const std::string& top = "") {
+  return read_study_text(test::study_of_no_files(top, tables), "study.toml");
 }
 
-StudyDefinition read(const std::string& tables, const std::string& top = "") {
-  return read_study_text(text_of(top, tables), "study.toml");
-}
-
-std::string complaint(const std::string& tables, const std::string& top = "") {
-  try {
-    (void)read(tables, top);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
+std::string complaint_of_people(const std::string& tables, const std::string& top = "") {
+  return test::complaint_of([&] { (void)read_people(tables, top); });
 }
 
 TEST(StudyFilePeople, WithoutAWordThereAreTheShippedTexts) {
-  const StudyDefinition study = read("");
+  const StudyDefinition study = read_people("");
   EXPECT_TRUE(is_default_consent(study.consent));
   ASSERT_EQ(study.form.size(), 4U);
   EXPECT_EQ(study.form[0].name, "age");
@@ -55,11 +43,11 @@ TEST(StudyFilePeople, WithoutAWordThereAreTheShippedTexts) {
 
 TEST(StudyFilePeople, ReadsConsent) {
   const ConsentDefinition consent =
-      read("[consent]\ntext = \"Nur zu.\"\naccept = \"Ja\"\ndecline = \"Nein\"").consent;
+      read_people("[consent]\ntext = \"Nur zu.\"\naccept = \"Ja\"\ndecline = \"Nein\"").consent;
   EXPECT_EQ(consent, (ConsentDefinition{"Nur zu.", "Ja", "Nein"}));
   EXPECT_FALSE(is_default_consent(consent));
-  EXPECT_THAT(complaint("[consent]\ntexst = \"x\""), HasSubstr("did you mean \"text\""));
-  EXPECT_THAT(complaint("[consent]\ntext = \"\""), HasSubstr("consent.text"));
+  EXPECT_THAT(complaint_of_people("[consent]\ntexst = \"x\""), HasSubstr("did you mean \"text\""));
+  EXPECT_THAT(complaint_of_people("[consent]\ntext = \"\""), HasSubstr("consent.text"));
 }
 
 /// The shipped text is known again when somebody copied it into their file with other line ends; any edit of
@@ -76,7 +64,7 @@ TEST(StudyFilePeople, KnowsTheShippedConsentByItsWords) {
 }
 
 TEST(StudyFilePeople, ReadsFormFields) {
-  const std::vector<FormField> form = read(R"(
+  const std::vector<FormField> form = read_people(R"(
 [[form_field]]
 name = "shoe_size"
 label = "Größe der Schuhe"
@@ -99,12 +87,12 @@ options = ["left", "right"]
   EXPECT_TRUE(number.least == 20 && number.most == 60.5 && !number.whole);
   EXPECT_THAT(std::get<ChoiceField>(form[1].kind).options, ElementsAre("left", "right"));
   EXPECT_TRUE(form[1].required);
-  EXPECT_TRUE(read("", "participant_form = false").form.empty());
+  EXPECT_TRUE(read_people("", "participant_form = false").form.empty());
 }
 
 TEST(StudyFilePeople, RefusesFormFieldsThatCannotBe) {
   const auto field = [](const std::string& rest) {
-    return complaint("[[form_field]]\nname = \"x\"\nlabel = \"X\"\n" + rest);
+    return complaint_of_people("[[form_field]]\nname = \"x\"\nlabel = \"X\"\n" + rest);
   };
   EXPECT_THAT(field(""), HasSubstr("form_field[0].kind"));
   EXPECT_THAT(field("kind = \"text\""), HasSubstr("\"number\" or \"choice\""));
@@ -114,11 +102,11 @@ TEST(StudyFilePeople, RefusesFormFieldsThatCannotBe) {
   EXPECT_THAT(field("kind = \"number\"\noptions = [\"a\", \"b\"]"), HasSubstr("options"));
   EXPECT_THAT(field("kind = \"number\"\n[[form_field]]\nname = \"x\"\nlabel = \"Y\"\nkind = \"number\""),
               HasSubstr("no other field"));
-  EXPECT_THAT(complaint("[[form_field]]\nname = \"My Name\"\nlabel = \"X\"\nkind = \"number\""),
+  EXPECT_THAT(complaint_of_people("[[form_field]]\nname = \"My Name\"\nlabel = \"X\"\nkind = \"number\""),
               HasSubstr("lower-case"));
-  EXPECT_THAT(
-      complaint("[[form_field]]\nname = \"x\"\nlabel = \"X\"\nkind = \"number\"", "participant_form = false"),
-      HasSubstr("participant_form"));
+  EXPECT_THAT(complaint_of_people("[[form_field]]\nname = \"x\"\nlabel = \"X\"\nkind = \"number\"",
+                                  "participant_form = false"),
+              HasSubstr("participant_form"));
 }
 
 TEST(StudyFilePeople, JudgesFormAnswers) {
@@ -136,7 +124,7 @@ TEST(StudyFilePeople, JudgesFormAnswers) {
 }
 
 TEST(StudyFilePeople, ReadsInstructionsAndTraining) {
-  const StudyDefinition study = read(R"(
+  const StudyDefinition study = read_people(R"(
 [[instructions.page]]
 text = "Look."
 pictures = ["a.png", "deep/b.jpg"]
@@ -152,26 +140,26 @@ feedback_right = "Ja: {object}"
   EXPECT_EQ(study.training.trials, 1);
   EXPECT_EQ(study.training.feedback_right, "Ja: {object}");
   EXPECT_EQ(session_files(study), (std::vector<std::string>{"a.png", "deep/b.jpg", "page2.png"}));
-  EXPECT_THAT(complaint("[instructions]\n"), HasSubstr("at least one"));
-  EXPECT_THAT(complaint("[[instructions.page]]\n"), HasSubstr("neither"));
-  EXPECT_THAT(complaint("[[instructions.page]]\npicture = \"a.png\""), HasSubstr("pictures"));
-  EXPECT_THAT(complaint("[training]\ntrials = 2\nstimuli = [\"x\"]"), HasSubstr("both"));
-  EXPECT_THAT(complaint("[training]\ntrials = -1"), HasSubstr("training.trials"));
+  EXPECT_THAT(complaint_of_people("[instructions]\n"), HasSubstr("at least one"));
+  EXPECT_THAT(complaint_of_people("[[instructions.page]]\n"), HasSubstr("neither"));
+  EXPECT_THAT(complaint_of_people("[[instructions.page]]\npicture = \"a.png\""), HasSubstr("pictures"));
+  EXPECT_THAT(complaint_of_people("[training]\ntrials = 2\nstimuli = [\"x\"]"), HasSubstr("both"));
+  EXPECT_THAT(complaint_of_people("[training]\ntrials = -1"), HasSubstr("training.trials"));
 }
 
 /// A set carries the files, so they must not lie elsewhere; and where the study is rendered they must be
 /// there.
 TEST(StudyFilePeople, FilesOfASessionLieBesideTheStudy) {
   for (const char* file : {"/etc/a.png", "../a.png", "deep/../../a.png"})
-    EXPECT_THAT(complaint(fmt::format("[[instructions.page]]\npictures = [\"{}\"]", file)),
+    EXPECT_THAT(complaint_of_people(fmt::format("[[instructions.page]]\npictures = [\"{}\"]", file)),
                 HasSubstr("beside the study file"));
-  EXPECT_THAT(complaint("[session]\nfont = \"/usr/a.ttf\""), HasSubstr("session.font"));
-  const auto folder = std::filesystem::temp_directory_path() / fmt::format("seamline-people-{}", ::getpid());
-  std::filesystem::create_directories(folder);
+  EXPECT_THAT(complaint_of_people("[session]\nfont = \"/usr/a.ttf\""), HasSubstr("session.font"));
+  const TemporaryFolder folder;
   write_file_atomically(folder / "none.glb", "x");
-  write_file_atomically(folder / "study.toml", text_of("",
-                                                       "[session]\nfont = \"a.ttf\"\n[[instructions.page]]\n"
-                                                       "pictures = [\"deep/b.png\"]\n"));
+  write_file_atomically(folder / "study.toml",
+                        test::study_of_no_files("",
+                                                "[session]\nfont = \"a.ttf\"\n[[instructions.page]]\n"
+                                                "pictures = [\"deep/b.png\"]\n"));
   EXPECT_THROW((void)read_study(folder / "study.toml"), InputError);
   EXPECT_NO_THROW((void)read_study(folder / "study.toml", AssetCheck::not_needed));
   write_file_atomically(folder / "a.ttf", "letters");
@@ -183,11 +171,10 @@ TEST(StudyFilePeople, FilesOfASessionLieBesideTheStudy) {
   copy_session_files(study, folder / "set");
   EXPECT_EQ(read_file(folder / "set/a.ttf"), "letters");
   EXPECT_EQ(read_file(folder / "set/deep/b.png"), "picture");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(StudyFilePeople, ReadsCatchTrialsAndPace) {
-  const StudyDefinition study = read(
+  const StudyDefinition study = read_people(
       "[catch]\nattention = 4\nreference = 6\n[session]\nminimum_viewing_s = 0.5\ninter_trial_s = 1\n"
       "resume = \"refuse\"\norders = 12\ntext_scale = 1.5\n");
   EXPECT_EQ(study.catches, (CatchDefinition{4, 6}));
@@ -196,11 +183,11 @@ TEST(StudyFilePeople, ReadsCatchTrialsAndPace) {
   EXPECT_EQ(study.session.resume, ResumePolicy::refuse);
   EXPECT_EQ(study.session.orders, 12);
   EXPECT_EQ(study.session.text_scale, 1.5);
-  EXPECT_THAT(complaint("[catch]\nattention = -1"), HasSubstr("catch.attention"));
-  EXPECT_THAT(complaint("[catch]\natention = 1"), HasSubstr("did you mean \"attention\""));
-  EXPECT_THAT(complaint("[session]\nresume = \"maybe\""),
+  EXPECT_THAT(complaint_of_people("[catch]\nattention = -1"), HasSubstr("catch.attention"));
+  EXPECT_THAT(complaint_of_people("[catch]\natention = 1"), HasSubstr("did you mean \"attention\""));
+  EXPECT_THAT(complaint_of_people("[session]\nresume = \"maybe\""),
               HasSubstr("\"resume\" or \"restart\" or \"refuse\""));
-  EXPECT_THAT(complaint("[session]\ntext_scale = 9"), HasSubstr("text_scale"));
+  EXPECT_THAT(complaint_of_people("[session]\ntext_scale = 9"), HasSubstr("text_scale"));
 }
 
 TEST(StudyFilePeople, EveryPhraseStandsOnceInTheTableInOrder) {
@@ -218,14 +205,14 @@ TEST(StudyFilePeople, EveryPhraseCanBeTranslated) {
   std::string table = "[texts]\n";
   for (const PhraseEntry& entry : every_phrase())
     table += fmt::format("{} = \"ü {}\"\n", entry.key, entry.key);
-  const InterfaceTexts texts = read(table).texts;
+  const InterfaceTexts texts = read_people(table).texts;
   for (const PhraseEntry& entry : every_phrase()) {
     EXPECT_EQ(phrase_text(texts, entry.phrase), fmt::format("ü {}", entry.key));
     EXPECT_EQ(phrase_text({}, entry.phrase), entry.english);
   }
-  EXPECT_THAT(complaint("[texts]\nbrake_title = \"x\""), HasSubstr("did you mean \"break_title\""));
-  EXPECT_THAT(complaint("[texts]\nprogress = \"{erledigt} von {all}\""), HasSubstr("{erledigt}"));
-  EXPECT_EQ(phrase_text(read("[texts]\nprogress = \"{all}\"").texts, Phrase::progress), "{all}");
+  EXPECT_THAT(complaint_of_people("[texts]\nbrake_title = \"x\""), HasSubstr("did you mean \"break_title\""));
+  EXPECT_THAT(complaint_of_people("[texts]\nprogress = \"{erledigt} von {all}\""), HasSubstr("{erledigt}"));
+  EXPECT_EQ(phrase_text(read_people("[texts]\nprogress = \"{all}\"").texts, Phrase::progress), "{all}");
 }
 
 TEST(StudyFilePeople, FillsPlacesIn) {
@@ -235,18 +222,18 @@ TEST(StudyFilePeople, FillsPlacesIn) {
 
 /// Texts can be edited in a rendered set; what decides what people are shown cannot.
 TEST(StudyFilePeople, OnlyWhatPeopleAreShownIsInTheHash) {
-  const std::string usual = study_hash(read(""));
+  const std::string usual = study_hash(read_people(""));
   for (const char* text :
        {"[consent]\ntext = \"mine\"", "[[form_field]]\nname = \"x\"\nlabel = \"X\"\nkind = \"number\"",
         "[[instructions.page]]\ntext = \"x\"", "[training]\nfeedback_wrong = \"No\"", "[texts]\nback = \"x\"",
         "[session]\nresume = \"restart\"", "[session]\ntext_scale = 2", "[catch]\nattention = 0",
         "[training]\ntrials = 3", "[session]\norders = 0"})
-    EXPECT_EQ(study_hash(read(text)), usual) << text;
+    EXPECT_EQ(study_hash(read_people(text)), usual) << text;
   std::set<std::string> hashes = {usual};
   for (const char* shown : {"[catch]\nattention = 1", "[catch]\nreference = 1", "[training]\ntrials = 4",
                             "[training]\nstimuli = [\"a\", \"b\", \"c\"]", "[session]\norders = 2",
                             "[session]\nminimum_viewing_s = 1", "[session]\ninter_trial_s = 0"})
-    EXPECT_TRUE(hashes.insert(study_hash(read(shown))).second) << shown;
+    EXPECT_TRUE(hashes.insert(study_hash(read_people(shown))).second) << shown;
 }
 
 /// Sets that were rendered before all this could be said are still good.

@@ -7,41 +7,34 @@
 
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
+#include "tests/complaint.h"
+#include "tests/stimuli/study_of_no_files.h"
 
 namespace seamline {
 namespace {
 
 using testing::HasSubstr;
 
-StudyDefinition read(const std::string& top, const std::string& tables) {
-  std::string text = "format = \"seamline study 1\"\nname = \"adaptive\"\ndepth_width_px = [64, 4096]\n" +
-                     top + "\n" + tables +
-                     "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n";
-  for (const char* object : {"a", "b", "c"})
-    text += std::string("[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml");
+StudyDefinition read_procedure(const std::string& top, const std::string& tables) {
+  return read_study_text(test::study_of_no_files(top, tables), "study.toml");
 }
 
 constexpr const char* adaptive = "procedure = \"quest_plus\"";
 
 QuestPlusDefinition quest_plus(const std::string& settings) {
   return std::get<QuestPlusDefinition>(
-      read(adaptive, "[quest_plus]\nmax_shows_per_image = 3\n" + settings).procedure);
+      read_procedure(adaptive, "[quest_plus]\nmax_shows_per_image = 3\n" + settings).procedure);
 }
 
-std::string complaint(const std::string& top, const std::string& tables) {
-  try {
-    (void)read(top, tables);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
+std::string complaint_of_procedure(const std::string& top, const std::string& tables) {
+  return test::complaint_of([&] { (void)read_procedure(top, tables); });
 }
 
 TEST(StudyFileProcedure, IsConstantUnlessItIsNamed) {
-  EXPECT_TRUE(std::holds_alternative<ConstantDefinition>(read("", "").procedure));
-  EXPECT_TRUE(std::holds_alternative<ConstantDefinition>(read("procedure = \"constant\"", "").procedure));
-  EXPECT_EQ(study_hash(read("", "")), study_hash(read("procedure = \"constant\"", "")));
+  EXPECT_TRUE(std::holds_alternative<ConstantDefinition>(read_procedure("", "").procedure));
+  EXPECT_TRUE(
+      std::holds_alternative<ConstantDefinition>(read_procedure("procedure = \"constant\"", "").procedure));
+  EXPECT_EQ(study_hash(read_procedure("", "")), study_hash(read_procedure("procedure = \"constant\"", "")));
 }
 
 TEST(StudyFileProcedure, DefaultsReachAnOctaveBeyondTheWidths) {
@@ -87,10 +80,11 @@ edge_share = 0.2
 
 TEST(StudyFileProcedure, EverySettingIsInTheHash) {
   const auto hash = [](const std::string& settings) {
-    return study_hash(read(adaptive, "[quest_plus]\n" + settings));
+    return study_hash(read_procedure(adaptive, "[quest_plus]\n" + settings));
   };
   const std::string shows = "max_shows_per_image = 3\n";
-  std::set<std::string> hashes = {hash(shows), hash("max_shows_per_image = 4\n"), study_hash(read("", ""))};
+  std::set<std::string> hashes = {hash(shows), hash("max_shows_per_image = 4\n"),
+                                  study_hash(read_procedure("", ""))};
   const std::vector<std::string> others = {"outcome = \"noticeability\"",
                                            "outcome = \"noticeability\"\nrating_step_octaves = { count = 3 }",
                                            "track = \"object\"",
@@ -109,12 +103,13 @@ TEST(StudyFileProcedure, EverySettingIsInTheHash) {
 }
 
 TEST(StudyFileProcedure, RefusesWhatIsWrongInOneSentence) {
-  EXPECT_THAT(complaint("procedure = \"staircase\"", ""),
+  EXPECT_THAT(complaint_of_procedure("procedure = \"staircase\"", ""),
               testing::AllOf(HasSubstr("study.toml: procedure"), HasSubstr("\"constant\" or \"quest_plus\""),
                              HasSubstr("\"staircase\"")));
-  EXPECT_THAT(complaint(adaptive, ""), HasSubstr("[quest_plus]"));
-  EXPECT_THAT(complaint(adaptive, "[quest_plus]\n"), HasSubstr("quest_plus.max_shows_per_image"));
-  EXPECT_THAT(complaint("", "[quest_plus]\nmax_shows_per_image = 3\n"), HasSubstr("procedure"));
+  EXPECT_THAT(complaint_of_procedure(adaptive, ""), HasSubstr("[quest_plus]"));
+  EXPECT_THAT(complaint_of_procedure(adaptive, "[quest_plus]\n"),
+              HasSubstr("quest_plus.max_shows_per_image"));
+  EXPECT_THAT(complaint_of_procedure("", "[quest_plus]\nmax_shows_per_image = 3\n"), HasSubstr("procedure"));
   const std::vector<std::pair<const char*, const char*>> wrong = {
       {"outcome = \"seen\"", "quest_plus.outcome"},
       {"track = \"scene\"", "quest_plus.track"},
@@ -139,8 +134,8 @@ TEST(StudyFileProcedure, RefusesWhatIsWrongInOneSentence) {
       {"rating_step_octaves = { count = 2 }", "outcome"},
       {"max_show_per_image = 2", "did you mean \"max_shows_per_image\""}};
   for (const auto& [setting, expected] : wrong) {
-    const std::string said =
-        complaint(adaptive, std::string("[quest_plus]\nmax_shows_per_image = 3\n") + setting + "\n");
+    const std::string said = complaint_of_procedure(
+        adaptive, std::string("[quest_plus]\nmax_shows_per_image = 3\n") + setting + "\n");
     EXPECT_THAT(said, HasSubstr(expected)) << setting;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0);
   }

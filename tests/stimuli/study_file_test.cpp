@@ -7,6 +7,7 @@
 
 #include "stimuli/stimulus.h"
 #include "stimuli/support/error.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -46,12 +47,7 @@ class StudyFile : public testing::Test {
     return read_study(path_, AssetCheck::not_needed);
   }
   std::string complaint(const std::string& text) {
-    try {
-      (void)read(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
+    return test::complaint_of([&] { (void)read(text); });
   }
   static std::string with(const std::string& from, const std::string& to) {
     std::string text = minimal;

@@ -12,24 +12,20 @@
 #include "stimuli/support/image.h"
 #include "stimuli/support/progress.h"
 #include "stimuli/support/suggest.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
 
 namespace fs = std::filesystem;
 
-class TemporaryFolder : public testing::Test {
+class InTemporaryFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-support-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
-using AtomicFile = TemporaryFolder;
-using ImageFile = TemporaryFolder;
+using AtomicFile = InTemporaryFolder;
+using ImageFile = InTemporaryFolder;
 
 TEST(Hash, Sha256OfPublishedMessages) {  // FIPS 180-2, appendix B
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -45,7 +41,7 @@ TEST_F(AtomicFile, FailedWriteLeavesTheOldFileAndNothingElse) {
                                      }),
                InputError);
   EXPECT_EQ(read_file(folder_ / "a.txt"), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
 }
 
 TEST_F(AtomicFile, HashOfAFileIsTheHashOfItsBytes) {
@@ -53,7 +49,7 @@ TEST_F(AtomicFile, HashOfAFileIsTheHashOfItsBytes) {
   write_file_atomically(folder_ / "b", bytes);
   EXPECT_EQ(sha256_of_file(folder_ / "b"), sha256(bytes));
   EXPECT_THROW((void)sha256_of_file(folder_ / "none"), InputError);
-  EXPECT_THROW((void)sha256_of_file(folder_), InputError);
+  EXPECT_THROW((void)sha256_of_file(folder_.path()), InputError);
 }
 
 TEST(Colour, SrgbCurveMeetsItsInverseAndItsCodes) {

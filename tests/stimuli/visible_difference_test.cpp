@@ -7,6 +7,7 @@
 
 #include "stimuli/flip.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/temporary_folder.h"
 #include "tests/stimuli/manifest_records.h"
 
 namespace seamline {
@@ -33,8 +34,6 @@ TEST(VisibleDifference, FloorsAreTakenOffWhereTheyWereAdded) {
 class SmallSet : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("seamline-difference-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     manifest_.width_px = 30;
     manifest_.height_px = 20;
     write("reference.png", 0);
@@ -43,7 +42,6 @@ class SmallSet : public testing::Test {
     add(Artifact::none, "left", 64, 4);
     add(Artifact::receiver, "right", 64, 60);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, int contrast, int width_px = 30) {
     ByteImage image{width_px, 20, 3, std::vector<std::uint8_t>(static_cast<std::size_t>(width_px) * 60, 100)};
@@ -58,12 +56,12 @@ class SmallSet : public testing::Test {
     manifest_.stimuli.push_back(record);
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
   Manifest manifest_;
 };
 
 TEST_F(SmallSet, DifferencesGrowWithContrastAndLoseTheirFloor) {
-  const VisibleDifferences found = visible_differences(folder_, manifest_, 38);
+  const VisibleDifferences found = visible_differences(folder_.path(), manifest_, 38);
   ASSERT_EQ(found.size(), 4U);
   const VisibleDifference strong = found.at("room-receiver-left-0064");
   const VisibleDifference weak = found.at("room-receiver-left-0128");
@@ -77,21 +75,22 @@ TEST_F(SmallSet, DifferencesGrowWithContrastAndLoseTheirFloor) {
   EXPECT_EQ(other.pooled, strong.pooled);
   EXPECT_EQ(other.above_floor, other.pooled);
   EXPECT_EQ(difference_floors(manifest_, found), (DifferenceFloors{{"room/left", none.pooled}}));
-  const VisibleDifferences given = visible_differences(folder_, manifest_, 38, {{"room/right", 100.0}});
+  const VisibleDifferences given =
+      visible_differences(folder_.path(), manifest_, 38, {{"room/right", 100.0}});
   EXPECT_EQ(given.at("room-receiver-right-0064").above_floor, 0);
 }
 
 TEST_F(SmallSet, SameBytesForAnyNumberOfThreads) {
-  const VisibleDifferences one = visible_differences(folder_, manifest_, 38, {}, 1);
-  const VisibleDifferences four = visible_differences(folder_, manifest_, 38, {}, 4);
+  const VisibleDifferences one = visible_differences(folder_.path(), manifest_, 38, {}, 1);
+  const VisibleDifferences four = visible_differences(folder_.path(), manifest_, 38, {}, 4);
   for (const auto& [id, difference] : one) EXPECT_EQ(difference.pooled, four.at(id).pooled);
 }
 
 TEST_F(SmallSet, AMissingOrWrongPictureIsTheUsersInput) {
   write("room-receiver-left-0064.png", 60, 31);
-  EXPECT_THROW((void)visible_differences(folder_, manifest_, 38), InputError);
+  EXPECT_THROW((void)visible_differences(folder_.path(), manifest_, 38), InputError);
   fs::remove(folder_ / "room-receiver-left-0064.png");
-  EXPECT_THROW((void)visible_differences(folder_, manifest_, 38), InputError);
+  EXPECT_THROW((void)visible_differences(folder_.path(), manifest_, 38), InputError);
 }
 
 }  // namespace

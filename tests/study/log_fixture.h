@@ -7,19 +7,11 @@
 #include "study/log_writer.h"
 #include "study/plan.h"
 #include "temporary_set.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 
-/// The sentence of the InputError that `work` throws; empty when it throws none.
-template <class Work>
-std::string complaint_of(Work&& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
+using test::complaint_of;
 
 class LogTest : public testing::Test {
  protected:

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <map>
 
+#include "sound_log.h"
 #include "stimuli/support/random.h"
 #include "study/catch_plan.h"
 #include "study/log.h"
@@ -77,13 +78,6 @@ std::vector<Report> run_and_kill(const std::filesystem::path& path, const StudyS
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status)) << "the writer stopped by itself: " << status;
   return reports;
-}
-
-void expect_sound(const std::filesystem::path& path) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, 1000);
-  EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
-  SQLite::Statement orphans(database, "PRAGMA foreign_key_check");
-  EXPECT_FALSE(orphans.executeStep());
 }
 
 TEST(LogKill, NothingStoredIsLostAndNothingIsDoubled) {

@@ -11,6 +11,7 @@
 #include "study/log.h"
 #include "study/simulation.h"
 #include "temporary_set.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -31,12 +32,7 @@ class LogRecoveryTest : public testing::Test {
   }
 
   [[nodiscard]] std::string complaint_of_reading() const {
-    try {
-      (void)read_log(log);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return test::complaint_of([&] { (void)read_log(log); });
   }
 
   void lose_page(std::size_t page) const {

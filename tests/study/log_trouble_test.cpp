@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "scripted_person.h"
+#include "sound_log.h"
 #include "study/log.h"
 #include "study/visit_store.h"
 #include "temporary_set.h"
@@ -71,11 +72,6 @@ Ending visit_under_a_limit(const StudySet& set, const fs::path& path, rlim_t byt
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   return ending;
-}
-
-void expect_sound(const fs::path& path) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, 1000);
-  EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
 }
 
 TEST(LogTrouble, OnAFullDiskTheVisitStopsPlainlyAndKeepsWhatWasAnswered) {

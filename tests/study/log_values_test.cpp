@@ -8,6 +8,7 @@
 #include "study/log_values.h"
 #include "study/simulation.h"
 #include "temporary_set.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -24,12 +25,7 @@ std::string complaint_after(const TemporaryFolder& folder, const char* change) {
     database.exec("PRAGMA ignore_check_constraints = ON");
     if (database.exec(change) == 0) return "nothing was changed";
   }
-  try {
-    (void)read_log(folder / "changed");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
+  return test::complaint_of([&] { (void)read_log(folder / "changed"); });
 }
 
 TEST(LogValues, WhatTheTablesWouldNotLetInIsRefused) {
@@ -60,12 +56,7 @@ std::string refusal(const char* value, Read&& read) {
   SQLite::Statement row(database, std::string("SELECT ") + value + " AS rating");
   row.executeStep();
   const std::filesystem::path log = "log.sqlite";
-  try {
-    read(LogValues(row, log, "answers"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
+  return test::complaint_of([&] { read(LogValues(row, log, "answers")); });
 }
 
 TEST(LogValues, EachKindOfValueHasItsRange) {

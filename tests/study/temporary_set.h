@@ -1,6 +1,5 @@
 #pragma once
 #include <fmt/core.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <string>
@@ -9,29 +8,10 @@
 #include "stimuli/stimulus.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/temporary_folder.h"
 #include "study/study_set.h"
 
 namespace seamline {
-
-/// A folder that is gone again at the end of the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "seamline-study-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline std::string study_text(const std::string& name, const std::string& widths_px) {
   std::string text = fmt::format(

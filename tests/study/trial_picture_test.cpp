@@ -7,6 +7,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/hash.h"
 #include "temporary_set.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -69,12 +70,7 @@ TEST_F(TrialPictureTest, ShowsTheStimulusTheReferenceOrTheReferenceWithOneObject
 
 TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {
   const auto complaint = [&](const PlannedTrial& trial) {
-    try {
-      (void)load_trial_picture(set, trial);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no complaint");
+    return test::complaint_of([&] { (void)load_trial_picture(set, trial); });
   };
   const int atrium = static_cast<int>(set.manifest.stimuli.size()) - 1;
   EXPECT_THAT(complaint({TrialKind::reference, atrium}), HasSubstr("a reference of the scene atrium"));

@@ -6,6 +6,7 @@
 #include "stimuli/support/error.h"
 #include "study/visit_store.h"
 #include "temporary_set.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 
@@ -37,12 +38,7 @@ class VisitStoreTest : public testing::Test {
   }
   static std::string complaint(const StudySet& set, const std::filesystem::path& log,
                                const Visitor& visitor) {
-    try {
-      const VisitStore store(set, log, visitor);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
+    return test::complaint_of([&] { const VisitStore store(set, log, visitor); });
   }
   [[nodiscard]] int count(const std::string& sql) const {
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);

@@ -1,4 +1,4 @@
-#include "stability/temporary_folder.h"
+#include "stimuli/support/temporary_folder.h"
 
 #include <cstdlib>
 #include <string>
@@ -9,7 +9,7 @@
 namespace seamline {
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "seamline-stability-XXXXXX").string();
+  std::string name = (std::filesystem::temp_directory_path() / "seamline-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)
     throw input_error({.file = name, .wanted = "a place for temporary files", .found = "none"});
   path_ = name;
