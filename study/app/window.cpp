@@ -58,8 +58,7 @@ InputQueue& queue_of(GLFWwindow* window) {
 
 void on_key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
   if (action == GLFW_RELEASE) return;
-  queue_of(window).emplace_back(
-      KeyPressed{key_press(key, modifiers, action == GLFW_REPEAT), monotonic_ns()});
+  queue_of(window).emplace_back(KeyPressed{key_press(key, modifiers, action == GLFW_REPEAT), monotonic_ns()});
 }
 
 void on_character(GLFWwindow* window, unsigned character) {
