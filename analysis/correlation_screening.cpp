@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
 namespace seamline {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "analysis/curve_replicates.h"
-#include "analysis/distributions.h"
 #include "analysis/interval.h"
+#include "analysis/statistics/distributions.h"
 
 namespace seamline {
 

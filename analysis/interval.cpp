@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 
 namespace seamline {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
 namespace seamline {

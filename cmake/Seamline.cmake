@@ -20,11 +20,16 @@ endif()
 # The files of a folder are compiled ten at a time, as one: their headers and templates are most of the time to build.
 # Every file stands alone all the same; CMAKE_UNITY_BUILD=OFF shows it, and rebuilds less after a change.
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder ten at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 10 CACHE STRING "how many files are compiled as one; 0: all of a folder")
 
 # One library a folder. The repository root is the include root, so an include names its folder: "stimuli/manifest.h".
 function(seamline_library name)
-  add_library(${name} STATIC ${ARGN})
+  # Commands next to one another: the command line's library is 10 s of every compilation that sees it.
+  set(commands ${ARGN})
+  list(FILTER commands INCLUDE REGEX "(commands?|option)\\.cpp$")
+  set(others ${ARGN})
+  list(FILTER others EXCLUDE REGEX "(commands?|option)\\.cpp$")
+  add_library(${name} STATIC ${others} ${commands})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE seamline_warnings)
 endfunction()

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/distributions.h"
 #include "analysis/ordinal/max_t.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
 namespace seamline {

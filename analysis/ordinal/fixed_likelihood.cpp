@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "analysis/distributions.h"
 #include "analysis/ordinal/row_terms.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/parallel.h"
 
 namespace seamline {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 
 namespace seamline {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/distributions.h"
 #include "analysis/psychometric/goodness.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
 namespace seamline {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 #include "stimuli/support/error.h"
 
 namespace seamline {

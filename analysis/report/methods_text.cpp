@@ -131,7 +131,7 @@ constexpr const char* adaptive_text =
     "of each participant's track, with equal-tailed 95 % credible intervals. Because widths depend on the "
     "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.";
 
-constexpr const char* times_text =
+constexpr const char* reaction_times_text =
     "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
     "quartiles over answers are given and no answer was left out for its time.";
 
@@ -201,7 +201,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     paragraphs.emplace_back(checks_method_text);
   }
   paragraphs.push_back(screening_text(analysis));
-  if (!numbers.times.rows.empty()) paragraphs.emplace_back(times_text);
+  if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);
   paragraphs.push_back(software(analysis));
   if (!analysis.planted.empty()) paragraphs.emplace_back(planted_text);
   methods.references = references_in(paragraphs);

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 #include "tests/analysis/psychometric_people.h"
 
 namespace seamline {

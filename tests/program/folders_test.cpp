@@ -21,15 +21,19 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"renderer", {"stimuli", "stimuli/support"}},
     {"study", {"stimuli", "stimuli/support"}},
     {"study/app", {"study", "stimuli", "stimuli/support"}},
-    {"analysis/psychometric", {"study", "stimuli", "stimuli/support"}},
-    {"analysis/ordinal", {"study", "stimuli", "stimuli/support"}},
-    {"analysis", {"analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}},
+    {"analysis/statistics", {"stimuli/support"}},
+    {"analysis/psychometric", {"analysis/statistics", "study", "stimuli", "stimuli/support"}},
+    {"analysis/ordinal", {"analysis/statistics", "study", "stimuli", "stimuli/support"}},
+    {"analysis",
+     {"analysis/statistics", "analysis/psychometric", "analysis/ordinal", "study", "stimuli",
+      "stimuli/support"}},
     {"analysis/report",
      {"analysis", "analysis/psychometric", "analysis/ordinal", "study", "stimuli", "stimuli/support"}},
     {"analysis/commands",
      {"analysis/report", "analysis", "analysis/psychometric", "study", "stimuli", "stimuli/support"}},
     {"stability",
-     {"analysis", "analysis/psychometric", "analysis/ordinal", "renderer", "study", "stimuli", "stimuli/support"}}};
+     {"analysis", "analysis/psychometric", "analysis/ordinal", "renderer", "study", "stimuli",
+      "stimuli/support"}}};
 
 std::string folder_of(const std::string& include) {
   const std::size_t slash = include.rfind('/');

@@ -1,4 +1,4 @@
-#include "analysis/distributions.h"
+#include "analysis/statistics/distributions.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
