@@ -7,12 +7,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "renderer/embree_handles.h"
+
 namespace seamline {
 namespace {
-
-RTCScene as_scene(void* scene) {
-  return static_cast<RTCScene>(scene);
-}
 
 /// A packet's arrays and Embree's functions for it, by its size.
 template <int size>
@@ -120,7 +118,7 @@ void trace(RTCScene scene, bool nearest, int packet_size, Coherence coherence, s
 }  // namespace
 
 BareScene::BareScene(std::span<const std::shared_ptr<const Part>> parts) {
-  const auto device = static_cast<RTCDevice>(RayDevice::instance().handle());
+  const RTCDevice device = embree_device();
   RTCScene scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);

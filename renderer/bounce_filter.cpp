@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "renderer/b_spline.h"
 #include "renderer/parallel.h"
 
 namespace seamline {
 namespace {
 
-constexpr std::array<float, 5> kernel = {1.0F / 16, 4.0F / 16, 6.0F / 16, 4.0F / 16, 1.0F / 16};
 constexpr float plane_tolerance = 0.01F;  // distance from the tangent plane, relative to the distance
 
 /// 1 for like surfaces, 0 for unlike ones.
@@ -61,7 +61,7 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
           if (column < 0 || row < 0 || column >= grid.width_px || row >= grid.height_px) continue;
           const std::size_t i = index(column, row);
           const float share =
-              kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
+              b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
           const float weight =
               i == centre ? share : share * likeness(surface, surfaces[i], strength.reach_divisor);
           if (weight > 0.0F) sum += weight * texels[i].sums;

@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "renderer/embree_handles.h"
 #include "renderer/ray_count.h"
 #include "renderer/ray_packet.h"
 
@@ -17,18 +18,11 @@ namespace {
 
 constexpr float relative_offset = 1e-5F;
 
-RTCDevice device() {
-  return static_cast<RTCDevice>(RayDevice::instance().handle());
-}
-RTCScene as_scene(void* scene) {
-  return static_cast<RTCScene>(scene);
-}
-
 /// Adds triangles to a scene; with `shared`, Embree looks into the arrays, which must outlive it and of which
 /// the first must have room for one vertex more.
 void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
             const std::vector<Triangle>& triangles, bool shared) {
-  RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
   if (shared) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
@@ -51,7 +45,7 @@ void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
 /// Embree keeps its errors to itself until asked: a scene that could not be built would be an empty one.
 void commit(RTCScene scene) {
   rtcCommitScene(scene);
-  if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) throw std::bad_alloc();
+  if (rtcGetDeviceError(embree_device()) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 
 void set_ray(RTCRay& out, const Ray& ray) {
@@ -130,7 +124,7 @@ Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& dire
 }
 
 Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
-    : scene_(rtcNewScene(device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
+    : scene_(rtcNewScene(embree_device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
   rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
@@ -141,7 +135,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
   commit(as_scene(scene_));
 }
 
-Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScene(device())) {
+Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScene(embree_device())) {
   auto part = std::make_shared<Part>();
   part->name = "local scene";
   part->albedo = albedo;

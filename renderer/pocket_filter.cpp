@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/b_spline.h"
+
 namespace seamline {
 namespace {
 
 constexpr int levels = 2;
-constexpr std::array<float, 5> kernel = {1.0F / 16, 4.0F / 16, 6.0F / 16, 4.0F / 16,
-                                         1.0F / 16};  // cubic B-spline
-constexpr float depth_tolerance = 0.05F;              // relative
+constexpr float depth_tolerance = 0.05F;  // relative
 
 /// Light and number of samples are filtered apart, so that pixels with few uncovered samples count for what
 /// they saw.
@@ -59,7 +59,7 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
               continue;
             const std::size_t i = index(column, row);
             const float weight =
-                kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
+                b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
             to[centre].add(from[i], i == centre ? weight : weight * likeness(guides[centre], guides[i]));
           }
       }

@@ -1,10 +1,8 @@
 #include "renderer/ray_memory.h"
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 
-#include "renderer/geometry.h"
+#include "renderer/embree_handles.h"
 
 namespace seamline {
 namespace {
@@ -16,19 +14,15 @@ bool count(void* /*user*/, ssize_t bytes, bool /*post*/) {
   return true;
 }
 
-RTCDevice device() {
-  return static_cast<RTCDevice>(RayDevice::instance().handle());
-}
-
 }  // namespace
 
 RayMemoryMeter::RayMemoryMeter() {
   counted_bytes = 0;
-  rtcSetDeviceMemoryMonitorFunction(device(), count, nullptr);
+  rtcSetDeviceMemoryMonitorFunction(embree_device(), count, nullptr);
 }
 
 RayMemoryMeter::~RayMemoryMeter() {
-  rtcSetDeviceMemoryMonitorFunction(device(), nullptr, nullptr);
+  rtcSetDeviceMemoryMonitorFunction(embree_device(), nullptr, nullptr);
 }
 
 std::int64_t RayMemoryMeter::bytes() const {

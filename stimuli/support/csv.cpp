@@ -24,7 +24,7 @@ std::string safe_text(std::string_view text) {
   return quoted + "\"";
 }
 
-struct CellText {
+struct CsvCellText {
   std::string operator()(std::monostate) const { return ""; }
   std::string operator()(const std::string& text) const { return safe_text(text); }
   std::string operator()(double number) const { return number_text(number); }
@@ -49,7 +49,8 @@ std::string csv_text(const CsvTable& table) {
   text += "\n";
   for (const std::vector<CsvValue>& row : table.rows) {
     assert(row.size() == table.columns.size());
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + std::visit(CellText{}, row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += (i == 0 ? "" : ",") + std::visit(CsvCellText{}, row[i]);
     text += "\n";
   }
   return text;

@@ -7,7 +7,7 @@
 namespace seamline {
 namespace {
 
-struct CellText {
+struct MarkdownCellText {
   int digits;
   std::string operator()(std::monostate) const { return "–"; }
   std::string operator()(const std::string& text) const {
@@ -40,7 +40,7 @@ std::string markdown_table(const CsvTable& table, int digits) {
     const bool text = is_text(table, column);
     std::vector<std::string> cells = {head.unit.empty() ? head.name : head.name + " (" + head.unit + ")", ""};
     for (const std::vector<CsvValue>& row : table.rows)
-      cells.push_back(std::visit(CellText{digits}, row[column]));
+      cells.push_back(std::visit(MarkdownCellText{digits}, row[column]));
     std::size_t width = 3;
     for (const std::string& cell : cells) width = std::max(width, width_of(cell));
     cells[1] = text ? std::string(width, '-') : std::string(width - 1, '-') + ":";

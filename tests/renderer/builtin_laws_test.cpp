@@ -8,18 +8,15 @@
 #include "renderer/stimulus_pass.h"
 #include "stimuli/difference.h"
 #include "stimuli/study_file.h"
-#include "tests/renderer/picture_size.h"
+#include "tests/renderer/small_pictures.h"
 
 namespace seamline {
 namespace {
 
+using test::paper_study;
 using test::picture_height_px;
 using test::picture_width_px;
 constexpr int threads = 2;
-
-StudyDefinition paper_study() {
-  return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "depth_resolution.toml");
-}
 
 /// One virtual object of a built-in scene, with what its stimuli share.
 class Bench {

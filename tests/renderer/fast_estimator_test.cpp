@@ -7,17 +7,14 @@
 #include "renderer/estimator.h"
 #include "stimuli/difference.h"
 #include "stimuli/study_file.h"
-#include "tests/renderer/picture_size.h"
+#include "tests/renderer/small_pictures.h"
 
 namespace seamline {
 namespace {
 
+using test::paper_study;
 using test::picture_height_px;
 using test::picture_width_px;
-
-StudyDefinition paper_study() {
-  return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "depth_resolution.toml");
-}
 
 /// The truth and the depth mesh of one scene's middle object.
 struct Subject {
