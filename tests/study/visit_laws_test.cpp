@@ -5,7 +5,7 @@
 namespace seamline {
 namespace {
 
-VisitEvent random_event(Random& random, std::int64_t now_ns) {
+VisitEvent random_visit_event(Random& random, std::int64_t now_ns) {
   const int number = static_cast<int>(random.below(6)) - 1;
   switch (random.below(15)) {
     case 0:
@@ -54,7 +54,7 @@ TEST(Visit, LawsHoldUnderRandomEvents) {
       ASSERT_LT(i, 200000);
       now_ns += second / 3;
       const Screen before = visit.screen;
-      visit = next(std::move(visit), random_event(random, now_ns));
+      visit = next(std::move(visit), random_visit_event(random, now_ns));
       if (!visit.pending) {
         waiting = -1;
         continue;
