@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -134,8 +134,7 @@ CellMean mean_over_participants(const std::vector<double>& values) {
   for (double value : values) sum += value;
   const double mean = sum / n;
   for (double value : values) squares += (value - mean) * (value - mean);
-  const double sem =
-      values.size() > 1 ? std::sqrt(squares / (n - 1) / n) : std::numeric_limits<double>::quiet_NaN();
+  const double sem = values.size() > 1 ? std::sqrt(squares / (n - 1) / n) : nan;
   return {.width_px = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
 }
 

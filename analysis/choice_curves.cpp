@@ -8,6 +8,7 @@
 #include "analysis/interval.h"
 #include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
 #include "stimuli/support/random.h"
 #include "study/trial.h"
@@ -105,7 +106,7 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
   curve.goodness = goodness_of_fit(fit);
   curve.deviance_p = curve.goodness.degrees_of_freedom > 0
                          ? deviance_p(fit, deviance_replicates, analysis.resampling.seed)
-                         : std::nan("");
+                         : nan;
   add_band(curve, choices, analysis.resampling);
   curve.warnings = warnings_on(fit,
                                {.verdict = curve.pooled->verdict,

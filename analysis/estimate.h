@@ -1,12 +1,13 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
-inline constexpr double above_every_width = std::numeric_limits<double>::infinity();
-inline constexpr double below_every_width = -std::numeric_limits<double>::infinity();
+inline constexpr double above_every_width = infinity;
+inline constexpr double below_every_width = -infinity;
 
 /// A confidence interval on log2 width (px). An infinite bound says that the interval is open on that side:
 /// the data do not exclude a threshold below the smallest width tested (-inf), or above the largest (+inf).

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/guess_trials.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -169,7 +169,7 @@ SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tol
   const CellCounts sorted = sort_counts(counts, guessers);
   SeeingCell cell;
   if (sorted.all_right + sorted.all_wrong == 0) {
-    cell.saw = cell.noticeability = std::numeric_limits<double>::quiet_NaN();
+    cell.saw = cell.noticeability = nan;
     cell.rating_of_seen.fill(cell.saw);
     return cell;
   }
@@ -187,8 +187,7 @@ SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tol
   if (trace != nullptr) trace->push_back(cell.log_likelihood);
   cell.noticeability = mean_of(v);
   for (double part : v) cell.saw += part;
-  for (std::size_t r = 0; r < v.size(); ++r)
-    cell.rating_of_seen[r] = cell.saw > 0 ? v[r] / cell.saw : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t r = 0; r < v.size(); ++r) cell.rating_of_seen[r] = cell.saw > 0 ? v[r] / cell.saw : nan;
   return cell;
 }
 

@@ -1,7 +1,8 @@
 #include "analysis/score_matrix.h"
 
-#include <limits>
 #include <map>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -49,10 +50,9 @@ ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUs
     matrix.score(row->second, column) += answer.noticeability();
     answers(row->second, column) += 1;
   }
-  matrix.score =
-      (answers.array() > 0)
-          .select(matrix.score.array() / answers.array().max(1),
-                  Eigen::ArrayXXd::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
+  matrix.score = (answers.array() > 0)
+                     .select(matrix.score.array() / answers.array().max(1),
+                             Eigen::ArrayXXd::Constant(rows, columns, nan));
   return matrix;
 }
 

@@ -4,7 +4,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "renderer/embree_handles.h"

@@ -6,6 +6,7 @@
 #include "stability/groups.h"
 #include "stability/shapes.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
@@ -45,8 +46,7 @@ Finding try_contact(float gap_m) {
                  : 0;
     }
   }
-  return {paths > 11000 ? static_cast<double>(lit) : std::nan(""),
-          fmt::format("{} lit of {} paths", lit, paths)};
+  return {paths > 11000 ? static_cast<double>(lit) : nan, fmt::format("{} lit of {} paths", lit, paths)};
 }
 
 Finding try_leaving_rays(const StartRule& start) {
@@ -65,7 +65,7 @@ Finding try_leaving_rays(const StartRule& start) {
       hits += ball.occluded({start(*point, direction), direction}) ? 1 : 0;
     }
   }
-  return {rays > 10000 ? static_cast<double>(hits) : std::nan(""), fmt::format("{} of {} rays", hits, rays)};
+  return {rays > 10000 ? static_cast<double>(hits) : nan, fmt::format("{} of {} rays", hits, rays)};
 }
 
 Finding try_white_ball() {

@@ -9,6 +9,7 @@
 #include "renderer/convergence_slope.h"
 #include "stability/groups.h"
 #include "stimuli/support/gnuplot.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -21,7 +22,7 @@ double observed_order(const Points& points) {
     effort.push_back(x);
     error.push_back(y);
   }
-  return log_log_slope(effort, error).value_or(std::nan(""));
+  return log_log_slope(effort, error).value_or(nan);
 }
 
 /// Dashed, from the line's first point, with the expected slope.

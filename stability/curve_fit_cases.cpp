@@ -7,6 +7,7 @@
 
 #include "stability/groups.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -68,7 +69,7 @@ Finding try_million_trials() {
   const double error = worse(
       relative_error(report.fit.function.threshold, 500),
       worse(relative_error(report.fit.function.scale, 0.8), std::abs(report.fit.function.lapse - 0.02)));
-  return {report.verdict.kind == Verdict::Kind::identified ? error : std::nan(""),
+  return {report.verdict.kind == Verdict::Kind::identified ? error : nan,
           fmt::format("threshold {:.6g}, scale {:.6g}, lapse {:.6g}", report.fit.function.threshold,
                       report.fit.function.scale, report.fit.function.lapse)};
 }
@@ -93,7 +94,7 @@ Finding try_wide_levels() {
     FitOptions options = options_for_alternatives(2);
     options.sigmoid = sigmoid;
     const FitReport report = make_fit_report(counts, options, {.deviance_replicates = 0});
-    if (report.verdict.kind != Verdict::Kind::identified) return {std::nan(""), report.verdict.text};
+    if (report.verdict.kind != Verdict::Kind::identified) return {nan, report.verdict.text};
     error = worse(error, worse(relative_error(report.fit.function.threshold, 0.02),
                                relative_error(report.fit.function.scale, 5)));
   }
@@ -108,7 +109,7 @@ Finding try_large_lapse() {
   wide.lapse = free_rate(0.5);
   const FitReport free = make_fit_report(counts, wide, {.deviance_replicates = 0});
   const bool said = capped.fit.function.lapse == 0.1 && has_warning(capped, "lapse rate is at its bound");
-  return {said ? std::abs(free.fit.function.lapse - 0.2) : std::nan(""),
+  return {said ? std::abs(free.fit.function.lapse - 0.2) : nan,
           fmt::format("lapse {:.4g} with a cap of 0.1{}, {:.4g} with one of 0.5", capped.fit.function.lapse,
                       said ? ", with a warning" : "", free.fit.function.lapse)};
 }
@@ -118,7 +119,7 @@ Finding try_not_monotone() {
                                            {1024, 48, 60}, {2048, 20, 60}, {4096, 22, 60}};
   const FitReport report = make_fit_report(counts, falling_choice_of_three(), {.deviance_replicates = 999});
   const bool said = has_warning(report, "misfit") && has_warning(report, "not monotone");
-  return {said ? report.deviance_p : std::nan(""),
+  return {said ? report.deviance_p : nan,
           fmt::format("p {:.3g}{}", report.deviance_p, said ? ", with warnings" : ", no warning")};
 }
 

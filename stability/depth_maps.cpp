@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
 DepthMap make_depth_map(int width_px, const std::function<double(int column, int row)>& distance_m) {
@@ -21,7 +23,7 @@ DepthMap constant_map(int width_px, double distance_m) {
 
 double room_distance_m(const Eigen::Vector3d& direction) {
   const Eigen::Vector3d low(-2.2, -1.5, -3.5), high(2.8, 1.5, 2.5);
-  double distance_m = std::numeric_limits<double>::infinity();
+  double distance_m = infinity;
   for (int axis = 0; axis < 3; ++axis)
     if (direction[axis] != 0)
       distance_m = std::min(distance_m, (direction[axis] > 0 ? high[axis] : low[axis]) / direction[axis]);

@@ -13,6 +13,7 @@
 #include "stability/groups.h"
 #include "stability/mesh_check.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -76,7 +77,7 @@ Finding try_jumps() {
   const DepthMesh mesh = build_adaptive_mesh(sphere, 1e-4, 1);
   const MeshCheck check = check_mesh(mesh, sphere);
   const bool lost = check.rays_without_hit + check.facing_away > 0;
-  return {lost ? std::nan("") : check.largest_error,
+  return {lost ? nan : check.largest_error,
           fmt::format("{} triangles, largest error {:.2g}, {} rays lost", mesh.triangles.size(),
                       check.largest_error, check.rays_without_hit)};
 }
@@ -108,7 +109,7 @@ Finding try_seam_full() {
     const NamedMesh other =
         named(build_full_mesh(make_dense_sphere(turned, texels, 1, dense), 1), dense, dense / 2);
     if (other.triangles != usual.triangles || other.position_m.size() != usual.position_m.size())
-      return {std::nan(""), fmt::format("other triangles after {} texels", texels)};
+      return {nan, fmt::format("other triangles after {} texels", texels)};
     for (const auto& [name, at_m] : usual.position_m)
       error = worse(error, (other.position_m.at(name) - at_m).norm() / at_m.norm());
   }
@@ -129,13 +130,12 @@ Finding try_seam_adaptive(double tolerance) {
     error = worse(error, check.largest_error);
     lost += check.rays_without_hit;
   }
-  return {lost > 0 ? std::nan("") : error,
-          fmt::format("31 turns, {} rays lost, largest error {:.3g}", lost, error)};
+  return {lost > 0 ? nan : error, fmt::format("31 turns, {} rays lost, largest error {:.3g}", lost, error)};
 }
 
 Finding try_direction_table() {
   const DepthMap map = make_depth_map(128, [](int column, int row) {
-    if (column > 90 && row > 40) return std::numeric_limits<double>::infinity();
+    if (column > 90 && row > 40) return infinity;
     return (column / 32 + row / 32) % 2 == 0 ? 1.0 : 10.0;
   });
   const Geometry geometry(build_depth_mesh(map, {.threads = 1}), Rgb::Constant(0.5F));

@@ -10,6 +10,7 @@
 #include "stability/shapes.h"
 #include "stability/small_render.h"
 #include "stimuli/support/image.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
@@ -77,8 +78,7 @@ Finding try_all_sky(int threads) {
   int wrong = 0;
   for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {
     const DepthMesh mesh =
-        build_depth_mesh(constant_map(map_width_px, std::numeric_limits<double>::infinity()),
-                         {.density = density, .threads = 1});
+        build_depth_mesh(constant_map(map_width_px, infinity), {.density = density, .threads = 1});
     wrong += static_cast<int>(mesh.triangles.size() + mesh.vertices_m.size());
     const Geometry geometry(mesh, Rgb::Constant(0.5F));
     for (int i = 0; i < map_width_px; ++i)
@@ -95,7 +95,7 @@ Finding try_all_sky(int threads) {
 }
 
 Finding try_one_texel(const MeshRule& rule) {
-  DepthMap map = constant_map(map_width_px, std::numeric_limits<double>::infinity());
+  DepthMap map = constant_map(map_width_px, infinity);
   map.distance_m[first_row * map_width_px + first_column] = 2;
   int wrong = 0;
   std::size_t triangles = 0;

@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 
 #include "analysis/psychometric/count_terms.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stability/curve_fit_cases.h"
 #include "stability/groups.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -71,14 +71,13 @@ Finding try_extreme_probabilities() {
   }
   // Under 1e-140 a probability counts as 0, and data that it rules out are impossible, not a number of some
   // size.
-  if (binomial_term(3, 5, 1e-300, 1).value != -std::numeric_limits<double>::infinity())
-    return {std::nan(""), "an answer of probability 1e-300 was given a likelihood"};
+  if (binomial_term(3, 5, 1e-300, 1).value != -infinity)
+    return {nan, "an answer of probability 1e-300 was given a likelihood"};
   for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
     for (const double z : {-1e308, -1e4, -40.0, 0.0, 40.0, 1e4, 1e308}) {
       const SigmoidPoint point = sigmoid_point(sigmoid, z);
       error = worse(error, std::abs(point.below + point.above - 1));
-      error =
-          worse(error, std::isfinite(point.density) && std::isfinite(point.density_slope) ? 0 : std::nan(""));
+      error = worse(error, std::isfinite(point.density) && std::isfinite(point.density_slope) ? 0 : nan);
     }
   return {error, fmt::format("largest deviation {:.2g}", error)};
 }

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -78,7 +79,7 @@ MeshCheck check_mesh(const DepthMesh& mesh, const DenseSphere& sphere) {
 }
 
 double brute_force_distance_m(const DepthMesh& mesh, const Eigen::Vector3d& direction) {
-  double nearest_m = std::numeric_limits<double>::infinity();
+  double nearest_m = infinity;
   for (const auto& t : mesh.triangles) {
     const Eigen::Vector3d a = mesh.vertices_m[t[0]].cast<double>();
     if (a.dot(direction) <= 0) continue;

@@ -8,6 +8,7 @@
 
 #include "stability/groups.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 #include "study/quest_plus_model.h"
 
@@ -72,7 +73,7 @@ Finding try_many_trials(const LearnRule& rule) {
   const double mass = posterior.mass[static_cast<std::size_t>(truth)];
   const double off = std::abs(moments(track.grid, posterior, Parameter::threshold).mean -
                               track.grid.value(Parameter::threshold, truth));
-  return {mass > 1e-3 && off < 0.1 ? error : std::nan(""),
+  return {mass > 1e-3 && off < 0.1 ? error : nan,
           fmt::format("sums within {:.1g} of 1, mass {:.2g} at the true point, threshold {:.2g} octaves off",
                       error, mass, off)};
 }

@@ -13,6 +13,7 @@
 #include "stability/groups.h"
 #include "stability/ordinal_people.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 namespace {
@@ -158,8 +159,7 @@ Finding try_units(const OrdinalRule& rule) {
   const OrdinalFit usual = rule(data);
   data.predictors.col(0) = 1e6 + 1e-4 * data.predictors.col(0).array();
   const OrdinalFit shifted = rule(data);
-  if (!has_estimates(usual.verdict) || !has_estimates(shifted.verdict))
-    return {std::nan(""), shifted.explanation};
+  if (!has_estimates(usual.verdict) || !has_estimates(shifted.verdict)) return {nan, shifted.explanation};
   const double error = relative_error(shifted.coefficients[0] * 1e-4, usual.coefficients[0]);
   return {error, fmt::format("{:.8g} and {:.8g}", usual.coefficients[0], shifted.coefficients[0] * 1e-4)};
 }

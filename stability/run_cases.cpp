@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "renderer/geometry.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/markdown_table.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
 
 namespace seamline {
@@ -36,8 +36,7 @@ CaseOutcome run_case(const StabilityCase& one, const StabilityOptions& options) 
   try {
     outcome.finding = one.run(options);
   } catch (const std::exception& error) {
-    outcome.finding = {.error = std::numeric_limits<double>::quiet_NaN(),
-                       .found = std::string("stopped: ") + error.what()};
+    outcome.finding = {.error = nan, .found = std::string("stopped: ") + error.what()};
   }
   outcome.passed = outcome.finding.error <= one.tolerance;  // false for NaN
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -8,6 +8,7 @@
 #include "stability/groups.h"
 #include "stability/shapes.h"
 #include "stability/worst.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
@@ -98,7 +99,7 @@ Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
     const Eigen::Vector3d aim = square.centre_m + 7.5 * ((2 * random.uniform() - 1) * square.u +
                                                          (2 * random.uniform() - 1) * square.v);
     const auto hit = plane.nearest({Eigen::Vector3f::Zero(), aim.normalized().cast<float>()});
-    if (!hit) return {std::nan(""), "a ray slipped through the plane"};
+    if (!hit) return {nan, "a ray slipped through the plane"};
     const double found =
         static_cast<double>(leaving_pair(plane, nullptr, *hit, light, Sampler(1, i, 0, 0)).no.total()[1]);
     dark += found == 0 ? 1 : 0;

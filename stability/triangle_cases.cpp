@@ -10,6 +10,7 @@
 #include "stability/small_render.h"
 #include "stability/worst.h"
 #include "stimuli/difference.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
@@ -74,7 +75,7 @@ Finding try_needles(float width_m, int threads) {
   scene.background.push_back(shape_of(corners, triangles));
   const SmallPicture with = render_room(scene, threads);
   if (const int wrong = pixels_out_of_range(with.composite.picture, 1e6); wrong > 0)
-    return {std::nan(""), fmt::format("{} pixels that are no numbers", wrong)};
+    return {nan, fmt::format("{} pixels that are no numbers", wrong)};
   const double noise = estimated_noise(usual.layers, 0).value();
   const double difference = display_rmse(usual.reference, with.reference, 0);
   return {difference / noise,

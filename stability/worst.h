@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
 /// The larger of two errors; NaN wins over everything, which std::max does not promise.
 [[nodiscard]] inline double worse(double a, double b) {
-  return std::isnan(a) || std::isnan(b) ? std::nan("") : std::max(a, b);
+  return std::isnan(a) || std::isnan(b) ? nan : std::max(a, b);
 }
 
 /// |found - expected| / |expected|.

@@ -1,10 +1,11 @@
 #pragma once
 #include <Eigen/Core>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -30,7 +31,7 @@ struct Contrast {
 struct ContrastFamily {
   std::string question;  ///< "Do artifacts differ at 512 px?"
   std::vector<Contrast> contrasts;
-  double degrees_of_freedom = std::numeric_limits<double>::infinity();
+  double degrees_of_freedom = infinity;
   bool differences = false;  ///< of levels, not of slopes
   bool odds_ratio = false;   ///< conclusions give exp(estimate): the odds of a higher score
 };
@@ -58,7 +59,7 @@ struct ContrastRow {
 struct ContrastTable {
   std::string question;
   Correction correction = Correction::single_step;
-  double degrees_of_freedom = std::numeric_limits<double>::infinity();
+  double degrees_of_freedom = infinity;
   std::vector<ContrastRow> rows;
   /// All contrasts at once: P of the Wald statistic, F_{q, df - q + 1} after Hotelling. None when the degrees
   /// of freedom do not reach for q.

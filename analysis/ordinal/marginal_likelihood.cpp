@@ -1,9 +1,9 @@
 #include "analysis/ordinal/marginal_likelihood.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "analysis/ordinal/participant_integral.h"
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
 
 namespace seamline {
@@ -17,7 +17,7 @@ constexpr int fewest_hessian_nodes = 9;
 ParticipantPart part_of(const ParticipantIntegral& integral, const Quadrature& quadrature) {
   ParticipantPart result;
   if (!integral.valid()) {
-    result.part.value = -std::numeric_limits<double>::infinity();
+    result.part.value = -infinity;
     return result;
   }
   result.part.value = integral.value_and_gradient(quadrature.likelihood, result.part.gradient);

@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
 namespace {
@@ -39,7 +41,7 @@ NewtonResult maximise(const std::function<Evaluation(const Eigen::VectorXd&)>& f
                       const Eigen::VectorXd& start, int most_iterations) {
   NewtonResult result{
       .at = start, .evaluation = function(start), .path = {start}, .converged = false, .iterations = 0};
-  double last_gain = std::numeric_limits<double>::infinity();
+  double last_gain = infinity;
   for (; result.iterations < most_iterations; ++result.iterations) {
     const Evaluation& here = result.evaluation;
     const Eigen::VectorXd step = step_of(here);
@@ -50,7 +52,7 @@ NewtonResult maximise(const std::function<Evaluation(const Eigen::VectorXd&)>& f
       result.converged = rounding;
       return result;
     }
-    last_gain = rounding ? gain : std::numeric_limits<double>::infinity();
+    last_gain = rounding ? gain : infinity;
     double share = 1;
     Evaluation tried = function(result.at + step);
     for (int halving = 0; !rounding && halving < most_halvings && !(tried.value > here.value); ++halving) {

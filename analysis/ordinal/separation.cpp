@@ -3,9 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/ordinal/row_terms.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -34,7 +34,7 @@ Eigen::MatrixXd gram_of_ends(const OrdinalProblem& problem) {
 
 double smallest_slope(const OrdinalProblem& problem, Link link, const Eigen::VectorXd& parameters) {
   const Eigen::VectorXd x_beta = problem.x * parameters.tail(problem.x.cols());
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = infinity;
   for (Eigen::Index row = 0; row < problem.rows(); ++row) {
     const RowEnds ends = row_ends(problem, parameters, x_beta, row);
     const IntervalTerms terms = interval_terms(link, ends.upper, ends.lower);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "analysis/ordinal/study_design.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -39,7 +40,7 @@ class Builder {
   }
 
   [[nodiscard]] double degrees(int estimated_means) const {
-    return robust_ ? design_.participants - estimated_means : std::numeric_limits<double>::infinity();
+    return robust_ ? design_.participants - estimated_means : infinity;
   }
 
   [[nodiscard]] ContrastFamily width_family() const {

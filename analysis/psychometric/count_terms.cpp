@@ -3,7 +3,8 @@
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
-#include <limits>
+
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -40,8 +41,7 @@ RisingSums rising_sums(double count, double p, double w) {
 
 CountTerm binomial_term(double k, double n, double p, double q) {
   const double wrong = n - k;
-  if ((k > 0 && p < impossible) || (wrong > 0 && q < impossible))
-    return {.value = -std::numeric_limits<double>::infinity()};
+  if ((k > 0 && p < impossible) || (wrong > 0 && q < impossible)) return {.value = -infinity};
   CountTerm term;
   if (k > 0) {
     const double share = k / p;
@@ -62,8 +62,7 @@ CountTerm binomial_term(double k, double n, double p, double q) {
 CountTerm beta_binomial_term(double k, double n, double p, double q, double eta) {
   if (eta < smallest_eta || n <= 1) return binomial_term(k, n, p, q);
   const double wrong = n - k;
-  if ((k > 0 && p < impossible) || (wrong > 0 && q < impossible))
-    return {.value = -std::numeric_limits<double>::infinity()};
+  if ((k > 0 && p < impossible) || (wrong > 0 && q < impossible)) return {.value = -infinity};
   const double w = eta * eta / (1 - eta * eta);
   const RisingSums right_sums = rising_sums(k, p, w), wrong_sums = rising_sums(wrong, q, w);
   return {.value = right_sums.log + wrong_sums.log - rising_sums(n, 1, w).log,

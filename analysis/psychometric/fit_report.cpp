@@ -1,10 +1,10 @@
 #include "analysis/psychometric/fit_report.h"
 
 #include <cmath>
-#include <limits>
 
 #include "stimuli/support/csv.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -43,7 +43,7 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
   report.goodness = goodness_of_fit(report.fit);
   report.deviance_p = request.deviance_replicates > 0
                           ? deviance_p(report.fit, request.deviance_replicates, request.seed)
-                          : std::numeric_limits<double>::quiet_NaN();
+                          : nan;
   report.percents = percent_levels(report);
   if (request.bootstrap_replicates > 0)
     report.bootstrap = bootstrap_intervals(

@@ -1,10 +1,10 @@
 #include "analysis/psychometric/goodness.h"
 
 #include <cmath>
-#include <limits>
 
 #include "analysis/psychometric/binomial_sampler.h"
 #include "analysis/psychometric/count_terms.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -58,7 +58,7 @@ FitProblem simulated_problem(const PsychometricFit& fit, std::uint64_t seed, std
 }
 
 double deviance_p(const PsychometricFit& fit, int replicates, std::uint64_t seed) {
-  if (fit.levels.size() < 2 || fit.options.overdispersed) return std::numeric_limits<double>::quiet_NaN();
+  if (fit.levels.size() < 2 || fit.options.overdispersed) return nan;
   const double observed = goodness_of_fit(fit).deviance;
   int at_least = 0;
   for (int i = 0; i < replicates; ++i) {

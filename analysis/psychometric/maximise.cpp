@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
 
 #include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -53,7 +53,7 @@ std::optional<Chart> chart_at(const FitProblem& problem, const Theta& coordinate
 
 /// The objective seen in the coordinates of a chart.
 struct View {
-  double value = -std::numeric_limits<double>::infinity();
+  double value = -infinity;
   Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
   Eigen::Matrix4d observed = Eigen::Matrix4d::Identity(), expected = Eigen::Matrix4d::Identity();
 };

@@ -1,15 +1,15 @@
 #pragma once
-#include <limits>
 #include <optional>
 
 #include "analysis/psychometric/search.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
 /// Ends of an interval; infinite: open on that side, nothing tried was excluded.
 struct Interval {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
+  double low = -infinity;
+  double high = infinity;
 };
 
 /// 0.95 quantile of chi-squared with 1 degree of freedom.

@@ -6,6 +6,7 @@
 
 #include "analysis/psychometric/count_terms.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -66,7 +67,7 @@ Maximum likeliest_cell(const Search& search, double place, double log_scale, std
   for (std::size_t i = 0; i < F.size(); ++i)
     F[i] = sigmoid_point(problem.sigmoid, inverse * (problem.levels[i].t - place));
   Maximum cell{.theta = {place, log_scale, search.lapses.front(), search.guesses.front()},
-               .value = -std::numeric_limits<double>::infinity()};
+               .value = -infinity};
   for (double l : search.lapses)
     for (double g : search.guesses)
       if (const double value = value_of_levels(problem, F, l, g); value > cell.value) {
@@ -85,8 +86,7 @@ std::vector<Theta> starts(const Search& search) {
   const auto rows = static_cast<std::ptrdiff_t>(search.places.size());
   const auto columns = static_cast<std::ptrdiff_t>(search.log_scales.size());
   const auto value = [&](std::ptrdiff_t row, std::ptrdiff_t column) {
-    if (row < 0 || row >= rows || column < 0 || column >= columns)
-      return -std::numeric_limits<double>::infinity();
+    if (row < 0 || row >= rows || column < 0 || column >= columns) return -infinity;
     return search.cells[static_cast<std::size_t>(row * columns + column)].value;
   };
   std::vector<const Maximum*> peaks;
@@ -120,7 +120,7 @@ void climb_from_edges(const Search& search, const Consider& consider) {
   const FitProblem& problem = search.problem;
   const Held held{.fixed = {true, false, false, false}, .level = {}};
   for (double edge : {problem.lower[parameter::threshold], problem.upper[parameter::threshold]}) {
-    Maximum start{.value = -std::numeric_limits<double>::infinity()};
+    Maximum start{.value = -infinity};
     for (double scale : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0})
       for (double l : search.lapses)
         for (double g : search.guesses) {

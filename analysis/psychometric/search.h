@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "analysis/psychometric/maximise.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -12,8 +12,8 @@ namespace seamline {
 /// the step goes through a level, whose performance lies between, these are its neighbours.
 struct StepFit {
   Maximum maximum;  ///< a function so steep that it is the step at every tested level
-  double low_t = -std::numeric_limits<double>::infinity();
-  double high_t = std::numeric_limits<double>::infinity();
+  double low_t = -infinity;
+  double high_t = infinity;
   bool through_level = false;
 };
 

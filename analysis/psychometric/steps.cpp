@@ -6,6 +6,7 @@
 #include "analysis/psychometric/count_terms.h"
 #include "analysis/psychometric/search.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/numbers.h"
 
 namespace seamline {
 
@@ -29,7 +30,7 @@ double term(const Side& side, double p) {
 struct Candidate {
   std::size_t first = 0;
   bool through = false;
-  double value = -std::numeric_limits<double>::infinity();
+  double value = -infinity;
   double guess = 0, lapse = 0;
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "stimuli/support/numbers.h"
+
 namespace seamline {
 
 namespace {
@@ -40,19 +42,19 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
   for (const ParticipantUse& person : analysis.people) {
     const std::string& code = person.record.code;
     const std::string named = screens.contains(code) ? screens[code] : "";
-    rows.push_back({.code = code,
-                    .kind = person.record.simulated ? "simulated: " + person.record.observer : "person",
-                    .use = person.use,
-                    .why = why_not(person, named),
-                    .pilot = person.record.pilot,
-                    .answers = person.answers,
-                    .planned_trials = person.record.planned_trials,
-                    .correct = person.correct,
-                    .mean_rating = person.answers > 0 ? rating_sum[code] / static_cast<double>(person.answers)
-                                                      : std::nan(""),
-                    .screens = named,
-                    .screened = screens.contains(code),
-                    .median_choice_s = person.median_choice_s});
+    rows.push_back(
+        {.code = code,
+         .kind = person.record.simulated ? "simulated: " + person.record.observer : "person",
+         .use = person.use,
+         .why = why_not(person, named),
+         .pilot = person.record.pilot,
+         .answers = person.answers,
+         .planned_trials = person.record.planned_trials,
+         .correct = person.correct,
+         .mean_rating = person.answers > 0 ? rating_sum[code] / static_cast<double>(person.answers) : nan,
+         .screens = named,
+         .screened = screens.contains(code),
+         .median_choice_s = person.median_choice_s});
   }
   return rows;
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
@@ -23,8 +23,7 @@ TEST(OpinionScore, ByHand) {
 
 TEST(OpinionScore, OfFewScoresSaysSo) {
   Eigen::MatrixXd score(2, 2);
-  score << 1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-      std::numeric_limits<double>::quiet_NaN();
+  score << 1, nan, nan, nan;
   const std::vector<OpinionScore> mos = opinion_scores(score);
   EXPECT_EQ(mos[0].n, 1);
   EXPECT_DOUBLE_EQ(mos[0].mean, 1);

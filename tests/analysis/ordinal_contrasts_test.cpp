@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "analysis/ordinal/contrasts.h"
 #include "analysis/ordinal/max_t.h"
@@ -90,7 +89,6 @@ TEST(MaxAbsT, EqualsSimulationWithUnevenCorrelation) {
 }
 
 TEST(Holm, StepsDown) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> adjusted = holm_adjusted({0.01, 0.04, nan, 0.03, 0.005});
   EXPECT_DOUBLE_EQ(adjusted[0], 0.03);
   EXPECT_DOUBLE_EQ(adjusted[1], 0.06);

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "analysis/ordinal/fixed_likelihood.h"
 #include "analysis/ordinal/gauss_hermite.h"

@@ -2,10 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "analysis/ordinal/ordinal_fit.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/numbers.h"
 #include "tests/analysis/ordinal_people.h"
 #include "tests/complaint.h"
 
@@ -160,7 +159,7 @@ TEST(OrdinalVerdicts, WrongInputIsASentence) {
   data.score[4] = 5;
   EXPECT_EQ(complaint(data, {}), "score of observation 5: wanted 0 to 4, found 5");
   data = simulate_scores({}, 3, 1);
-  data.predictors(2, 0) = std::numeric_limits<double>::quiet_NaN();
+  data.predictors(2, 0) = nan;
   EXPECT_THAT(complaint(data, {}), HasSubstr("predictor 'octaves' of observation 3"));
   data = simulate_scores({}, 3, 1);
   data.participant.clear();

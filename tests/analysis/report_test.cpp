@@ -12,6 +12,7 @@
 #include "analysis/report/thresholds_json.h"
 #include "stimuli/support/csv.h"
 #include "stimuli/support/html.h"
+#include "stimuli/support/numbers.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline {
@@ -78,7 +79,7 @@ TEST(Csv, TextThatASpreadsheetWouldRunIsDefused) {
                        .rows = {{std::string("=HYPERLINK(\"x\")"), -1.5},
                                 {std::string("+1"), std::int64_t{-2}},
                                 {std::string("-1"), std::monostate{}},
-                                {std::string("@x,y"), std::numeric_limits<double>::quiet_NaN()},
+                                {std::string("@x,y"), nan},
                                 {std::string("plain \"q\""), 1.0 / 3}}};
   EXPECT_EQ(
       csv_text(table),

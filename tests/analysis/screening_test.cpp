@@ -7,9 +7,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
+#include "stimuli/support/numbers.h"
 #include "tests/analysis/guessing_people.h"
 #include "tests/analysis/random_raters.h"
 
@@ -106,10 +106,10 @@ TEST(Screening, MissingScoresAreLeftOut) {
   Eigen::MatrixXd score = Eigen::MatrixXd::Constant(40, 3, 2);
   score(0, 0) = 4;
   score(0, 1) = 0;
-  score(0, 2) = std::numeric_limits<double>::quiet_NaN();
+  score(0, 2) = nan;
   EXPECT_EQ(screen_by_kurtosis(score)[0].stimuli, 2);
   EXPECT_TRUE(screen_by_kurtosis(score)[0].rejected);
-  const Eigen::Vector4d a(1, 2, std::numeric_limits<double>::quiet_NaN(), 4), b(2, 4, 9, 8);
+  const Eigen::Vector4d a(1, 2, nan, 4), b(2, 4, 9, 8);
   EXPECT_DOUBLE_EQ(pearson_correlation(a, b), 1);
 }
 
