@@ -116,10 +116,10 @@ void trace(RTCScene scene, bool nearest, int packet_size, Coherence coherence, s
 
 }  // namespace
 
-BareScene::BareScene(std::span<const std::shared_ptr<const Part>> parts) {
+BareScene::BareScene(std::span<const std::shared_ptr<const Part>> parts, Edges edges) {
   const RTCDevice device = embree_device();
   RTCScene scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  if (edges == Edges::tight) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);

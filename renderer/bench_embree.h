@@ -11,7 +11,7 @@ namespace seamline {
 /// Geometry, rays copied into packets and traced, distances copied out.
 class BareScene {
  public:
-  explicit BareScene(std::span<const std::shared_ptr<const Part>> parts);
+  BareScene(std::span<const std::shared_ptr<const Part>> parts, Edges edges);
   ~BareScene();
   BareScene(const BareScene&) = delete;
   BareScene& operator=(const BareScene&) = delete;

@@ -95,12 +95,14 @@ struct PictureLight {
   std::vector<FilteredLight> filtered;  ///< of the pockets
 };
 
-PictureLight picture_light(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples) {
+PictureLight picture_light(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples,
+                           int threads) {
   PictureLight light{.median = median_denominator(sums), .darkness = 0, .pockets = {}, .filtered = {}};
   if (!layers.depth_lights_rest) return light;
   light.darkness = usual_darkness(sums);
   light.pockets = find_pockets(sums, light.median, samples);
-  light.filtered = filter_pockets(sums, light.pockets, layers.guides, layers.width_px, layers.height_px);
+  light.filtered =
+      filter_pockets(sums, light.pockets, layers.guides, layers.width_px, layers.height_px, threads);
   return light;
 }
 
@@ -127,7 +129,7 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
                        Compositing compositing, int threads) {
   Composite out{
       Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3, 1.0F), {}};
-  const PictureLight light = picture_light(sums, layers, samples);
+  const PictureLight light = picture_light(sums, layers, samples, threads);
   std::vector<TinyDenominators> tiny(static_cast<std::size_t>(layers.height_px));
   parallel_for(layers.height_px, threads, [&](int y) {
     TinyDenominators& row = tiny[static_cast<std::size_t>(y)];

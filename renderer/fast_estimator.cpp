@@ -27,10 +27,10 @@ constexpr std::size_t first_strength = 4;
 /// Of the light that only decides a ratio: few samples, filtered more.
 constexpr FilterStrength ratio_strength = {3, 2.0F};
 
-/// Of the error asked for, what the photograph may have. It is sampled once a scene; what is left is for the
-/// noise that stimuli add, which is dear only where bounce light has to be traced for each of them.
+/// Of the error asked for, what the photograph may have. What is left is for the noise that stimuli add: next
+/// to nothing, except where bounce light has to be traced for each of them.
 double photograph_share(const EstimateOptions& options) {
-  return options.depth_bounces ? 0.85 : 0.94;
+  return options.depth_bounces ? 0.85 : 0.985;
 }
 
 class FastEstimator : public SceneEstimator {

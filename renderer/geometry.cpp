@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <new>
 #include <utility>
 
@@ -123,9 +124,9 @@ Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& dire
   return point.position_m + point.geometric_normal * (side * relative_offset * scale);
 }
 
-Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts)
+Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edges)
     : scene_(rtcNewScene(embree_device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
-  rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
+  if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
     attach(as_scene(scene_), part->positions_m, part->triangles, false);
@@ -144,8 +145,11 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScen
   part->triangles = mesh.triangles;
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   attach(as_scene(scene_), part->positions_m, part->triangles, true);
+  auto table = std::async(std::launch::async, [&mesh_part = *part] {
+    return make_direction_table(mesh_part.positions_m, mesh_part.triangles);
+  });
   commit(as_scene(scene_));
-  directions_ = make_direction_table(part->positions_m, part->triangles);
+  directions_ = table.get();
   surfaces_.push_back(surface_table(*part));
   parts_.push_back(std::move(part));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/b_spline.h"
+#include "renderer/parallel.h"
 
 namespace seamline {
 namespace {
@@ -37,7 +38,7 @@ float likeness(const Guide& a, const Guide& b) {
 
 std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
-                                          int width_px, int height_px) {
+                                          int width_px, int height_px, int threads) {
   std::vector<Texel> from(sums.size()), to(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) from[i] = {sums[i].no, sums[i].with, sums[i].rest};
@@ -46,7 +47,7 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
   };
   for (int level = 0; level < levels; ++level, std::swap(from, to)) {
     const int step = 1 << level;
-    for (int y = 0; y < height_px; ++y)
+    parallel_for(height_px, threads, [&](int y) {
       for (int x = 0; x < width_px; ++x) {
         const std::size_t centre = index(x, y);
         to[centre] = {};
@@ -63,6 +64,7 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
             to[centre].add(from[i], i == centre ? weight : weight * likeness(guides[centre], guides[i]));
           }
       }
+    });
   }
   std::vector<FilteredLight> filtered(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)

@@ -17,6 +17,6 @@ struct FilteredLight {
 [[nodiscard]] std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
                                                         const std::vector<bool>& pockets,
                                                         const std::vector<Guide>& guides, int width_px,
-                                                        int height_px);
+                                                        int height_px, int threads);
 
 }  // namespace seamline

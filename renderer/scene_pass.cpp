@@ -210,10 +210,12 @@ class TileSampler {
 }  // namespace
 
 SceneGeometry::SceneGeometry(const TruthScene& scene)
-    : room(scene.geometry(true, {})),
-      objects(scene.geometry(false, {1, 2, 3})),
-      alone{scene.geometry(false, {1}), scene.geometry(false, {2}), scene.geometry(false, {3})},
-      others{scene.geometry(false, {2, 3}), scene.geometry(false, {1, 3}), scene.geometry(false, {1, 2})},
+    : room(scene.geometry(true, {}, Edges::loose)),
+      objects(scene.geometry(false, {1, 2, 3}, Edges::loose)),
+      alone{scene.geometry(false, {1}, Edges::loose), scene.geometry(false, {2}, Edges::loose),
+            scene.geometry(false, {3}, Edges::loose)},
+      others{scene.geometry(false, {2, 3}, Edges::loose), scene.geometry(false, {1, 3}, Edges::loose),
+             scene.geometry(false, {1, 2}, Edges::loose)},
       worlds{&room, &objects, {&others[0], &others[1], &others[2]}, 3} {}
 
 SceneSums empty_sums(const Camera& camera) {

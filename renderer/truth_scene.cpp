@@ -18,14 +18,15 @@ Rgb rgb(const std::array<double, 3>& values) {
 
 }  // namespace
 
-Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices) const {
+Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
+                              Edges edges) const {
   std::vector<std::shared_ptr<const Part>> parts;
   if (with_background) parts = background;
   for (const int index : object_indices) {
     const auto& object = objects[static_cast<std::size_t>(index - 1)];
     parts.insert(parts.end(), object.begin(), object.end());
   }
-  return Geometry(parts);
+  return Geometry(parts, edges);
 }
 
 Geometry TruthScene::geometry_without(int object_index) const {

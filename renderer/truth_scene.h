@@ -23,7 +23,8 @@ struct TruthScene {
   std::array<std::vector<std::shared_ptr<const Part>>, 3> objects;
 
   /// Background and the objects listed (1 to 3): one Embree scene.
-  [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices) const;
+  [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
+                                  Edges edges = Edges::tight) const;
   /// T of a virtual object: the background and the two other objects.
   [[nodiscard]] Geometry geometry_without(int object_index) const;
 };

@@ -1,6 +1,7 @@
 // Rays asked in one call find what they find alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "renderer/capture.h"
@@ -33,6 +34,31 @@ std::vector<Ray> random_rays(std::size_t count) {
                     Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized(),
                     i % 3 == 0 ? 4.0F : std::numeric_limits<float>::infinity()});
   return rays;
+}
+
+/// Of a million rays from inside a closed ball of 8,000 facets, those that meet nothing.
+int slipped(Edges edges) {
+  const std::vector<std::shared_ptr<const Part>> ball = {test::sphere({0, 0, 0}, 3.0F, 128, 0.5F)};
+  const Geometry geometry(ball, edges);
+  constexpr int calls = 1000, rays_a_call = 1000;
+  std::mt19937 random(5);
+  std::normal_distribution<float> normal;
+  std::vector<Ray> rays(rays_a_call);
+  std::vector<std::uint8_t> blocked(rays_a_call);
+  int missed = 0;
+  for (int call = 0; call < calls; ++call) {
+    for (Ray& ray : rays)
+      ray = {Eigen::Vector3f(normal(random), normal(random), normal(random)) * 0.5F,
+             Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized()};
+    geometry.occluded(rays, blocked, Coherence::scattered);
+    missed += static_cast<int>(std::count(blocked.begin(), blocked.end(), 0));
+  }
+  return missed;
+}
+
+TEST(Edges, NoRaySlipsThroughTightOnesAndFewThroughLooseOnes) {
+  EXPECT_EQ(slipped(Edges::tight), 0);
+  EXPECT_LE(slipped(Edges::loose), 20);
 }
 
 class Packets : public testing::TestWithParam<Coherence> {};
