@@ -13,9 +13,6 @@
 namespace seamline {
 namespace {
 
-/// Rays that a pass asks in one call: the samples of a pixel, or a tile.
-constexpr std::size_t rays_a_call = 16;
-
 int repeats(const BenchOptions& options) {
   return options.quick ? 3 : 9;
 }

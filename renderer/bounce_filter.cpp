@@ -41,16 +41,12 @@ Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, i
 
 void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
                    int threads, std::vector<BounceTexel>& texels, const TileSet& where) {
-  const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width_px) +
-           static_cast<std::size_t>(x);
-  };
   std::vector<BounceTexel> filtered;
   if (strength.levels > 0) filtered = texels;
   for (int level = 0; level < strength.levels; ++level) {
     const int step = 1 << level;
     const auto filter_pixel = [&](int x, int y) {
-      const std::size_t centre = index(x, y);
+      const std::size_t centre = grid.index(x, y);
       const Surface& surface = surfaces[centre];
       Eigen::Array<float, 16, 1>& sum = filtered[centre].sums;
       sum.setZero();
@@ -59,7 +55,7 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
         for (int dx = -2; dx <= 2; ++dx) {
           const int column = x + dx * step, row = y + dy * step;
           if (column < 0 || row < 0 || column >= grid.width_px || row >= grid.height_px) continue;
-          const std::size_t i = index(column, row);
+          const std::size_t i = grid.index(column, row);
           const float share =
               b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
           const float weight =

@@ -22,31 +22,71 @@ struct PixelSamples {
     if (first_rest >= end_rest) return end_object;
     return first_object >= end_object ? end_rest : std::max(end_rest, end_object);
   }
-  /// Of the samples from `first` on, those that ask about the object.
-  [[nodiscard]] std::span<const StimulusSample> of_object(const std::vector<StimulusSample>& seen) const {
-    if (first_object >= end_object) return {};
-    return std::span(seen).subspan(static_cast<std::size_t>(first_object - first()),
-                                   static_cast<std::size_t>(end_object - first_object));
-  }
 };
 
-const Rgb no_light = Rgb::Zero();
+/// Asks for the samples of one tile, those of several pixels at once: a ratio is content with few a pixel.
+class TileAsker {
+ public:
+  TileAsker(const StimulusSampler& sampler, DepthAnswers& answers) : sampler_(sampler), answers_(answers) {}
 
-void add_sample(const StimulusSampler& sampler, const StimulusSample& sample, int index,
-                const Rgb& object_direct, DepthSums& sums, GuideSums* guide) {
-  using Shows = StimulusSample::Shows;
-  DepthPart asked;
-  asked.object.direct = object_direct;
-  const float reach_m = sampler.add_depth_part(sample, index, asked);
-  sums.no += asked.no;
-  sums.with += asked.with;
-  sums.object += asked.object;
-  sums.rest += asked.rest;
-  if (sample.shows == Shows::object) sums.covered += 1.0F;
-  if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
-  if (const SurfacePoint* receiver = sampler.receiver(sample); guide != nullptr && receiver != nullptr)
-    guide->add(*receiver, reach_m);
-}
+  void add(int x, int y, const PixelSamples& samples) {
+    const std::size_t pixel = answers_.grid.index(x, y);
+    for (int i = samples.first(); i < samples.end(); ++i) {
+      ids_.push_back({x, y, i});
+      wanted_.push_back({pixel, samples.asks_rest(i), samples.asks_object(i)});
+    }
+    if (ids_.size() >= at_once) ask();
+  }
+
+  void ask() {
+    sampler_.look(ids_, seen_);
+    drop_unasked();
+    sampler_.ask_depth(seen_, parts_);
+    for (std::size_t i = 0; i < seen_.size(); ++i) add_part(seen_[i], parts_[i], wanted_[i].pixel);
+    ids_.clear();
+    wanted_.clear();
+  }
+
+ private:
+  static constexpr std::size_t at_once = 32;
+  struct Wanted {
+    std::size_t pixel;
+    bool rest, object;
+  };
+
+  /// What a sample shows decides which of its pixel's two numbers of samples counts.
+  void drop_unasked() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const bool on_object = seen_[i].shows == StimulusSample::Shows::object;
+      if (!(on_object ? wanted_[i].object : wanted_[i].rest)) continue;
+      seen_[kept] = seen_[i], wanted_[kept] = wanted_[i];
+      ++kept;
+    }
+    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(kept), seen_.end());
+  }
+
+  void add_part(const StimulusSample& sample, const DepthPart& part, std::size_t pixel) {
+    using Shows = StimulusSample::Shows;
+    DepthSums& sums = answers_.halves[static_cast<std::size_t>(sample.number % 2)][pixel];
+    sums.no += part.no;
+    sums.with += part.with;
+    sums.object += part.object;
+    sums.rest += part.rest;
+    if (sample.shows == Shows::object) sums.covered += 1.0F;
+    if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
+    if (answers_.guides.empty()) return;
+    if (const SurfacePoint* receiver = sampler_.receiver(sample))
+      answers_.guides[pixel].add(*receiver, part.reach_m);
+  }
+
+  const StimulusSampler& sampler_;
+  DepthAnswers& answers_;
+  std::vector<SampleId> ids_;
+  std::vector<Wanted> wanted_;
+  std::vector<StimulusSample> seen_;
+  std::vector<DepthPart> parts_;
+};
 
 }  // namespace
 
@@ -75,28 +115,11 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     const std::int64_t before = rays_traced_by_this_thread();
     const OmittedRays omitted_before = omitted_rays;
     const TileGrid::Rectangle r = answers.grid.rectangle(tile);
-    std::vector<StimulusSample> seen;
-    std::vector<Rgb> object_direct;  // of the samples from the first that asks about the object
+    TileAsker asker(sampler, answers);
     for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x) {
-        const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(answers.grid.width_px) +
-            static_cast<std::size_t>(x);
-        const PixelSamples& samples = shows_object[pixel] != 0 ? with_object : without_object;
-        const int first = samples.first();
-        seen.clear();
-        sampler.look(x, y, first, samples.end(), seen);
-        sampler.light_object_in_depth(samples.of_object(seen), object_direct);
-        for (int i = first; i < samples.end(); ++i) {
-          const StimulusSample& sample = seen[static_cast<std::size_t>(i - first)];
-          const bool on_object = sample.shows == StimulusSample::Shows::object;
-          if (!(on_object ? samples.asks_object(i) : samples.asks_rest(i))) continue;
-          add_sample(sampler, sample, i,
-                     on_object ? object_direct[static_cast<std::size_t>(i - samples.first_object)] : no_light,
-                     answers.halves[static_cast<std::size_t>(i % 2)][pixel],
-                     answers.guides.empty() ? nullptr : &answers.guides[pixel]);
-        }
-      }
+      for (int x = r.left; x < r.right; ++x)
+        asker.add(x, y, shows_object[answers.grid.index(x, y)] != 0 ? with_object : without_object);
+    asker.ask();
     rest = std::max(rest, wanted.rest[t]);
     object = std::max(object, wanted.object[t]);
     const std::lock_guard lock(counting);
@@ -111,21 +134,19 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
 
 namespace {
 
-constexpr int packet = 16;
-
 /// The order in one tile.
 void order_of_tile(const TruthScene& scene, const ObjectTile& object, const TileGrid::Rectangle& r, int spp,
                    const Geometry& depth, std::uint64_t seed, std::array<std::vector<OrderSums>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
-  std::array<Ray, packet> rays;
-  std::array<float, packet> real_m, object_m, depth_m;
-  std::array<std::size_t, packet> halves;
+  std::array<Ray, rays_a_call> rays;
+  std::array<float, rays_a_call> real_m, object_m, depth_m;
+  std::array<std::size_t, rays_a_call> halves;
   for (int y = r.top; y < r.bottom; ++y)
     for (int x = r.left; x < r.right; ++x) {
       const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
       for (int sample = 0; sample < spp;) {
         std::size_t count = 0;
-        for (; sample < spp && count < packet; ++sample) {
+        for (; sample < spp && count < rays_a_call; ++sample) {
           const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + place;
           if (at >= object.object_m.size() || object.object_m[at] == std::numeric_limits<float>::infinity())
             continue;

@@ -38,10 +38,10 @@ class FastEstimator : public SceneEstimator {
   FastEstimator(const TruthScene& scene, const EstimateOptions& options)
       : scene_(with_needed_light(scene, options)),
         options_(options),
-        joint_(scene_),
+        joint_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera)) {
     options_.who_is_in_front = options.who_is_in_front || !options.omit.who_is_in_front;
-    if (!options.omit.bounce_filter || (scene_.light.bounces == 0 && !joint_.worlds.emits())) strength_ = 0;
+    if (!options.omit.bounce_filter || (scene_.light.bounces == 0 && !joint_->worlds.emits())) strength_ = 0;
   }
 
   SceneReference reference(const ReportProgress& progress) override {
@@ -115,7 +115,7 @@ class FastEstimator : public SceneEstimator {
 
   /// The joint pass: once a scene.
   void sample(const ReportProgress& progress) {
-    if (sampled_) return;
+    if (!joint_) return;
     ScenePassOptions options{.seed = options_.seed,
                              .threads = options_.threads,
                              .tail_every = tail_every_of(options_),
@@ -127,7 +127,7 @@ class FastEstimator : public SceneEstimator {
       if (progress) progress(done + part * share);
     };
     std::vector<int> wanted(sums_.spp.size(), options_.error ? first_spp : std::max(2, options_.spp / 2 * 2));
-    add_samples(scene_, joint_, wanted, options, sums_);
+    add_samples(scene_, *joint_, wanted, options, sums_);
     error_ = choose_strength();
     if (options_.error) {
       const ErrorTarget target{*options_.error * photograph_share(options_)};
@@ -137,11 +137,11 @@ class FastEstimator : public SceneEstimator {
         if (wanted == sums_.spp) break;
         done += part;
         part *= 0.5;
-        add_samples(scene_, joint_, wanted, options, sums_);
+        add_samples(scene_, *joint_, wanted, options, sums_);
         error_ = choose_strength();
       }
     }
-    sampled_ = true;
+    joint_.reset();
   }
 
   [[nodiscard]] std::vector<TileState> states() const {
@@ -187,9 +187,8 @@ class FastEstimator : public SceneEstimator {
 
   const TruthScene scene_;  ///< with the light that is needed
   EstimateOptions options_;
-  SceneGeometry joint_;
+  std::unique_ptr<const SceneGeometry> joint_;  ///< until the joint pass is done
   SceneSums sums_;
-  bool sampled_ = false;
   std::size_t strength_ = first_strength;
   ErrorEstimate error_;
   int object_index_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderer/composite.h"
-#include "renderer/parallel.h"
 #include "renderer/stimulus_assembly.h"
 
 namespace seamline {
@@ -198,10 +197,8 @@ class StimulusRounds {
   [[nodiscard]] ErrorEstimate error_of(const StimulusLayers& made,
                                        LookForBias look = LookForBias::when_noise_is_low) const {
     HalfPictures pictures;
-    parallel_for(2, options_.threads, [&](int half) {  // medians take one thread each
-      const auto i = static_cast<std::size_t>(half);
-      pictures.filtered[i] = compose_half(made, i, options_.threads).picture;
-    });
+    for (std::size_t half = 0; half < 2; ++half)
+      pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
     pictures.sampled = pictures.filtered;
     const ErrorEstimate noise = with_bias_of_truth(pictures);
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;

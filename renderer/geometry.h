@@ -66,6 +66,9 @@ enum class Coherence {
   scattered  ///< bounces
 };
 
+/// As many rays as passes ask in one call: two packets.
+inline constexpr std::size_t rays_a_call = 16;
+
 /// Whether a ray may slip between two triangles that share an edge.
 enum class Edges {
   tight,  ///< never: what a depth map captures, and the reference estimator

@@ -7,8 +7,7 @@
 namespace seamline {
 namespace {
 
-constexpr std::size_t packet = 16;
-using Hits = std::array<std::optional<SurfacePoint>, packet>;
+using Hits = std::array<std::optional<SurfacePoint>, rays_a_call>;
 
 /// Samples one tile.
 class TileSampler {
@@ -21,8 +20,8 @@ class TileSampler {
     const TileGrid::Rectangle tile = sums_.grid.rectangle(tile_);
     for (int y = tile.top; y < tile.bottom; ++y)
       for (int x = tile.left; x < tile.right; ++x)
-        for (int first = from; first < to; first += static_cast<int>(packet))
-          add_packet(x, y, first, std::min(to, first + static_cast<int>(packet)));
+        for (int first = from; first < to; first += static_cast<int>(rays_a_call))
+          add_packet(x, y, first, std::min(to, first + static_cast<int>(rays_a_call)));
     if (options_.who_is_in_front)
       for (auto& object : sums_.objects) {
         ObjectTile* there = object[static_cast<std::size_t>(tile_)].get();
@@ -33,7 +32,7 @@ class TileSampler {
  private:
   void add_packet(int x, int y, int from, int to) {
     const auto count = static_cast<std::size_t>(to - from);
-    std::array<Ray, packet> rays;
+    std::array<Ray, rays_a_call> rays;
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = camera_ray(scene_.camera, x, y, Sampler(options_.seed, x, y, from + static_cast<int>(i)));
     const std::span<const Ray> asked(rays.data(), count);
@@ -201,8 +200,8 @@ class TileSampler {
   int tile_;
   Hits room_;
   std::array<Hits, 3> objects_;
-  std::vector<ShadowRay> shadow_rays_;                       ///< of the packet, sample by sample
-  std::array<std::size_t, packet> end_of_shadow_rays_ = {};  ///< of each sample
+  std::vector<ShadowRay> shadow_rays_;                            ///< of the rays_a_call, sample by sample
+  std::array<std::size_t, rays_a_call> end_of_shadow_rays_ = {};  ///< of each sample
   std::vector<Ray> asked_;
   std::vector<std::uint8_t> blocked_;
 };

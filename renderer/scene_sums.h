@@ -63,10 +63,7 @@ struct SceneSums {
   std::int64_t rays = 0;
   OmittedRays omitted;
 
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width_px) +
-           static_cast<std::size_t>(x);
-  }
+  [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
 };
 
 /// The tiles that an object (1 to 3) is seen or hidden in.

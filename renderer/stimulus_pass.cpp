@@ -19,16 +19,14 @@ class PixelRenderer {
   /// Adds a pixel to its two sums. `truth` are the same pixel's sums in the truth.
   void render(const PassOptions& options, int x, int y, const std::array<const TruthSums*, 2>& truth,
               const std::array<StimulusSums*, 2>& out, Guide& guide) {
-    samples_.clear();
-    sampler_.look(x, y, 0, options.spp, samples_);
-    sampler_.light_object_in_depth(samples_, object_direct_);
+    ids_.clear();
+    for (int number = 0; number < options.spp; ++number) ids_.push_back({x, y, number});
+    sampler_.look(ids_, samples_);
+    sampler_.ask_depth(samples_, parts_);
     bool truth_serves = true;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       truth_serves = truth_serves && as_in_truth(samples_[i]);
-      DepthPart asked;
-      asked.object.direct = object_direct_[i];
-      sampler_.add_depth_part(samples_[i], static_cast<int>(i), asked);
-      add_depth_part(asked, *out[i % 2]);
+      add_depth_part(parts_[i], *out[i % 2]);
     }
     if (truth_serves) {
       for (std::size_t half = 0; half < 2; ++half) add_truth_sums(*truth[half], *out[half]);
@@ -130,8 +128,9 @@ class PixelRenderer {
   const StimulusSampler& sampler_;
   const Recipe& recipe_;
   const Answers& answers_;
+  std::vector<SampleId> ids_;
   std::vector<StimulusSample> samples_;
-  std::vector<Rgb> object_direct_;
+  std::vector<DepthPart> parts_;
 };
 
 }  // namespace

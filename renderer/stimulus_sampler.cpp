@@ -2,11 +2,10 @@
 
 #include "renderer/leaving_ray.h"
 #include "renderer/object_light.h"
+#include "renderer/rest_light.h"
 
 namespace seamline {
 namespace {
-
-constexpr int packet = 16;
 
 /// Adds light on the rest: its direct part, its bounce part, or both.
 void add_rest(const RadiancePair& pair, bool direct, bool bounce, DepthPart& out) {
@@ -38,19 +37,22 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       seed_(seed),
       bounce_(bounce) {}
 
-void StimulusSampler::look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const {
-  std::array<Ray, packet> rays;
-  std::array<std::optional<SurfacePoint>, packet> real, object, depth;
-  for (int first = from; first < to; first += packet) {
-    const auto count = static_cast<std::size_t>(std::min(packet, to - first));
+void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const {
+  out.clear();
+  std::array<Ray, rays_a_call> rays;
+  std::array<std::optional<SurfacePoint>, rays_a_call> real, object, depth;
+  for (std::size_t first = 0; first < ids.size(); first += rays_a_call) {
+    const std::span<const SampleId> some = ids.subspan(first, std::min(rays_a_call, ids.size() - first));
+    const std::size_t count = some.size();
     const std::span<const Ray> asked(rays.data(), count);
     for (std::size_t i = 0; i < count; ++i)
-      rays[i] = camera_ray(scene_.camera, x, y, Sampler(seed_, x, y, first + static_cast<int>(i)));
+      rays[i] = camera_ray(scene_.camera, some[i].x, some[i].y, sampler_of(some[i]));
     geometry_.truth.nearest_from_centre(asked, std::span(real.data(), count));
     geometry_.object.nearest_from_centre(asked, std::span(object.data(), count));
     if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count));
     for (std::size_t i = 0; i < count; ++i) {
-      StimulusSample sample{.sampler = Sampler(seed_, x, y, first + static_cast<int>(i)),
+      StimulusSample sample{.number = some[i].number,
+                            .sampler = sampler_of(some[i]),
                             .real = real[i],
                             .object = object[i],
                             .depth = depth[i]};
@@ -102,23 +104,16 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
   return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler);
 }
 
-float StimulusSampler::add_rest_in_depth(const StimulusSample& sample, int index, bool direct,
-                                         DepthPart& out) const {
-  if (!bounce_.may_filter) {
-    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
-             true, out);
-    return endless;
-  }
-  WorldLight light{};
-  const float reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light,
-                                    sample.sampler, path_plan(index, bounce_.tail_every, direct), light);
-  add_rest({.no = light[1], .with = light[0]}, direct, true, out);
-  return reach_m;
+void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
+                                std::vector<DepthPart>& parts) const {
+  parts.assign(samples.size(), {});
+  add_direct_on_object(samples, parts);
+  add_direct_on_rest(samples, parts);
+  for (std::size_t i = 0; i < samples.size(); ++i) add_paths(samples[i], parts[i]);
 }
 
-void StimulusSampler::light_object_in_depth(std::span<const StimulusSample> samples,
-                                            std::vector<Rgb>& direct) const {
-  direct.assign(samples.size(), Rgb::Zero());
+void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
+                                           std::span<DepthPart> parts) const {
   if (answers_.object_lit == Who::truth || answers_.bounce == Who::depth) return;
   thread_local std::vector<ObjectPoint> points;
   thread_local std::vector<Rgb> lit;
@@ -130,34 +125,59 @@ void StimulusSampler::light_object_in_depth(std::span<const StimulusSample> samp
   direct_on_object(points, geometry_.object, scene_.light, lit);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].shows == StimulusSample::Shows::object) direct[i] = lit[next++];
+    if (samples[i].shows == StimulusSample::Shows::object) parts[i].object.direct = lit[next++];
 }
 
-void StimulusSampler::add_object_part(const StimulusSample& sample, DepthPart& out) const {
+void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples,
+                                         std::span<DepthPart> parts) const {
+  if (direct_from_truth() || rest_is_one_path()) return;
+  thread_local std::vector<RestPoint> points;
+  thread_local std::vector<RadiancePair> lit;
+  points.clear();
+  for (const StimulusSample& sample : samples) {
+    if (sample.shows != StimulusSample::Shows::rest) continue;
+    points.push_back({.receiver = answers_.receiver == Who::depth ? &*sample.depth : &*sample.real,
+                      .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
+                                                             : RealQuestion{&geometry_.truth, &*sample.real},
+                      .albedo = sample.real->albedo,
+                      .sampler = sample.sampler});
+  }
+  lit.resize(points.size());
+  direct_on_rest(points, geometry_.object, scene_.light, lit);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].shows != StimulusSample::Shows::rest) continue;
+    RadiancePair& pair = lit[next++];
+    if (!bounce_.may_filter)
+      pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
+    add_rest(pair, true, true, parts[i]);
+  }
+}
+
+void StimulusSampler::add_paths(const StimulusSample& sample, DepthPart& out) const {
+  if (sample.shows == StimulusSample::Shows::object) add_object_in_depth(sample, out);
+  if (sample.shows != StimulusSample::Shows::rest) return;
+  out.rest = 1.0F;
+  if (answers_.bounce == Who::depth) add_rest_in_depth(sample, rest_is_one_path(), out);
+}
+
+void StimulusSampler::add_rest_in_depth(const StimulusSample& sample, bool direct, DepthPart& out) const {
+  if (!bounce_.may_filter) {
+    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
+             true, out);
+    return;
+  }
+  WorldLight light{};
+  out.reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light, sample.sampler,
+                            path_plan(sample.number, bounce_.tail_every, direct), light);
+  add_rest({.no = light[1], .with = light[0]}, direct, true, out);
+}
+
+void StimulusSampler::add_object_in_depth(const StimulusSample& sample, DepthPart& out) const {
   if (answers_.bounce != Who::depth) return;  // bounce light of the truth is in the truth's sums already
   const Split light = object_light(sample, answers_.object_lit, Who::depth);
   if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
   out.object.bounce += light.bounce;
-}
-
-float StimulusSampler::add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const {
-  if (sample.shows == StimulusSample::Shows::object) add_object_part(sample, out);
-  if (sample.shows != StimulusSample::Shows::rest) return endless;
-  out.rest += 1.0F;
-  const bool bounce = answers_.bounce == Who::depth;
-  if (bounce && answers_.receiver == Who::depth && answers_.real_lit == Who::depth)
-    return add_rest_in_depth(sample, index, true, out);
-  if (!direct_from_truth()) {
-    const SurfacePoint& receiver = answers_.receiver == Who::depth ? *sample.depth : *sample.real;
-    const RealQuestion lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
-                                                             : RealQuestion{&geometry_.truth, &*sample.real};
-    RadiancePair pair =
-        direct_pair(receiver, lit, geometry_.object, sample.real->albedo, scene_.light, sample.sampler);
-    if (!bounce_.may_filter)
-      pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
-    add_rest(pair, true, true, out);
-  }
-  return bounce ? add_rest_in_depth(sample, index, false, out) : endless;
 }
 
 }  // namespace seamline

@@ -8,8 +8,15 @@
 
 namespace seamline {
 
+/// One sample of one pixel.
+struct SampleId {
+  int x = 0, y = 0;
+  int number = 0;
+};
+
 /// What the camera ray of one sample meets.
 struct StimulusSample {
+  int number = 0;  ///< of the pixel's samples
   Sampler sampler;
   std::optional<SurfacePoint> real;    ///< x_T
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
@@ -25,11 +32,13 @@ struct BounceSampling {
   int tail_every = 1;
 };
 
-/// Light that the depth mesh has a part in, summed over samples.
+/// Light that the depth mesh has a part in, of one sample.
 struct DepthPart {
   Split no, with;  ///< on the rest, without and with the object
   Split object;    ///< on the object
-  float rest = 0;  ///< number of samples in `no` and `with`
+  float rest = 0;  ///< 1 when `no` and `with` count
+  /// How far the first ray for bounce light got; infinity when it is not known.
+  float reach_m = std::numeric_limits<float>::infinity();
 };
 
 /// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
@@ -40,17 +49,12 @@ class StimulusSampler {
   StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
                   const Recipe& recipe, std::uint64_t seed, const BounceSampling& bounce = {});
 
-  /// The samples [from, to) of a pixel.
-  void look(int x, int y, int from, int to, std::vector<StimulusSample>& out) const;
+  /// What the camera rays of samples meet; `out` is as long as `ids`.
+  void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const;
 
-  /// Everything that some geometry other than the truth alone has to answer: light on the rest (with the
-  /// number of samples it is over) and on the object, save what `light_object_in_depth` answers. `index` is
-  /// the sample's number. Returns how far the first ray for bounce light got, infinity when it is not known.
-  float add_depth_part(const StimulusSample& sample, int index, DepthPart& out) const;
-
-  /// The part of that which asks most: sun and sky on the object past the depth mesh, of many samples at
-  /// once, where no bounce light is asked for with them. Black where nothing is asked; as long as `samples`.
-  void light_object_in_depth(std::span<const StimulusSample> samples, std::vector<Rgb>& direct) const;
+  /// Everything that some geometry other than the truth alone has to answer: light on the rest and on the
+  /// object. `parts` is as long as `samples`.
+  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts) const;
 
   /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
@@ -69,11 +73,20 @@ class StimulusSampler {
   [[nodiscard]] const TruthScene& scene() const { return scene_; }
 
  private:
+  [[nodiscard]] Sampler sampler_of(const SampleId& id) const { return {seed_, id.x, id.y, id.number}; }
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
   [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
-  float add_rest_in_depth(const StimulusSample& sample, int index, bool direct, DepthPart& out) const;
-  void add_object_part(const StimulusSample& sample, DepthPart& out) const;
+  /// Whether one path through the depth mesh answers everything on the rest.
+  [[nodiscard]] bool rest_is_one_path() const {
+    return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
+           answers_.real_lit == Who::depth;
+  }
+  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_paths(const StimulusSample& sample, DepthPart& out) const;
+  void add_rest_in_depth(const StimulusSample& sample, bool direct, DepthPart& out) const;
+  void add_object_in_depth(const StimulusSample& sample, DepthPart& out) const;
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;

@@ -17,6 +17,10 @@ struct TileGrid {
   [[nodiscard]] int columns() const { return (width_px + side_px - 1) / side_px; }
   [[nodiscard]] int rows() const { return (height_px + side_px - 1) / side_px; }
   [[nodiscard]] int count() const { return columns() * rows(); }
+  /// Place of a pixel in the picture, row by row.
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
+  }
   [[nodiscard]] int tile_of(int x, int y) const { return (y / side_px) * columns() + x / side_px; }
   [[nodiscard]] Rectangle rectangle(int tile) const {
     const int left = tile % columns() * side_px, top = tile / columns() * side_px;

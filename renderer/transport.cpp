@@ -194,23 +194,4 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   return out;
 }
 
-RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit, const Geometry& object,
-                         const Rgb& albedo, const Light& light, const Sampler& sampler) {
-  RadiancePair pair;
-  const auto add = [&](const Eigen::Vector3f& direction, const Rgb& radiance, float far_m, Rgb Split::*part) {
-    if (!reaches_past(lit, direction, far_m)) return;
-    pair.no.*part += radiance;
-    if (!object.occluded(leaving_ray(receiver, direction, far_m))) pair.with.*part += radiance;
-  };
-  for (const Sun& sun : light.suns) {
-    const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(0)));
-    if (const float cosine = sun_cosine(receiver, to_sun); cosine > 0.0F)
-      add(to_sun, albedo * sun.irradiance_w_m2 * (inverse_pi * cosine), endless, &Split::direct);
-  }
-  const Eigen::Vector3f direction = cosine_direction(receiver.normal, sampler.point(dimension::direction(0)));
-  if (above_horizon(receiver, direction) && !leaves_out_sky(light))
-    add(direction, albedo * light.environment_radiance, light.sky_distance_m, &Split::bounce);
-  return pair;
-}
-
 }  // namespace seamline

@@ -54,11 +54,4 @@ struct RealQuestion {
                                    const Geometry& object, const SurfacePoint& point, const Light& light,
                                    const Sampler& sampler);
 
-/// Sun and sky on a receiver (question 1) whose being lit is asked of another geometry at that geometry's own
-/// point (question 2). The virtual object is seen from the receiver. `albedo` is the truth's, whose bounce
-/// light joins it. The sun is in `direct`; the sky, which is smooth and may be filtered, in `bounce`.
-[[nodiscard]] RadiancePair direct_pair(const SurfacePoint& receiver, const RealQuestion& lit,
-                                       const Geometry& object, const Rgb& albedo, const Light& light,
-                                       const Sampler& sampler);
-
 }  // namespace seamline

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/rest_light.h"
 #include "shapes.h"
 
 namespace seamline {
@@ -151,11 +152,12 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
   light.environment_radiance = Rgb::Ones();
   light.suns.push_back({Eigen::Vector3f(0.2F, 1, 0.1F).normalized(), Rgb::Constant(3.0F), 0.0F});
   const auto real = truth.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0.1F, -0.45F, -1).normalized()});
-  const RealQuestion lit{&twin, &*real};
   for (int i = 0; i < 2000; ++i) {
     const Sampler sampler(9, i, 0, 0);
     const RadiancePair pair = leaving_pair(truth, &object, *real, light, sampler);
-    const RadiancePair direct = direct_pair(*real, lit, object, real->albedo, light, sampler);
+    const RestPoint asked{&*real, {&twin, &*real}, real->albedo, sampler};
+    RadiancePair direct;
+    direct_on_rest({&asked, 1}, object, light, {&direct, 1});
     EXPECT_NEAR(pair.no.direct[0], direct.no.direct[0], 1e-6);
     EXPECT_NEAR(pair.with.direct[0], direct.with.direct[0], 1e-6);
   }

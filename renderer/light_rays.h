@@ -1,0 +1,43 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "renderer/geometry.h"
+
+namespace seamline {
+
+/// Rays that ask whether light from outside reaches points, each past two geometries: the virtual object and
+/// the real world, which may be asked from different places. Asked many at once, in packets.
+class LightRays {
+ public:
+  /// Light that arrives where nothing is in the way.
+  struct Arriving {
+    std::size_t index;  ///< whatever the caller counts
+    Rgb radiance;
+  };
+
+  void add(const Ray& past_object, const Ray& past_real, const Arriving& light) {
+    past_object_.push_back(past_object);
+    past_real_.push_back(past_real);
+    arriving_.push_back(light);
+  }
+  void drop_blocked_by_object(const Geometry& object, Coherence coherence) {
+    drop_blocked(object, past_object_, coherence);
+  }
+  void drop_blocked_by_real(const Geometry& real, Coherence coherence) {
+    drop_blocked(real, past_real_, coherence);
+  }
+  /// What is left, in the order it was added in.
+  [[nodiscard]] std::span<const Arriving> arriving() const { return arriving_; }
+  void clear() { resize(0); }
+
+ private:
+  void drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence);
+  void resize(std::size_t size);
+
+  std::vector<Ray> past_object_, past_real_;
+  std::vector<Arriving> arriving_;
+  std::vector<std::uint8_t> blocked_;
+};
+
+}  // namespace seamline
