@@ -116,11 +116,10 @@ TEST(BadInput, ScenesElsewhereNeedAnAssetRoot) {
   std::filesystem::create_directories(folder / "study");
   std::filesystem::create_directories(folder / "meshes");
   write_text(folder / "meshes" / "statue.glb", "not looked at by --dry-run");
-  write_text(folder / "study" / "study.toml",
-             quick_study_with({{"builtin:statue", "../meshes/statue.glb"}}));
+  write_text(folder / "study" / "study.toml", quick_study_with({{"builtin:statue", "../meshes/statue.glb"}}));
   const std::string render = "render " + (folder / "study" / "study.toml").string() + " --dry-run";
-  expect_complaint(run_seamline(render), {"study.toml", "scene[0].object[0].file", "--asset-root DIR",
-                                          "../meshes/statue.glb"});
+  expect_complaint(run_seamline(render),
+                   {"study.toml", "scene[0].object[0].file", "--asset-root DIR", "../meshes/statue.glb"});
   EXPECT_EQ(run_seamline(render + " --asset-root " + (folder / "meshes").string()).status, 0);
   expect_complaint(run_seamline(render + " --asset-root " + (folder / "none").string()),
                    {"--asset-root", "a folder", "none"});
