@@ -1,6 +1,16 @@
 #include "renderer/light_rays.h"
 
+#include "renderer/leaving_ray.h"
+
 namespace seamline {
+
+void LightRays::add(const SurfacePoint& point, const RealQuestion& real, const Eigen::Vector3f& direction,
+                    float far_m, const Arriving& light) {
+  if (!above_horizon(*real.start, direction)) return;
+  past_object_.push_back(leaving_ray(point, direction, far_m));
+  past_real_.push_back(leaving_ray(*real.start, direction, far_m));
+  arriving_.push_back(light);
+}
 
 void LightRays::drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence) {
   blocked_.resize(asked.size());

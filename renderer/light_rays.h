@@ -1,8 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "renderer/geometry.h"
+#include "renderer/transport.h"
 
 namespace seamline {
 
@@ -16,11 +17,10 @@ class LightRays {
     Rgb radiance;
   };
 
-  void add(const Ray& past_object, const Ray& past_real, const Arriving& light) {
-    past_object_.push_back(past_object);
-    past_real_.push_back(past_real);
-    arriving_.push_back(light);
-  }
+  /// From `point` past the object and from `real.start` past the real world; nothing arrives from below that
+  /// start's horizon.
+  void add(const SurfacePoint& point, const RealQuestion& real, const Eigen::Vector3f& direction, float far_m,
+           const Arriving& light);
   void drop_blocked_by_object(const Geometry& object, Coherence coherence) {
     drop_blocked(object, past_object_, coherence);
   }

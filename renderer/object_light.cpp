@@ -7,14 +7,6 @@
 namespace seamline {
 namespace {
 
-/// Adds a ray from a point of the object, if the real world's own start has that direction above its horizon.
-void add_ray(const ObjectPoint& asked, const Eigen::Vector3f& direction, float far_m,
-             const LightRays::Arriving& light, LightRays& rays) {
-  if (!above_horizon(*asked.lit_past.start, direction)) return;
-  rays.add(leaving_ray(*asked.point, direction, far_m), leaving_ray(*asked.lit_past.start, direction, far_m),
-           light);
-}
-
 /// Adds the light of the rays that nothing blocks, and begins anew.
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, LightRays& rays,
            std::span<Rgb> direct) {
@@ -38,8 +30,8 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
       const SurfacePoint& point = *points[i].point;
       const Eigen::Vector3f to_sun = direction_to_sun(sun, points[i].sampler.point(dimension::sun(0)));
       if (const float cosine = sun_cosine(point, to_sun); cosine > 0.0F)
-        add_ray(points[i], to_sun, endless, {i, point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)},
-                rays);
+        rays.add(point, points[i].lit_past, to_sun, endless,
+                 {i, point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)});
     }
   trace(object, real, Coherence::together, rays, direct);
   if (light.skips_sky) {
@@ -53,7 +45,7 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
     for (int number = 0; number < light.sky_rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(point.normal, sky_point, number, light.sky_rays);
       if (above_horizon(point, direction))
-        add_ray(points[i], direction, light.sky_distance_m, {i, sky}, rays);
+        rays.add(point, points[i].lit_past, direction, light.sky_distance_m, {i, sky});
     }
   }
   trace(object, real, Coherence::scattered, rays, direct);

@@ -7,13 +7,6 @@
 namespace seamline {
 namespace {
 
-void add_ray(const RestPoint& asked, const Eigen::Vector3f& direction, float far_m,
-             const LightRays::Arriving& light, LightRays& rays) {
-  if (!above_horizon(*asked.lit.start, direction)) return;
-  rays.add(leaving_ray(*asked.receiver, direction, far_m), leaving_ray(*asked.lit.start, direction, far_m),
-           light);
-}
-
 /// Adds the light of the rays that the real world lets through, without and with the object, and begins anew.
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rgb Split::*part,
            LightRays& rays, std::span<RadiancePair> pairs) {
@@ -35,10 +28,11 @@ void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, c
   rays.clear();
   for (const Sun& sun : light.suns)
     for (std::size_t i = 0; i < points.size(); ++i) {
+      const SurfacePoint& receiver = *points[i].receiver;
       const Eigen::Vector3f to_sun = direction_to_sun(sun, points[i].sampler.point(dimension::sun(0)));
-      if (const float cosine = sun_cosine(*points[i].receiver, to_sun); cosine > 0.0F)
-        add_ray(points[i], to_sun, endless,
-                {i, points[i].albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)}, rays);
+      if (const float cosine = sun_cosine(receiver, to_sun); cosine > 0.0F)
+        rays.add(receiver, points[i].lit, to_sun, endless,
+                 {i, points[i].albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)});
     }
   trace(object, real, Coherence::together, &Split::direct, rays, pairs);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -49,8 +43,8 @@ void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, c
     if (light.skips_sky)
       ++omitted_rays.dark_sky_rays;
     else
-      add_ray(points[i], direction, light.sky_distance_m, {i, points[i].albedo * light.environment_radiance},
-              rays);
+      rays.add(receiver, points[i].lit, direction, light.sky_distance_m,
+               {i, points[i].albedo * light.environment_radiance});
   }
   trace(object, real, Coherence::scattered, &Split::bounce, rays, pairs);
 }

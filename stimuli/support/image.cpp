@@ -175,7 +175,7 @@ void draw_text(ByteImage& image, int x, int y, const std::string& text, int heig
 void write_png(const fs::path& path, const ByteImage& image) {
   OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 3);  // half the time of the usual 6 for 3 % more bytes
+  spec.attribute("png:compressionLevel", 3);  // a third of the time of the usual 6, 7 % more bytes
   write_image(path, spec, OIIO::TypeDesc::UINT8, image.values.data());
 }
 

@@ -40,11 +40,11 @@ std::vector<Ray> random_rays(std::size_t count) {
 int slipped(Edges edges) {
   const std::vector<std::shared_ptr<const Part>> ball = {test::sphere({0, 0, 0}, 3.0F, 128, 0.5F)};
   const Geometry geometry(ball, edges);
-  constexpr int calls = 1000, rays_a_call = 1000;
+  constexpr int calls = 1000, rays_at_once = 1000;
   std::mt19937 random(5);
   std::normal_distribution<float> normal;
-  std::vector<Ray> rays(rays_a_call);
-  std::vector<std::uint8_t> blocked(rays_a_call);
+  std::vector<Ray> rays(rays_at_once);
+  std::vector<std::uint8_t> blocked(rays_at_once);
   int missed = 0;
   for (int call = 0; call < calls; ++call) {
     for (Ray& ray : rays)
