@@ -13,6 +13,7 @@
 #include "renderer/direction_table.h"
 #include "renderer/ray.h"
 #include "renderer/scene_file.h"
+#include "renderer/surface_point.h"
 #include "stimuli/support/colour.h"
 
 namespace seamline {
@@ -27,36 +28,6 @@ struct Part {
   Rgb albedo = Rgb::Constant(0.5F);
   Rgb emission = Rgb::Zero();  ///< radiance, both sides
 };
-
-/// A point on a surface as light sees it. Both normals are on the side the ray came from: surfaces are
-/// two-sided.
-struct SurfacePoint {
-  Eigen::Vector3f position_m;
-  Eigen::Vector3f normal;            ///< unit, for shading
-  Eigen::Vector3f geometric_normal;  ///< unit, of the triangle
-  float distance_m = 0;              ///< along the ray
-  Rgb albedo = Rgb::Zero();
-  Rgb emission = Rgb::Zero();
-  int object_index = 0;
-  std::uint32_t part = 0;
-};
-
-/// What a hit on a part needs to become a SurfacePoint, without a detour over the part.
-struct SurfaceTable {
-  const Triangle* triangles = nullptr;
-  const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
-  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
-  int object_index = 0;
-};
-
-/// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera (DESIGN
-/// section 4), on the side that `direction` goes to.
-[[nodiscard]] Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction);
-
-/// Whether a direction leaves the surface on the side it is seen from.
-[[nodiscard]] inline bool above_horizon(const SurfacePoint& point, const Eigen::Vector3f& direction) {
-  return point.geometric_normal.dot(direction) > 0.0F;
-}
 
 /// How rays that are asked for in one call lie to each other. Measured against one ray at a time: packets
 /// that stay together are 2 to 4 times as fast, scattered ones 1.1 (nearest) to 1.6 times (occluded);
