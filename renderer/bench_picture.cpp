@@ -6,6 +6,7 @@
 #include "renderer/bench.h"
 #include "renderer/convergence_runs.h"
 #include "renderer/estimator.h"
+#include "renderer/stopwatch.h"
 #include "renderer/true_error.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"

@@ -7,6 +7,7 @@
 
 #include "renderer/composite.h"
 #include "renderer/ray_memory.h"
+#include "renderer/stopwatch.h"
 #include "stimuli/difference.h"
 #include "stimuli/support/progress.h"
 

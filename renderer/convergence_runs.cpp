@@ -1,4 +1,5 @@
 #include "renderer/convergence_runs.h"
+#include "renderer/stopwatch.h"
 
 namespace seamline {
 namespace {

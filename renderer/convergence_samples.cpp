@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "renderer/estimator.h"
+#include "renderer/stopwatch.h"
 #include "stimuli/difference.h"
 
 namespace seamline {

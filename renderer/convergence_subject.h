@@ -58,15 +58,4 @@ struct ConvergenceSubject {
 /// Ready for rays.
 [[nodiscard]] Geometry subject_geometry(const ConvergenceSubject& subject, const DepthMesh& mesh);
 
-/// Seconds since a moment.
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 }  // namespace seamline

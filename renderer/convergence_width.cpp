@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "renderer/composite.h"
+#include "renderer/stopwatch.h"
 #include "stimuli/difference.h"
 #include "stimuli/support/progress.h"
 

@@ -2,37 +2,29 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
-
-#include "renderer/capture.h"
 #include "renderer/composite.h"
 #include "renderer/contact_sheet.h"
 #include "renderer/estimator.h"
+#include "renderer/local_scene.h"
 #include "renderer/parallel.h"
 #include "renderer/render_plan.h"
 #include "renderer/set_claim.h"
 #include "renderer/set_layers.h"
 #include "renderer/set_manifest.h"
+#include "renderer/set_pictures.h"
 #include "renderer/set_work.h"
+#include "renderer/stopwatch.h"
 #include "renderer/timings.h"
-#include "stimuli/difference.h"
 #include "stimuli/study_files.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
-#include "stimuli/support/hash.h"
 #include "stimuli/support/memory.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
 /// object, width.
@@ -48,7 +40,7 @@ class SetRenderer {
         timings_(request.set_folder, threads_, request.shard, request.shard_count) {}
 
   RenderSummary run() {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     check_existing_set();
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
@@ -63,7 +55,7 @@ class SetRenderer {
     }
     progress_.reset();
     write_set();
-    summary_.seconds = seconds_since(start);
+    summary_.seconds = watch.seconds();
     timings_.write(summary_.seconds);
     return summary_;
   }
@@ -156,20 +148,11 @@ class SetRenderer {
     const std::string& name = scene.definition.name;
     const std::string inputs = hashes_.of_reference(name);
     if (records_.finished_reference(name, inputs)) return;
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     const SceneReference reference = estimator.reference(report(weights_.reference, name + " reference"));
-    ManifestReference record{.scene = name,
-                             .image = "references/" + name + ".png",
-                             .object_ids = "references/" + name + "-ids.png",
-                             .image_sha256 = {},
-                             .object_ids_sha256 = {}};
-    write_png(request_.set_folder / record.image,
-              display_image(reference.radiance, scene.definition.exposure_ev));
-    write_png(request_.set_folder / record.object_ids, reference.object_ids);
-    record.image_sha256 = sha256_of_file(request_.set_folder / record.image);
-    record.object_ids_sha256 = sha256_of_file(request_.set_folder / record.object_ids);
-    records_.finish_reference(record, inputs);
-    timings_.add("reference-" + name, seconds_since(start), reference.rays);
+    records_.finish_reference(
+        write_reference(request_.set_folder, name, reference, scene.definition.exposure_ev), inputs);
+    timings_.add("reference-" + name, watch.seconds(), reference.rays);
   }
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
@@ -180,9 +163,9 @@ class SetRenderer {
     if (by_width.empty()) return;
     const std::string what = scene.definition.name + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     estimator.take_object(object_index, report(weights_.truth, what));
-    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), seconds_since(start),
+    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
     for (const auto& [width_px, works] : by_width) render_width(scene, estimator, works);
   }
@@ -191,59 +174,42 @@ class SetRenderer {
   void render_width(const TruthScene& scene, SceneEstimator& estimator,
                     const std::vector<PendingStimulus>& works) {
     const Condition& condition = works.front().stimulus.condition;
-    const Clock::time_point start = Clock::now();
-    MeshRecord mesh_record;
-    std::optional<Geometry> depth;
+    const Stopwatch watch;
+    std::optional<LocalScene> depth;
     bool needed = request_.layers;
     for (const PendingStimulus& work : works)
       needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
-    if (needed) {
-      const DepthMesh mesh = build_depth_mesh(
-          capture_depth(estimator.geometry().truth, condition.depth_width_px, condition.yaw_texels, threads_),
-          {.density = settings_.mesh,
-           .tolerance = study_.mesh_tolerance,
-           .yaw_texels = condition.yaw_texels,
-           .threads = threads_});
-      mesh_record = {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error};
-      depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
-    }
+    if (needed)
+      depth.emplace(make_local_scene(estimator.geometry().truth, condition,
+                                     {.density = settings_.mesh,
+                                      .tolerance = study_.mesh_tolerance,
+                                      .albedo = scene.definition.albedo,
+                                      .threads = threads_}));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
                              condition.depth_width_px),
-                 seconds_since(start), 0);
-    for (const PendingStimulus& work : works)
-      render_one(scene, estimator, depth ? &*depth : nullptr, mesh_record, work);
+                 watch.seconds(), 0);
+    for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
   }
 
-  void render_one(const TruthScene& scene, SceneEstimator& estimator, const Geometry* depth,
-                  const MeshRecord& mesh, const PendingStimulus& work) {
-    const Clock::time_point start = Clock::now();
+  /// `depth` is null when no stimulus of its width asks it anything.
+  void render_one(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
+                  const PendingStimulus& work) {
+    const Stopwatch watch;
     const std::string id = stimulus_id(work.stimulus);
     const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
-    const EstimatedStimulus made = estimator.stimulus(how, depth, report(weights_.stimulus, id));
-    const StimulusLayers& layers = made.layers;
-    const Composite composite = compose(layers, Compositing::ratio, threads_);
-    const double exposure_ev = scene.definition.exposure_ev;
-    ManifestStimulus record{.id = id,
-                            .stimulus = work.stimulus,
-                            .isolation = study_.isolation,
-                            .image = "stimuli/" + id + ".png",
-                            .object_ids = "references/" + scene.definition.name + "-ids.png",
-                            .reference = "references/" + scene.definition.name + ".png",
-                            .spp = layers.spp,
-                            .rays = layers.rays,
-                            .rmse = made.rmse,
-                            .mesh = how.answers.needs_depth() ? mesh : MeshRecord{},
-                            .tiny_denominators = composite.tiny_denominators,
-                            .clipped_share = clipped_share(composite.picture, exposure_ev),
-                            .sha256 = {}};
-    write_png(request_.set_folder / record.image, display_image(composite.picture, exposure_ev));
-    record.sha256 = sha256_of_file(request_.set_folder / record.image);
+    const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
+    const EstimatedStimulus made = estimator.stimulus(how, geometry, report(weights_.stimulus, id));
+    const Composite composite = compose(made.layers, Compositing::ratio, threads_);
+    ManifestStimulus record =
+        write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
+    record.isolation = study_.isolation;
+    if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
     if (request_.layers)
-      write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, depth,
-                   {estimator.truth(), layers, composite});
+      write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
+                   {estimator.truth(), made.layers, composite});
     records_.finish(record, work.inputs);
-    timings_.add(id, seconds_since(start), layers.rays, made.worst_tile);
+    timings_.add(id, watch.seconds(), made.layers.rays, made.worst_tile);
     ++summary_.rendered;
   }
 

@@ -5,10 +5,9 @@
 #include <tuple>
 #include <vector>
 
-#include "renderer/capture.h"
 #include "renderer/composite.h"
-#include "renderer/depth_mesh.h"
 #include "renderer/estimator.h"
+#include "renderer/local_scene.h"
 #include "renderer/parallel.h"
 #include "renderer/true_error.h"
 #include "renderer/worst_tile.h"
@@ -101,20 +100,17 @@ class Measuring {
   void measure_width(const TruthScene& scene, SceneEstimator& estimator,
                      const std::vector<ManifestStimulus>& records) {
     const Condition& condition = records.front().stimulus.condition;
-    std::optional<Geometry> depth;
+    std::optional<LocalScene> depth;
     for (const ManifestStimulus& record : records) {
       const Recipe how = recipe(record.stimulus.artifact, study_.isolation);
-      if (how.answers.needs_depth() && !depth) {
-        const DepthMesh mesh =
-            build_depth_mesh(capture_depth(estimator.geometry().truth, condition.depth_width_px,
-                                           condition.yaw_texels, threads_),
-                             {.density = request_.mesh.value_or(study_.mesh),
-                              .tolerance = study_.mesh_tolerance,
-                              .yaw_texels = condition.yaw_texels,
-                              .threads = threads_});
-        depth.emplace(mesh, Rgb::Constant(static_cast<float>(scene.definition.albedo)));
-      }
-      const EstimatedStimulus made = estimator.stimulus(how, depth ? &*depth : nullptr, report(1, record.id));
+      if (how.answers.needs_depth() && !depth)
+        depth.emplace(make_local_scene(estimator.geometry().truth, condition,
+                                       {.density = request_.mesh.value_or(study_.mesh),
+                                        .tolerance = study_.mesh_tolerance,
+                                        .albedo = scene.definition.albedo,
+                                        .threads = threads_}));
+      const EstimatedStimulus made =
+          estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
       measure(record, scene.definition.exposure_ev, made.layers);
     }
   }

@@ -1,0 +1,19 @@
+#include "renderer/local_scene.h"
+
+#include "renderer/capture.h"
+
+namespace seamline {
+
+LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
+                            const LocalSceneSettings& settings) {
+  const DepthMesh mesh =
+      build_depth_mesh(capture_depth(truth, condition.depth_width_px, condition.yaw_texels, settings.threads),
+                       {.density = settings.density,
+                        .tolerance = settings.tolerance,
+                        .yaw_texels = condition.yaw_texels,
+                        .threads = settings.threads});
+  return {Geometry(mesh, Rgb::Constant(static_cast<float>(settings.albedo))),
+          {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error}};
+}
+
+}  // namespace seamline
