@@ -97,8 +97,8 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);
   if (asks_depth_for_rest(answers)) out.guides.resize(pixels);
-  out.spp.rest.resize(static_cast<std::size_t>(out.grid.count()));
-  out.spp.object.resize(static_cast<std::size_t>(out.grid.count()));
+  out.spp.rest.resize(static_cast<std::size_t>(out.blocks().count()));
+  out.spp.object.resize(static_cast<std::size_t>(out.blocks().count()));
   return out;
 }
 
@@ -107,21 +107,23 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
                const std::function<void(double)>& progress, DepthAnswers& answers) {
   std::mutex counting;
   const auto work = [&](int tile) {
-    const auto t = static_cast<std::size_t>(tile);
-    int &rest = answers.spp.rest[t], &object = answers.spp.object[t];
-    const PixelSamples with_object = {rest, wanted.rest[t], object, wanted.object[t]};
-    const PixelSamples without_object = {rest, wanted.rest[t], 0, 0};
-    if (with_object.first() >= with_object.end()) return;
     const std::int64_t before = rays_traced_by_this_thread();
     const OmittedRays omitted_before = omitted_rays;
-    const TileGrid::Rectangle r = answers.grid.rectangle(tile);
     TileAsker asker(sampler, answers);
-    for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x)
-        asker.add(x, y, shows_object[answers.grid.index(x, y)] != 0 ? with_object : without_object);
+    for (const int block : blocks_of(answers.grid, tile)) {
+      const auto b = static_cast<std::size_t>(block);
+      int &rest = answers.spp.rest[b], &object = answers.spp.object[b];
+      const PixelSamples with_object = {rest, wanted.rest[b], object, wanted.object[b]};
+      const PixelSamples without_object = {rest, wanted.rest[b], 0, 0};
+      if (with_object.first() >= with_object.end()) continue;
+      const BlockGrid::Rectangle r = answers.blocks().rectangle(block);
+      for (int y = r.top; y < r.bottom; ++y)
+        for (int x = r.left; x < r.right; ++x)
+          asker.add(x, y, shows_object[answers.grid.index(x, y)] != 0 ? with_object : without_object);
+      rest = std::max(rest, wanted.rest[b]);
+      object = std::max(object, wanted.object[b]);
+    }
     asker.ask();
-    rest = std::max(rest, wanted.rest[t]);
-    object = std::max(object, wanted.object[t]);
     const std::lock_guard lock(counting);
     answers.rays += rays_traced_by_this_thread() - before;
     answers.omitted += omitted_rays - omitted_before;
@@ -135,8 +137,9 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
 namespace {
 
 /// The order in one tile.
-void order_of_tile(const TruthScene& scene, const ObjectTile& object, const TileGrid::Rectangle& r, int spp,
-                   const Geometry& depth, std::uint64_t seed, std::array<std::vector<OrderSums>, 2>& order) {
+void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectTile& object,
+                   const TileGrid::Rectangle& r, const Geometry& depth, std::uint64_t seed,
+                   std::array<std::vector<OrderSums>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
   std::array<float, rays_a_call> real_m, object_m, depth_m;
@@ -144,6 +147,7 @@ void order_of_tile(const TruthScene& scene, const ObjectTile& object, const Tile
   for (int y = r.top; y < r.bottom; ++y)
     for (int x = r.left; x < r.right; ++x) {
       const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+      const int spp = sums.samples_at(x, y);
       for (int sample = 0; sample < spp;) {
         std::size_t count = 0;
         for (; sample < spp && count < rays_a_call; ++sample) {
@@ -158,9 +162,9 @@ void order_of_tile(const TruthScene& scene, const ObjectTile& object, const Tile
         depth.distances(std::span<const Ray>(rays.data(), count), std::span(depth_m.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
           const bool in_truth = object_m[i] < real_m[i], in_depth = object_m[i] < depth_m[i];
-          OrderSums& sums = order[halves[i]][place];
-          sums.truth_only += in_truth && !in_depth ? 1.0F : 0.0F;
-          sums.depth_only += in_depth && !in_truth ? 1.0F : 0.0F;
+          OrderSums& out = order[halves[i]][place];
+          out.truth_only += in_truth && !in_depth ? 1.0F : 0.0F;
+          out.depth_only += in_depth && !in_truth ? 1.0F : 0.0F;
         }
       }
     }
@@ -175,7 +179,7 @@ ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object
   parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {
     const auto t = static_cast<std::size_t>(tile);
     if (tiles[t])
-      order_of_tile(scene, *tiles[t], sums.grid.rectangle(tile), sums.spp[t], depth, seed, order[t]);
+      order_of_tile(scene, sums, *tiles[t], sums.grid.rectangle(tile), depth, seed, order[t]);
   });
   return order;
 }

@@ -14,14 +14,14 @@ struct DepthSums {
   float covered = 0;    ///< samples in `object`
 };
 
-/// How many samples each tile has, even numbers. A ratio is content with few of them; light on the object
+/// How many samples each block has, even numbers. A ratio is content with few of them; light on the object
 /// needs as many as the photograph has, because its noise must not give the object away.
 struct DepthSamples {
   std::vector<int> rest;    ///< that ask for light on the rest
   std::vector<int> object;  ///< that ask for light on the object, in pixels that show it
 };
 
-/// The answers of one stimulus, with as many samples in each tile as were asked.
+/// The answers of one stimulus, with as many samples in each block as were asked.
 struct DepthAnswers {
   TileGrid grid;
   std::array<std::vector<DepthSums>, 2> halves;
@@ -29,10 +29,12 @@ struct DepthAnswers {
   DepthSamples spp;
   std::int64_t rays = 0;
   OmittedRays omitted;
+
+  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
 };
 [[nodiscard]] DepthAnswers empty_answers(const Camera& camera, const Answers& answers);
 
-/// Asks the depth mesh until each tile has the samples wanted. `shows_object` has a flag a pixel.
+/// Asks the depth mesh until each block has the samples wanted. `shows_object` has a flag a pixel.
 void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
                const std::vector<char>& shows_object, int threads,
                const std::function<void(double share_done)>& progress, DepthAnswers& answers);

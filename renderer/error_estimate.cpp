@@ -7,10 +7,10 @@
 namespace seamline {
 namespace {
 
-SquaredError tile_error(const HalfPictures& pictures, const TileGrid::Rectangle& tile, float gain) {
+SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangle& block, float gain) {
   SquaredError sum;
-  for (int y = tile.top; y < tile.bottom; ++y)
-    for (int x = tile.left; x < tile.right; ++x)
+  for (int y = block.top; y < block.bottom; ++y)
+    for (int x = block.left; x < block.right; ++x)
       for (int c = 0; c < 3; ++c) {
         const float a = pictures.filtered[0].at(x, y, c) * gain, b = pictures.filtered[1].at(x, y, c) * gain;
         const double difference = 0.5 * (double{srgb_from_linear(a)} - double{srgb_from_linear(b)});
@@ -21,8 +21,14 @@ SquaredError tile_error(const HalfPictures& pictures, const TileGrid::Rectangle&
         const double slope = display_slope(0.5F * (a + b));
         sum.bias += slope * slope * double{change_a} * double{change_b};
       }
-  const double values = 3.0 * (tile.right - tile.left) * (tile.bottom - tile.top);
+  const double values = 3.0 * (block.right - block.left) * (block.bottom - block.top);
   return {sum.noise / values, sum.bias / values};
+}
+
+/// Adds a part of a picture to the mean over it.
+void add_share(const SquaredError& part, double share, SquaredError& mean) {
+  mean.noise += share * part.noise;
+  mean.bias += share * part.bias;
 }
 
 }  // namespace
@@ -46,17 +52,21 @@ double ErrorEstimate::worst_tile() const {
 ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {
   const Image& any = pictures.filtered[0];
   const TileGrid grid{any.width_px, any.height_px};
+  const BlockGrid blocks{any.width_px, any.height_px};
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   ErrorEstimate estimate;
   estimate.tiles.resize(static_cast<std::size_t>(grid.count()));
+  estimate.blocks.resize(static_cast<std::size_t>(blocks.count()));
   parallel_for(grid.count(), threads, [&](int tile) {
-    estimate.tiles[static_cast<std::size_t>(tile)] = tile_error(pictures, grid.rectangle(tile), gain);
+    for (const int block : blocks_of(grid, tile)) {
+      SquaredError& error = estimate.blocks[static_cast<std::size_t>(block)];
+      error = block_error(pictures, blocks.rectangle(block), gain);
+      add_share(error, static_cast<double>(blocks.pixels(block)) / grid.pixels(tile),
+                estimate.tiles[static_cast<std::size_t>(tile)]);
+    }
   });
-  for (int tile = 0; tile < grid.count(); ++tile) {
-    const double share = grid.share(tile);
-    estimate.image.noise += share * estimate.tiles[static_cast<std::size_t>(tile)].noise;
-    estimate.image.bias += share * estimate.tiles[static_cast<std::size_t>(tile)].bias;
-  }
+  for (int tile = 0; tile < grid.count(); ++tile)
+    add_share(estimate.tiles[static_cast<std::size_t>(tile)], grid.share(tile), estimate.image);
   return estimate;
 }
 

@@ -128,7 +128,7 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
   row("ratio_samples", savings.ratio_rays,
       fmt::format("{} samples of the depth mesh", millions(static_cast<double>(savings.ratio_samples))));
   row("untouched_tiles", static_cast<double>(savings.untouched_rays),
-      fmt::format("{} tiles, camera rays alone", savings.untouched_tiles));
+      fmt::format("{} blocks of pixels, camera rays alone", savings.untouched_blocks));
   row("dark_sky", static_cast<double>(omitted.dark_sky_rays), "last rays of paths");
   if (savings.order_bytes > 0)
     rows.push_back({"who_is_in_front",

@@ -89,7 +89,9 @@ class FastEstimator : public SceneEstimator {
     for (const auto& object : sums_.objects)
       for (std::size_t t = 0; t < object.size(); ++t)
         if (object[t])  // two distances a sample
-          all.order_bytes += static_cast<std::int64_t>(2 * sizeof(float) * tile_pixels) * sums_.spp[t];
+          for (const int block : blocks_of(sums_.grid, static_cast<int>(t)))
+            all.order_bytes += static_cast<std::int64_t>(2 * sizeof(float)) * sums_.blocks().pixels(block) *
+                               sums_.spp[static_cast<std::size_t>(block)];
     return all;
   }
 
@@ -109,7 +111,7 @@ class FastEstimator : public SceneEstimator {
     saved_.stimuli += stimulus.stimuli;
     saved_.ratio_samples += stimulus.ratio_samples;
     saved_.ratio_rays += stimulus.ratio_rays;
-    saved_.untouched_tiles += stimulus.untouched_tiles;
+    saved_.untouched_blocks += stimulus.untouched_blocks;
     saved_.untouched_rays += stimulus.untouched_rays;
   }
 
@@ -132,8 +134,7 @@ class FastEstimator : public SceneEstimator {
     if (options_.error) {
       const ErrorTarget target{*options_.error * photograph_share(options_)};
       while (!target.met_by(error_)) {
-        const std::vector<TileState> tiles = states();
-        wanted = next_samples(tiles, error_.image.total(), target);
+        wanted = next_samples(state(), target);
         if (wanted == sums_.spp) break;
         done += part;
         part *= 0.5;
@@ -144,15 +145,13 @@ class FastEstimator : public SceneEstimator {
     joint_.reset();
   }
 
-  [[nodiscard]] std::vector<TileState> states() const {
-    std::vector<TileState> tiles(error_.tiles.size());
-    for (std::size_t t = 0; t < tiles.size(); ++t)
-      tiles[t] = {.noise = error_.tiles[t].noise,
-                  .rest = std::max(0.0, error_.tiles[t].bias),
-                  .spp = sums_.spp[t],
-                  .share = sums_.grid.share(static_cast<int>(t)),
-                  .most_spp = most_spp};
-    return tiles;
+  [[nodiscard]] SamplingState state() const {
+    SamplingState state{
+        .grid = sums_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error_.image.total()};
+    for (std::size_t b = 0; b < error_.blocks.size(); ++b)
+      state.blocks.push_back({.noise = error_.blocks[b].noise, .spp = sums_.spp[b], .most_spp = most_spp});
+    for (const SquaredError& tile : error_.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
+    return state;
   }
 
   /// Takes the strength with the least estimated error, from the present one towards weaker ones.

@@ -47,14 +47,16 @@ class StimulusRounds {
   }
 
  private:
-  /// Whether the depth mesh decides how an object in the tile is lit.
-  [[nodiscard]] bool lights_object(std::size_t tile) const {
+  /// Whether the depth mesh decides how an object in the block is lit.
+  [[nodiscard]] bool lights_object(std::size_t block) const {
     const Answers& answers = recipe_.answers;
     if (recipe_.keep == Keep::rest_layer) return false;
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
+    const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
     if (answers.occlusion == Who::depth)  // where it may show is not known beforehand
-      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile] != nullptr;
-    const TileGrid::Rectangle r = truth_.sums.grid.rectangle(static_cast<int>(tile));
+      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)]
+                                [static_cast<std::size_t>(truth_.sums.grid.square_of(r.left, r.top))] !=
+             nullptr;
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x)
         if (shows_object_[truth_.layers.index(x, y)] != 0) return true;
@@ -69,7 +71,7 @@ class StimulusRounds {
     std::vector<char> flags(layers.guides.size(), 0);
     for (int y = 0; y < layers.height_px; ++y)
       for (int x = 0; x < layers.width_px; ++x) {
-        const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.tile_of(x, y))].get();
+        const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.square_of(x, y))].get();
         if (tile == nullptr) continue;
         const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
         for (const auto& half : tile->halves)
@@ -87,8 +89,8 @@ class StimulusRounds {
   static constexpr int pilot = 4;
   /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
   /// not give it away.
-  [[nodiscard]] int first_rest_samples(std::size_t tile) const {
-    const int all = truth_.sums.spp[tile];
+  [[nodiscard]] int first_rest_samples(std::size_t block) const {
+    const int all = truth_.sums.spp[block];
     return options_.target && options_.omit.ratio_samples ? std::min(pilot, all) : all;
   }
 
@@ -96,9 +98,9 @@ class StimulusRounds {
   /// They are asked last, so that they do not change how the other tiles are sampled.
   StimulusLayers with_untouched_tiles() {
     DepthSamples wanted = depth_.spp;
-    for (std::size_t t = 0; t < wanted.rest.size(); ++t) {
-      if (wanted.rest[t] == 0) wanted.rest[t] = first_rest_samples(t);
-      if (wanted.object[t] == 0) wanted.object[t] = truth_.sums.spp[t];
+    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
+      if (wanted.rest[b] == 0) wanted.rest[b] = first_rest_samples(b);
+      if (wanted.object[b] == 0) wanted.object[b] = truth_.sums.spp[b];
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
     return layers(filters());
@@ -107,15 +109,15 @@ class StimulusRounds {
   [[nodiscard]] Savings savings() const {
     Savings saved{.omitted = depth_.omitted, .depth_rays = depth_.rays, .stimuli = 1};
     std::int64_t asked = 0;
-    for (std::size_t t = 0; t < depth_.spp.rest.size(); ++t) {
-      const std::int64_t pixels = depth_.grid.pixels(static_cast<int>(t));
-      asked += pixels * depth_.spp.rest[t];
-      if (depth_.spp.rest[t] > 0) {
-        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[t] - depth_.spp.rest[t]);
-      } else if (depth_.spp.object[t] == 0 && options_.omit.untouched_tiles) {
+    for (std::size_t b = 0; b < depth_.spp.rest.size(); ++b) {
+      const std::int64_t pixels = depth_.blocks().pixels(static_cast<int>(b));
+      asked += pixels * depth_.spp.rest[b];
+      if (depth_.spp.rest[b] > 0) {
+        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[b] - depth_.spp.rest[b]);
+      } else if (depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
-        ++saved.untouched_tiles;
-        saved.untouched_rays += geometries * pixels * first_rest_samples(t);
+        ++saved.untouched_blocks;
+        saved.untouched_rays += geometries * pixels * first_rest_samples(b);
       }
     }
     if (asked > 0)
@@ -126,9 +128,9 @@ class StimulusRounds {
 
   [[nodiscard]] DepthSamples first_samples() const {
     DepthSamples wanted = depth_.spp;
-    for (std::size_t t = 0; t < wanted.rest.size(); ++t) {
-      if (lights_rest()) wanted.rest[t] = first_rest_samples(t);
-      if (lights_object(t)) wanted.object[t] = truth_.sums.spp[t];
+    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
+      if (lights_rest()) wanted.rest[b] = first_rest_samples(b);
+      if (lights_object(b)) wanted.object[b] = truth_.sums.spp[b];
     }
     return wanted;
   }
@@ -137,29 +139,34 @@ class StimulusRounds {
     return !options_.target || options_.target->met_by(error);
   }
 
-  /// What each tile should have next; false when no tile can gain anything. Samples are added to the rest,
-  /// and to the object where nothing else is asked for.
+  /// What each block should have next; false when none can gain anything. Samples are added to the rest, and
+  /// to the object where nothing else is asked for.
   bool plan_more(const ErrorEstimate& error, DepthSamples& wanted) const {
-    const std::vector<int> next = next_samples(states(error), error.image.total(), *options_.target);
-    for (std::size_t t = 0; t < next.size(); ++t) {
-      if (lights_rest()) wanted.rest[t] = next[t];
-      if (wanted.object[t] > 0) wanted.object[t] = std::max(wanted.object[t], next[t]);
+    const std::vector<int> next = next_samples(state(error), *options_.target);
+    for (std::size_t b = 0; b < next.size(); ++b) {
+      if (lights_rest()) wanted.rest[b] = next[b];
+      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], next[b]);
     }
     return wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }
 
-  [[nodiscard]] std::vector<TileState> states(const ErrorEstimate& error) const {
-    std::vector<TileState> tiles(error.tiles.size());
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-      const double photograph = std::min(truth_.error.tiles[t].noise, error.tiles[t].noise);
-      const int spp = lights_rest() ? depth_.spp.rest[t] : depth_.spp.object[t];
-      tiles[t] = {.noise = error.tiles[t].noise - photograph,
-                  .rest = photograph + std::max(0.0, error.tiles[t].bias),
-                  .spp = spp,
-                  .share = depth_.grid.share(static_cast<int>(t)),
-                  .most_spp = spp > 0 ? 4 * truth_.sums.spp[t] : 0};
+  /// The photograph's own noise is there already.
+  [[nodiscard]] SamplingState state(const ErrorEstimate& error) const {
+    SamplingState state{
+        .grid = depth_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error.image.total()};
+    for (const SquaredError& tile : error.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
+    for (std::size_t b = 0; b < error.blocks.size(); ++b) {
+      const double photograph = std::min(truth_.error.blocks[b].noise, error.blocks[b].noise);
+      const int spp = lights_rest() ? depth_.spp.rest[b] : depth_.spp.object[b];
+      state.blocks.push_back({.noise = error.blocks[b].noise - photograph,
+                              .spp = spp,
+                              .most_spp = spp > 0 ? 4 * truth_.sums.spp[b] : 0});
+      const BlockGrid::Rectangle r = depth_.blocks().rectangle(static_cast<int>(b));
+      const int tile = depth_.grid.square_of(r.left, r.top);
+      state.tile_rest[static_cast<std::size_t>(tile)] +=
+          photograph * depth_.blocks().pixels(static_cast<int>(b)) / depth_.grid.pixels(tile);
     }
-    return tiles;
+    return state;
   }
 
   /// Turns the ratio's filter off in tiles that are too wrong because of it. There, samples have to do it: as
@@ -173,7 +180,11 @@ class StimulusRounds {
           error.tiles[t].total() + rounding_square < most)
         continue;
       filtered_[t] = 0;
-      if (lights_rest()) wanted.rest[t] = std::max(wanted.rest[t], truth_.sums.spp[t]);
+      if (lights_rest())
+        for (const int block : blocks_of(depth_.grid, static_cast<int>(t))) {
+          int& samples = wanted.rest[static_cast<std::size_t>(block)];
+          samples = std::max(samples, truth_.sums.spp[static_cast<std::size_t>(block)]);
+        }
       changed = true;
     }
     return changed;

@@ -74,7 +74,7 @@ FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& dep
   object.texels.resize(truth.layers.guides.size());
   const auto& tiles = truth.sums.objects[static_cast<std::size_t>(truth.object_index - 1)];
   each_pixel(truth.layers, threads, [&](int x, int y, std::size_t i) {
-    const ObjectTile* tile = tiles[static_cast<std::size_t>(truth.sums.grid.tile_of(x, y))].get();
+    const ObjectTile* tile = tiles[static_cast<std::size_t>(truth.sums.grid.square_of(x, y))].get();
     if (tile == nullptr) return;
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const float covered = tile->halves[0][place].covered + tile->halves[1][place].covered;

@@ -24,7 +24,7 @@ struct Light {
   bool ambient_occlusion = false;  ///< no sun, no bounce
   bool skips_sky = false;          ///< no ray is traced only for the environment, whose radiance is 0
   /// Rays a sample for what the environment sends straight to the surface that the camera sees; by the fast
-  /// estimator only (`add_leaving`, `leaving_object`, `direct_on_object`).
+  /// estimator only (`PathBatch`, `leaving_object`, `direct_on_object`).
   int sky_rays = 1;
 };
 

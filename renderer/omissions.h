@@ -58,7 +58,7 @@ struct Savings {
   std::int64_t stimuli = 0;          ///< rendered
   std::int64_t ratio_samples = 0;    ///< samples not asked of the depth mesh
   double ratio_rays = 0;             ///< the same times the rays of one such sample
-  std::int64_t untouched_tiles = 0;  ///< tiles not asked, over all stimuli
+  std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
   std::int64_t untouched_rays = 0;   ///< their camera rays, which is the least they would have cost
   std::int64_t order_bytes = 0;      ///< distances of what objects hide, not kept
 };

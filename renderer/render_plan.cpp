@@ -128,7 +128,7 @@ class ScenePlanner {
         any([](const Recipe& r) { return r.keep == Keep::object_layer || !asks_depth_for_rest(r.answers); });
     omit({.name = "untouched_tiles",
           .why = "the depth mesh is asked about the object only, so tiles without it need no answer",
-          .saves = "tiles of 32 x 32 px where nothing asks it for light",
+          .saves = "blocks of 16 x 16 px where nothing asks it for light",
           .change = no_change},
          somewhere ? "" : "an artifact's light may differ in every tile");
   }

@@ -16,66 +16,92 @@ int next_step(int spp) {
 
 struct Step {
   double gain_per_sample = 0;
-  std::size_t tile = 0;
+  std::size_t block = 0;
   bool operator<(const Step& other) const {
     return gain_per_sample != other.gain_per_sample ? gain_per_sample < other.gain_per_sample
-                                                    : tile > other.tile;
+                                                    : block > other.block;
   }
 };
+using Steps = std::priority_queue<Step>;
 
 class RoundPlanner {
  public:
-  RoundPlanner(const std::vector<TileState>& tiles, double image_square, const ErrorTarget& target)
-      : tiles_(tiles),
+  RoundPlanner(const SamplingState& state, const ErrorTarget& target)
+      : state_(state),
+        blocks_(state.blocks),
         target_square_(target.rmse * target.rmse),
         square_(target.rmse * target.rmse - rounding_square),
-        expected_(image_square) {
-    for (const TileState& tile : tiles) {
-      wanted_.push_back(tile.spp);
-      had_ += tile.spp;
+        expected_(state.image_square) {
+    for (const BlockState& block : blocks_) {
+      wanted_.push_back(block.spp);
+      had_ += block.spp;
     }
   }
 
   std::vector<int> plan() {
-    for (std::size_t i = 0; i < tiles_.size(); ++i)
-      while (noise(i) + tiles_[i].rest + rounding_square > 9 * target_square_ && can_grow(i)) grow(i);
-    std::priority_queue<Step> steps;
-    for (std::size_t i = 0; i < tiles_.size(); ++i) push(i, steps);
+    for (int tile = 0; tile < static_cast<int>(state_.tile_rest.size()); ++tile) grow_tile(tile);
+    Steps steps;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) push(i, steps);
     const bool not_yet = expected_ > square_;
-    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) {
-      const std::size_t i = steps.top().tile;
-      steps.pop();
-      grow(i);
-      push(i, steps);
-    }
-    for (std::size_t i = 0; i < tiles_.size(); ++i) wanted_[i] = std::min(wanted_[i], most_next(i));
+    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) grow_best(steps);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) wanted_[i] = std::min(wanted_[i], most_next(i));
     return wanted_;
   }
 
  private:
+  /// Until the tile is good enough.
+  void grow_tile(int tile) {
+    const TileGrid grid{state_.grid.width_px, state_.grid.height_px};
+    Steps steps;
+    double square = state_.tile_rest[static_cast<std::size_t>(tile)] + rounding_square;
+    const auto share = [&](std::size_t block) {
+      return state_.grid.pixels(static_cast<int>(block)) / static_cast<double>(grid.pixels(tile));
+    };
+    for (const int block : blocks_of(grid, tile)) {
+      const auto i = static_cast<std::size_t>(block);
+      square += share(i) * noise(i);
+      push(i, steps);
+    }
+    while (square > 9 * target_square_ && !steps.empty()) {
+      const std::size_t i = steps.top().block;
+      const double before = noise(i);
+      grow_best(steps);
+      square -= share(i) * (before - noise(i));
+    }
+  }
+
+  void grow_best(Steps& steps) {
+    const std::size_t i = steps.top().block;
+    steps.pop();
+    grow(i);
+    push(i, steps);
+  }
+
   [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
   [[nodiscard]] double noise_with(std::size_t i, int spp) const {
-    return tiles_[i].spp > 0 ? tiles_[i].noise * std::pow(static_cast<double>(tiles_[i].spp) / spp, 1.1)
-                             : 0.0;
+    return blocks_[i].spp > 0
+               ? blocks_[i].noise * std::pow(static_cast<double>(blocks_[i].spp) / spp, 1.1)
+               : 0.0;
   }
   [[nodiscard]] bool can_grow(std::size_t i) const {
-    return tiles_[i].noise > 0 && next_step(wanted_[i]) <= tiles_[i].most_spp;
+    return blocks_[i].noise > 0 && next_step(wanted_[i]) <= blocks_[i].most_spp;
   }
-  /// Four times what a tile has: two steps of two each, and no need to round.
-  [[nodiscard]] int most_next(std::size_t i) const { return 4 * tiles_[i].spp; }
+  /// Four times what a block has: two steps of two each, and no need to round.
+  [[nodiscard]] int most_next(std::size_t i) const { return 4 * blocks_[i].spp; }
   void grow(std::size_t i) {
     const int next = next_step(wanted_[i]);
-    expected_ -= tiles_[i].share * (noise(i) - noise_with(i, next));
+    expected_ -= state_.grid.share(static_cast<int>(i)) * (noise(i) - noise_with(i, next));
     added_ += next - wanted_[i];
     wanted_[i] = next;
   }
-  void push(std::size_t i, std::priority_queue<Step>& steps) const {
+  void push(std::size_t i, Steps& steps) const {
     if (!can_grow(i)) return;
     const int next = next_step(wanted_[i]);
     steps.push({(noise(i) - noise_with(i, next)) / (next - wanted_[i]), i});
   }
 
-  const std::vector<TileState>& tiles_;
+  const SamplingState& state_;
+  const std::vector<BlockState>& blocks_;
   const double target_square_;
   const double square_;  ///< what noise and bias may be
   double expected_;
@@ -85,9 +111,8 @@ class RoundPlanner {
 
 }  // namespace
 
-std::vector<int> next_samples(const std::vector<TileState>& tiles, double image_square,
-                              const ErrorTarget& target) {
-  return RoundPlanner(tiles, image_square, target).plan();
+std::vector<int> next_samples(const SamplingState& state, const ErrorTarget& target) {
+  return RoundPlanner(state, target).plan();
 }
 
 }  // namespace seamline

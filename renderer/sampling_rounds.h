@@ -13,24 +13,30 @@ struct ErrorTarget {
   }
 };
 
-/// What more samples can do in a tile: `noise` falls with them, the rest does not.
-struct TileState {
+/// What more samples can do in a block: `noise` falls with them.
+struct BlockState {
   double noise = 0;  ///< squared
-  double rest = 0;   ///< squared: bias, and noise that sampling here does not touch
   int spp = 0;       ///< even
-  double share = 0;  ///< of the picture
-  int most_spp = 0;  ///< the tile never gets more
+  int most_spp = 0;  ///< the block never gets more
 };
 
-/// The number of samples each tile should have next: steps go to the tiles that gain most for a sample, until
-/// the target is expected to be met (noise, squared, is taken to fall like samples^-1.1: -1 for independent
-/// numbers, up to -1.5 for Sobol'), over the image and in every tile. Estimates from few samples are rough,
-/// so none gets more than four times what it has at once; what others would have to do for it is not asked of
-/// them, but left to the next round. `image_square` is the squared error of the whole picture, without
-/// rounding: not the tiles' mean, because a bias below 0 in a tile only means that it is not known. When the
-/// image is not good enough at least a sixteenth of the samples is planned, so that there are few rounds.
-/// Equal to what the tiles have when no tile can grow.
-[[nodiscard]] std::vector<int> next_samples(const std::vector<TileState>& tiles, double image_square,
-                                            const ErrorTarget& target);
+/// Where a picture stands between two rounds.
+struct SamplingState {
+  BlockGrid grid;
+  std::vector<BlockState> blocks;
+  /// Of each tile, squared: bias, and noise that more samples do not touch.
+  std::vector<double> tile_rest;
+  /// Squared error of the whole picture, without rounding: not the tiles' mean, because a bias below 0 in a
+  /// tile only means that it is not known.
+  double image_square = 0;
+};
+
+/// The number of samples each block should have next: steps go to the blocks that gain most for a sample,
+/// until the target is expected to be met (noise, squared, is taken to fall like samples^-1.1: -1 for
+/// independent numbers, up to -1.5 for Sobol'), over the image and in every tile. Estimates from few samples
+/// are rough, so none gets more than four times what it has at once; what others would have to do for it is
+/// not asked of them, but left to the next round. When the image is not good enough at least a sixteenth of
+/// the samples is planned, so that there are few rounds. Equal to what the blocks have when none can grow.
+[[nodiscard]] std::vector<int> next_samples(const SamplingState& state, const ErrorTarget& target);
 
 }  // namespace seamline

@@ -63,7 +63,7 @@ class LayerMaker {
   }
 
   [[nodiscard]] const ObjectTile* object_tile(int x, int y) const {
-    return sums_.objects[k_ - 1][static_cast<std::size_t>(sums_.grid.tile_of(x, y))].get();
+    return sums_.objects[k_ - 1][static_cast<std::size_t>(sums_.grid.square_of(x, y))].get();
   }
   [[nodiscard]] PixelParts parts(int x, int y, std::size_t half) const {
     const ObjectTile* tile = object_tile(x, y);
@@ -71,10 +71,9 @@ class LayerMaker {
             tile == nullptr ? no_object : tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))],
             k_};
   }
-  /// Scale from a tile's own number of samples to the layers'.
+  /// Scale from a pixel's own number of samples to the layers'.
   [[nodiscard]] float scale(int x, int y) const {
-    return static_cast<float>(layers_.spp) /
-           static_cast<float>(sums_.spp[static_cast<std::size_t>(sums_.grid.tile_of(x, y))]);
+    return static_cast<float>(layers_.spp) / static_cast<float>(sums_.samples_at(x, y));
   }
 
   void collect_rest(int x, int y) {
@@ -99,8 +98,7 @@ class LayerMaker {
   void write_rest(int x, int y) {
     const std::size_t i = sums_.index(x, y);
     const float to_layers = scale(x, y);
-    const float half_samples =
-        0.5F * static_cast<float>(sums_.spp[static_cast<std::size_t>(sums_.grid.tile_of(x, y))]);
+    const float half_samples = 0.5F * static_cast<float>(sums_.samples_at(x, y));
     for (std::size_t half = 0; half < 2; ++half) {
       PixelParts pixel = parts(x, y, half);
       const ObjectSums& own = pixel.own;

@@ -4,25 +4,31 @@
 
 #include "renderer/camera_ray.h"
 #include "renderer/parallel.h"
+#include "renderer/path_batch.h"
 
 namespace seamline {
 namespace {
 
 using Hits = std::array<std::optional<SurfacePoint>, rays_a_call>;
 
-/// Samples one tile.
+/// Samples one tile: looks at a few samples of a pixel at a time, and follows the paths of several such looks
+/// together.
 class TileSampler {
  public:
   TileSampler(const TruthScene& scene, const SceneGeometry& geometry, const ScenePassOptions& options,
               SceneSums& sums, int tile)
-      : scene_(scene), geometry_(geometry), options_(options), sums_(sums), tile_(tile) {}
+      : scene_(scene), geometry_(geometry), options_(options), sums_(sums), tile_(tile) {
+    paths_.begin(geometry_.worlds, scene_.light);
+  }
 
-  void add(int from, int to) {
-    const TileGrid::Rectangle tile = sums_.grid.rectangle(tile_);
-    for (int y = tile.top; y < tile.bottom; ++y)
-      for (int x = tile.left; x < tile.right; ++x)
+  /// Adds samples to one of its blocks.
+  void add(int block, int from, int to) {
+    const BlockGrid::Rectangle r = sums_.blocks().rectangle(block);
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x)
         for (int first = from; first < to; first += static_cast<int>(rays_a_call))
-          add_packet(x, y, first, std::min(to, first + static_cast<int>(rays_a_call)));
+          look(x, y, first, std::min(to, first + static_cast<int>(rays_a_call)));
+    follow_paths();
     if (options_.who_is_in_front)
       for (auto& object : sums_.objects) {
         ObjectTile* there = object[static_cast<std::size_t>(tile_)].get();
@@ -31,7 +37,21 @@ class TileSampler {
   }
 
  private:
-  void add_packet(int x, int y, int from, int to) {
+  static constexpr std::size_t paths_at_once = 64;
+
+  /// What a path is followed for.
+  enum class LightOf {
+    front,   ///< what the camera sees
+    behind,  ///< what an object in front covers
+    hidden   ///< an object that something covers
+  };
+  struct Followed {
+    LightOf light_of;
+    int object;  ///< 0: none
+    std::size_t pixel, place, half;
+  };
+
+  void look(int x, int y, int from, int to) {
     const auto count = static_cast<std::size_t>(to - from);
     std::array<Ray, rays_a_call> rays;
     for (std::size_t i = 0; i < count; ++i)
@@ -39,38 +59,8 @@ class TileSampler {
     const std::span<const Ray> asked(rays.data(), count);
     geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count));
     find_objects(asked);
-    ask_shadow_rays(x, y, from, count);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
-  }
-
-  /// The shadow rays of what the packet's samples see: those to the sun together, those to the sky together.
-  void ask_shadow_rays(int x, int y, int from, std::size_t count) {
-    shadow_rays_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      const int sample = from + static_cast<int>(i);
-      if (const SurfacePoint* front = seen_without(i, 0))
-        append_shadow_rays(geometry_.worlds, *front, scene_.light, Sampler(options_.seed, x, y, sample),
-                           path_plan(sample, options_.tail_every), shadow_rays_);
-      end_of_shadow_rays_[i] = shadow_rays_.size();
-    }
-    ask_room(true, Coherence::together);
-    ask_room(false, Coherence::scattered);
-  }
-
-  void ask_room(bool to_sun, Coherence coherence) {
-    asked_.clear();
-    for (const ShadowRay& shadow_ray : shadow_rays_)
-      if (shadow_ray.to_sun == to_sun) asked_.push_back(shadow_ray.ray);
-    blocked_.resize(asked_.size());
-    geometry_.room.occluded(asked_, blocked_, coherence);
-    std::size_t next = 0;
-    for (ShadowRay& shadow_ray : shadow_rays_)
-      if (shadow_ray.to_sun == to_sun) shadow_ray.room_blocks = blocked_[next++] != 0;
-  }
-
-  [[nodiscard]] std::span<const ShadowRay> shadow_rays_of(std::size_t i) const {
-    const std::size_t begin = i == 0 ? 0 : end_of_shadow_rays_[i - 1];
-    return std::span(shadow_rays_).subspan(begin, end_of_shadow_rays_[i] - begin);
+    if (paths_.size() >= paths_at_once) follow_paths();
   }
 
   /// Most packets meet no object: one question for all three.
@@ -99,82 +89,95 @@ class TileSampler {
   }
 
   void add_sample(int x, int y, int sample, std::size_t i) {
-    const std::size_t pixel = sums_.index(x, y);
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const auto half = static_cast<std::size_t>(sample % 2);
-    const Sampler sampler(options_.seed, x, y, sample);
-    const PathPlan plan = path_plan(sample, options_.tail_every);
-    WorldSums& world = sums_.halves[half][pixel];
     const SurfacePoint* front = seen_without(i, 0);
     const int object = front == nullptr ? 0 : front->object_index;
+    const Followed seen{LightOf::front, object, sums_.index(x, y), place, half};
+    const Sampler sampler(options_.seed, x, y, sample);
+    const PathPlan plan = path_plan(sample, options_.tail_every);
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
-      Shaded seen;
-      seen.reach_m = add_leaving(geometry_.worlds, set, *front, scene_.light, sampler, plan,
-                                 shadow_rays_of(i), seen.light);
-      for (int v = 0; v <= 3; ++v)
-        if (object == 0 || v != object) see(world, v, seen, pixel, *front);
-      if (object != 0) {
-        ObjectTile& there = object_tile(object);
-        ObjectSums& own = there.halves[half][place];
-        own.object += seen.light[0];
-        own.covered += 1.0F;
-        there.guides[place].add(*front, seen.reach_m);
-        add_behind(world, own, object, pixel, i, sampler, plan);
-      }
+      follow(seen, {set, *front, sampler, plan});
     }
-    if (options_.who_is_in_front) add_order(place, sample, half, i, object, sampler, plan);
+    if (object != 0) {
+      object_tile(object).halves[half][place].covered += 1.0F;
+      add_behind(seen, i, sampler, plan);
+    }
+    if (options_.who_is_in_front) add_order(seen, sample, i, sampler, plan);
   }
 
   /// What an object in front covers.
-  void add_behind(WorldSums& world, ObjectSums& own, int object, std::size_t pixel, std::size_t i,
-                  const Sampler& sampler, const PathPlan& plan) {
-    const SurfacePoint* behind = seen_without(i, object);
+  void add_behind(Followed seen, std::size_t i, const Sampler& sampler, const PathPlan& plan) {
+    const SurfacePoint* behind = seen_without(i, seen.object);
     if (behind == nullptr) return;
-    const WorldSet set = only_world(object) | (options_.who_is_in_front ? only_world(0) : 0);
+    object_tile(seen.object).halves[seen.half][seen.place].behind_surfaces += 1.0F;
+    const WorldSet set = only_world(seen.object) | (options_.who_is_in_front ? only_world(0) : 0);
     PathPlan own_reach = plan;  // what else is kept must not change what guides the filter
-    own_reach.reach_of = only_world(object);
-    const Shaded seen = shade(set, *behind, sampler, own_reach);
-    see(world, object, seen, pixel, *behind);
-    own.behind += seen.light[static_cast<std::size_t>(object)];
-    own.behind_with += seen.light[0];
-    own.behind_surfaces += 1.0F;
+    own_reach.reach_of = only_world(seen.object);
+    seen.light_of = LightOf::behind;
+    follow(seen, {set, *behind, sampler, own_reach});
   }
 
   /// Who is in front of whom, and the light of an object that something covers.
-  void add_order(std::size_t place, int sample, std::size_t half, std::size_t i, int front_object,
-                 const Sampler& sampler, const PathPlan& plan) {
+  void add_order(const Followed& seen, int sample, std::size_t i, const Sampler& sampler,
+                 const PathPlan& plan) {
     for (int k = 1; k <= 3; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (!hit) continue;
       ObjectTile& there = object_tile(k);
       extend_distances(there, sample + 1);
-      const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + place;
+      const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + seen.place;
       there.object_m[at] = hit->distance_m;
       const SurfacePoint* real = seen_without(i, k);
       if (real != nullptr) there.real_m[at] = real->distance_m;
-      if (k == front_object) continue;
-      ObjectSums& own = there.halves[half][place];
-      own.hidden += shade(only_world(0), *hit, sampler, plan).light[0];
-      own.hidden_samples += 1.0F;
+      if (k == seen.object) continue;
+      there.halves[seen.half][seen.place].hidden_samples += 1.0F;
+      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, plan});
     }
   }
 
-  struct Shaded {
-    WorldLight light = {};
-    float reach_m = 0;
-  };
-  Shaded shade(WorldSet set, const SurfacePoint& point, const Sampler& sampler, const PathPlan& plan) const {
-    Shaded shaded;
-    shaded.reach_m = add_leaving(geometry_.worlds, set, point, scene_.light, sampler, plan, shaded.light);
-    return shaded;
+  void follow(const Followed& followed, const PathStart& start) {
+    followed_.push_back(followed);
+    paths_.add(start);
   }
 
-  void see(WorldSums& sums, int world, const Shaded& shaded, std::size_t pixel, const SurfacePoint& point) {
+  void follow_paths() {
+    const std::span<const PathLight> found = paths_.trace();
+    for (std::size_t i = 0; i < found.size(); ++i) add_light(followed_[i], paths_.start(i).point, found[i]);
+    paths_.begin(geometry_.worlds, scene_.light);
+    followed_.clear();
+  }
+
+  void add_light(const Followed& followed, const SurfacePoint& point, const PathLight& found) {
+    const int object = followed.object;
+    ObjectSums* own = nullptr;
+    if (object != 0) own = &object_tile(object).halves[followed.half][followed.place];
+    switch (followed.light_of) {
+      case LightOf::front:
+        for (int v = 0; v <= 3; ++v)
+          if (object == 0 || v != object) see(followed, v, point, found);
+        if (object == 0) return;
+        own->object += found.light[0];
+        object_tile(object).guides[followed.place].add(point, found.reach_m);
+        return;
+      case LightOf::behind:
+        see(followed, object, point, found);
+        own->behind += found.light[static_cast<std::size_t>(object)];
+        own->behind_with += found.light[0];
+        return;
+      case LightOf::hidden:
+        own->hidden += found.light[0];
+        return;
+    }
+  }
+
+  void see(const Followed& followed, int world, const SurfacePoint& point, const PathLight& found) {
     const auto v = static_cast<std::size_t>(world);
-    sums.seen[v] += shaded.light[v];
+    WorldSums& sums = sums_.halves[followed.half][followed.pixel];
+    sums.seen[v] += found.light[v];
     sums.surfaces[v] += 1.0F;
-    if (world > 0) sums_.guides[v - 1][pixel].add(point, shaded.reach_m);
+    if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);
   }
 
   ObjectTile& object_tile(int object) {
@@ -201,10 +204,8 @@ class TileSampler {
   int tile_;
   Hits room_;
   std::array<Hits, 3> objects_;
-  std::vector<ShadowRay> shadow_rays_;                            ///< of the rays_a_call, sample by sample
-  std::array<std::size_t, rays_a_call> end_of_shadow_rays_ = {};  ///< of each sample
-  std::vector<Ray> asked_;
-  std::vector<std::uint8_t> blocked_;
+  PathBatch paths_;
+  std::vector<Followed> followed_;  ///< of each path
 };
 
 }  // namespace
@@ -217,7 +218,7 @@ SceneSums empty_sums(const Camera& camera) {
   for (auto& half : sums.halves) half.resize(pixels);
   for (auto& guides : sums.guides) guides.resize(pixels);
   for (auto& object : sums.objects) object.resize(static_cast<std::size_t>(sums.grid.count()));
-  sums.spp.resize(static_cast<std::size_t>(sums.grid.count()));
+  sums.spp.resize(static_cast<std::size_t>(sums.blocks().count()));
   return sums;
 }
 
@@ -226,13 +227,16 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
   std::mutex counting;
   const int tiles = sums.grid.count();
   const auto work = [&](int tile) {
-    int& spp = sums.spp[static_cast<std::size_t>(tile)];
-    const int wanted = wanted_spp[static_cast<std::size_t>(tile)];
-    if (wanted <= spp) return;
     const std::int64_t before = rays_traced_by_this_thread();
     const OmittedRays omitted_before = omitted_rays;
-    TileSampler(scene, geometry, options, sums, tile).add(spp, wanted);
-    spp = wanted;
+    TileSampler sampler(scene, geometry, options, sums, tile);
+    for (const int block : blocks_of(sums.grid, tile)) {
+      int& spp = sums.spp[static_cast<std::size_t>(block)];
+      const int wanted = wanted_spp[static_cast<std::size_t>(block)];
+      if (wanted <= spp) continue;
+      sampler.add(block, spp, wanted);
+      spp = wanted;
+    }
     const std::lock_guard lock(counting);
     sums.rays += rays_traced_by_this_thread() - before;
     sums.omitted += omitted_rays - omitted_before;

@@ -19,7 +19,7 @@ struct ScenePassOptions {
 /// Empty sums for a picture of the scene's camera.
 [[nodiscard]] SceneSums empty_sums(const Camera& camera);
 
-/// Adds samples to every tile until it has `wanted_spp[tile]` (even numbers); tiles that have as many are
+/// Adds samples to every block until it has `wanted_spp[block]` (even numbers); blocks that have as many are
 /// left alone. The background of each object, the reference, and each object's own light are one computation.
 void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
                  const ScenePassOptions& options, SceneSums& sums);

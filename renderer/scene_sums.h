@@ -59,11 +59,16 @@ struct SceneSums {
   std::array<std::vector<WorldSums>, 2> halves;  ///< row by row
   std::array<std::vector<GuideSums>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
   std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
-  std::vector<int> spp;                                             ///< of each tile, even
+  std::vector<int> spp;                                             ///< of each block, even
   std::int64_t rays = 0;
   OmittedRays omitted;
 
   [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
+  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
+  /// Samples of a pixel.
+  [[nodiscard]] int samples_at(int x, int y) const {
+    return spp[static_cast<std::size_t>(blocks().square_of(x, y))];
+  }
 };
 
 /// The tiles that an object (1 to 3) is seen or hidden in.

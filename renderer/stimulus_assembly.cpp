@@ -38,9 +38,9 @@ class Assembly {
   /// Everything known of one pixel and half, in the layers' number of samples.
   struct Pixel {
     const TruthSums& truth;
-    const ObjectSums& own;   ///< in the tile's own number of samples
+    const ObjectSums& own;   ///< in the pixel's own number of samples
     const DepthSums& depth;  ///< in the depth pass's own number of samples
-    float to_layers = 1;     ///< from the tile's number of samples to the layers'
+    float to_layers = 1;     ///< from the pixel's number of samples to the layers'
     float uncovers = 0;      ///< share of the truth's covered samples that the depth mesh uncovers
     float covers = 0;        ///< share of the truth's uncovered samples that it covers
     float newly_covered = 0;
@@ -50,16 +50,17 @@ class Assembly {
     static const ObjectSums nothing;
     const TruthLayers& layers = truth_.layers;
     const std::size_t i = layers.index(x, y);
-    const auto tile = static_cast<std::size_t>(truth_.sums.grid.tile_of(x, y));
+    const auto tile = static_cast<std::size_t>(truth_.sums.grid.square_of(x, y));
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const auto& object = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
     Pixel in{.truth = layers.halves[half][i],
              .own = object ? object->halves[half][place] : nothing,
              .depth = depth_.halves[half][i]};
-    in.to_layers = static_cast<float>(layers.spp) / static_cast<float>(truth_.sums.spp[tile]);
+    const auto samples_of_pixel = static_cast<float>(truth_.sums.samples_at(x, y));
+    in.to_layers = static_cast<float>(layers.spp) / samples_of_pixel;
     if (order_.empty() || order_[tile][half].empty()) return in;
     const OrderSums& order = order_[tile][half][place];
-    const float samples = 0.5F * static_cast<float>(truth_.sums.spp[tile]);
+    const float samples = 0.5F * samples_of_pixel;
     if (in.own.covered > 0) in.uncovers = order.truth_only / in.own.covered;
     if (samples > in.own.covered) in.covers = order.depth_only / (samples - in.own.covered);
     in.newly_covered = order.depth_only * in.to_layers;
@@ -172,7 +173,7 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
   const FilteredBounce no_filter;
   parallel_for(truth.height_px, threads, [&](int y) {
     for (int x = 0; x < truth.width_px; ++x) {
-      const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.tile_of(x, y));
+      const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.square_of(x, y));
       const bool filtered = filters.ratio_tiles.empty() || filters.ratio_tiles[tile] != 0;
       for (std::size_t half = 0; half < 2; ++half)
         if (!out.halves[half].empty())

@@ -2,6 +2,7 @@
 
 #include "renderer/leaving_ray.h"
 #include "renderer/object_light.h"
+#include "renderer/path_batch.h"
 #include "renderer/rest_light.h"
 
 namespace seamline {
@@ -109,7 +110,11 @@ void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
   parts.assign(samples.size(), {});
   add_direct_on_object(samples, parts);
   add_direct_on_rest(samples, parts);
-  for (std::size_t i = 0; i < samples.size(); ++i) add_paths(samples[i], parts[i]);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].shows == StimulusSample::Shows::object) add_object_in_depth(samples[i], parts[i]);
+    if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
+  }
+  if (answers_.bounce == Who::depth) add_rest_in_depth(samples, parts);
 }
 
 void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
@@ -154,23 +159,30 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
   }
 }
 
-void StimulusSampler::add_paths(const StimulusSample& sample, DepthPart& out) const {
-  if (sample.shows == StimulusSample::Shows::object) add_object_in_depth(sample, out);
-  if (sample.shows != StimulusSample::Shows::rest) return;
-  out.rest = 1.0F;
-  if (answers_.bounce == Who::depth) add_rest_in_depth(sample, rest_is_one_path(), out);
-}
-
-void StimulusSampler::add_rest_in_depth(const StimulusSample& sample, bool direct, DepthPart& out) const {
-  if (!bounce_.may_filter) {
-    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
-             true, out);
-    return;
+void StimulusSampler::add_rest_in_depth(std::span<const StimulusSample> samples,
+                                        std::span<DepthPart> parts) const {
+  const bool direct = rest_is_one_path();
+  thread_local PathBatch paths;
+  paths.begin(depth_worlds_, scene_.light);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const StimulusSample& sample = samples[i];
+    if (sample.shows != StimulusSample::Shows::rest) continue;
+    if (bounce_.may_filter)
+      paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
+                 path_plan(sample.number, bounce_.tail_every, direct)});
+    else
+      add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
+               true, parts[i]);
   }
-  WorldLight light{};
-  out.reach_m = add_leaving(depth_worlds_, depth_worlds_.all(), *sample.depth, scene_.light, sample.sampler,
-                            path_plan(sample.number, bounce_.tail_every, direct), light);
-  add_rest({.no = light[1], .with = light[0]}, direct, true, out);
+  if (!bounce_.may_filter) return;
+  const std::span<const PathLight> found = paths.trace();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].shows != StimulusSample::Shows::rest) continue;
+    const PathLight& path = found[next++];
+    parts[i].reach_m = path.reach_m;
+    add_rest({.no = path.light[1], .with = path.light[0]}, direct, true, parts[i]);
+  }
 }
 
 void StimulusSampler::add_object_in_depth(const StimulusSample& sample, DepthPart& out) const {

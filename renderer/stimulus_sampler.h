@@ -84,8 +84,7 @@ class StimulusSampler {
   }
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
-  void add_paths(const StimulusSample& sample, DepthPart& out) const;
-  void add_rest_in_depth(const StimulusSample& sample, bool direct, DepthPart& out) const;
+  void add_rest_in_depth(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   void add_object_in_depth(const StimulusSample& sample, DepthPart& out) const;
 
   const TruthScene& scene_;

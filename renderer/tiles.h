@@ -4,10 +4,10 @@
 
 namespace seamline {
 
-/// The picture cut into squares: what a worker takes at a time, what has a number of samples of its own, and
-/// over which the worst error is looked for (`--error`: 3 E in the worst of them).
-struct TileGrid {
-  static constexpr int side_px = 32;
+/// The picture cut into squares.
+template <int side>
+struct SquareGrid {
+  static constexpr int side_px = side;
   int width_px = 0, height_px = 0;
 
   struct Rectangle {
@@ -21,22 +21,40 @@ struct TileGrid {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   }
-  [[nodiscard]] int tile_of(int x, int y) const { return (y / side_px) * columns() + x / side_px; }
-  [[nodiscard]] Rectangle rectangle(int tile) const {
-    const int left = tile % columns() * side_px, top = tile / columns() * side_px;
+  /// Number of the square that a pixel lies in.
+  [[nodiscard]] int square_of(int x, int y) const { return (y / side_px) * columns() + x / side_px; }
+  [[nodiscard]] Rectangle rectangle(int square) const {
+    const int left = square % columns() * side_px, top = square / columns() * side_px;
     return {left, top, std::min(left + side_px, width_px), std::min(top + side_px, height_px)};
   }
-  [[nodiscard]] int pixels(int tile) const {
-    const Rectangle r = rectangle(tile);
+  [[nodiscard]] int pixels(int square) const {
+    const Rectangle r = rectangle(square);
     return (r.right - r.left) * (r.bottom - r.top);
   }
-  /// The tile's share of the picture.
-  [[nodiscard]] double share(int tile) const {
-    return pixels(tile) / (static_cast<double>(width_px) * height_px);
+  /// The square's share of the picture.
+  [[nodiscard]] double share(int square) const {
+    return pixels(square) / (static_cast<double>(width_px) * height_px);
   }
-  /// Place of a pixel inside its tile.
+  /// Place of a pixel inside its square.
   [[nodiscard]] static int place(int x, int y) { return (y % side_px) * side_px + x % side_px; }
 };
+
+/// What a worker takes at a time, what an object's sums are kept for, and over which the worst error is looked
+/// for (`--error`: 3 E in the worst of them).
+using TileGrid = SquareGrid<32>;
+/// What has a number of samples of its own: a quarter of a tile, so that samples go where the noise is.
+using BlockGrid = SquareGrid<16>;
+
+/// The blocks of a tile.
+[[nodiscard]] inline std::vector<int> blocks_of(const TileGrid& grid, int tile) {
+  static_assert(TileGrid::side_px % BlockGrid::side_px == 0);
+  const BlockGrid blocks{grid.width_px, grid.height_px};
+  const TileGrid::Rectangle r = grid.rectangle(tile);
+  std::vector<int> out;
+  for (int y = r.top; y < r.bottom; y += BlockGrid::side_px)
+    for (int x = r.left; x < r.right; x += BlockGrid::side_px) out.push_back(blocks.square_of(x, y));
+  return out;
+}
 
 /// Some tiles of a grid: a flag each.
 using TileSet = std::vector<char>;

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "renderer/worlds.h"
+#include "renderer/path_batch.h"
 #include "stability/groups.h"
 #include "stability/shapes.h"
 #include "stability/worst.h"
@@ -83,13 +83,15 @@ Finding try_closed_sphere(const ClosedSphere& sphere) {
 Finding try_closed_sphere_fast(const ClosedSphere& sphere) {
   const Furnace furnace = furnace_of(sphere);
   const Worlds worlds{.room = &furnace.wall, .objects = &furnace.object, .others = {}, .object_count = 1};
+  PathBatch batch;
   double error = 0, last = 0;
   for (int i = 0; i < paths; ++i) {
     const Sampler sampler(3, i, 0, 0);
-    WorldLight light = {};
-    add_leaving(worlds, worlds.all(), first_hit(furnace, sampler), furnace.light, sampler, PathPlan{}, light);
+    batch.begin(worlds, furnace.light);
+    batch.add({worlds.all(), first_hit(furnace, sampler), sampler});
+    const PathLight found = batch.trace().front();
     for (const int world : {0, 1}) {
-      last = static_cast<double>(light[static_cast<std::size_t>(world)].total()[1]);
+      last = static_cast<double>(found.light[static_cast<std::size_t>(world)].total()[1]);
       error = worse(error, relative_error(last, expected_radiance(sphere)));
     }
   }

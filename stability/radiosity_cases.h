@@ -13,7 +13,7 @@ struct ClosedSphere {
 /// Every path must bring the sum of albedo^k for k = 0 to bounces + 1, through `leaving_pair` (path
 /// estimator), in both worlds. The error is the largest relative one of any path.
 [[nodiscard]] Finding try_closed_sphere(const ClosedSphere& sphere);
-/// The same through `add_leaving` (fast estimator).
+/// The same through `PathBatch` (fast estimator).
 [[nodiscard]] Finding try_closed_sphere_fast(const ClosedSphere& sphere);
 
 }  // namespace seamline

@@ -34,6 +34,7 @@ TEST(ErrorEstimate, FindsPlantedNoiseAndBias) {
   EXPECT_NEAR(std::sqrt(estimate.image.noise), slope * 0.01 / std::sqrt(2.0), 2e-4);
   EXPECT_NEAR(std::sqrt(estimate.image.bias), slope * 0.004, 1e-3);
   EXPECT_EQ(estimate.tiles.size(), 12U);
+  EXPECT_EQ(estimate.blocks.size(), 48U);
   EXPECT_GE(estimate.worst_tile(), estimate.rmse());
 }
 
@@ -42,16 +43,33 @@ TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
   EXPECT_NEAR(estimate.image.bias, 0.0, 4 * 0.05 * 0.05 / std::sqrt(128.0 * 96 * 3));
 }
 
+/// Ten blocks in five tiles.
+SamplingState ten_blocks(double noise, double rest, double image_square) {
+  return {.grid = {10 * BlockGrid::side_px, BlockGrid::side_px},
+          .blocks = std::vector<BlockState>(10, {.noise = noise, .spp = 16, .most_spp = 1024}),
+          .tile_rest = std::vector<double>(5, rest),
+          .image_square = image_square};
+}
+
 TEST(SamplingRounds, GrowsUntilTheTargetIsExpectedAndNotBeyondTheLimit) {
-  std::vector<TileState> tiles(10, {.noise = 4e-4, .spp = 16, .share = 0.1, .most_spp = 1024});
-  tiles[3].most_spp = 16;
-  tiles[7].noise = 4e-2;
-  const std::vector<int> wanted = next_samples(tiles, 4.36e-3, {.rmse = 0.02});
+  SamplingState state = ten_blocks(4e-4, 0, 4.36e-3);
+  state.blocks[3].most_spp = 16;
+  state.blocks[7].noise = 4e-2;
+  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02});
   EXPECT_EQ(wanted[3], 16);
   EXPECT_EQ(wanted[7], 64);
   for (const int spp : wanted) EXPECT_TRUE(spp >= 16 && spp <= 64 && spp % 2 == 0);
-  for (TileState& tile : tiles) tile.noise = 1e-5;
-  EXPECT_EQ(next_samples(tiles, 1e-5, {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(ten_blocks(1e-5, 0, 1e-5), {.rmse = 0.02}), std::vector<int>(10, 16));
+}
+
+TEST(SamplingRounds, ATileIsGoodEnoughAsAWhole) {
+  SamplingState state = ten_blocks(1e-4, 0, 3e-4);
+  state.blocks[4].noise = 5e-3;  // with its neighbour below 9 * 4e-4
+  EXPECT_EQ(next_samples(state, {.rmse = 0.02}), std::vector<int>(10, 16));
+  state.blocks[4].noise = 9e-3;
+  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02});
+  EXPECT_GT(wanted[4], 16);
+  EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 16), 9);
 }
 
 /// A floor with a wall: left half of the picture and right half, seen from 2 m.
@@ -82,10 +100,8 @@ TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
 }
 
 TEST(SamplingRounds, TheWholePicturesErrorDecidesNotTheTilesBiases) {
-  const std::vector<TileState> tiles(
-      10, {.noise = 1e-4, .rest = 5e-4, .spp = 16, .share = 0.1, .most_spp = 1024});
-  EXPECT_EQ(next_samples(tiles, 2e-4, {.rmse = 0.02}), std::vector<int>(10, 16));
-  EXPECT_NE(next_samples(tiles, 6e-4, {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(ten_blocks(1e-4, 5e-4, 2e-4), {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_NE(next_samples(ten_blocks(1e-4, 5e-4, 6e-4), {.rmse = 0.02}), std::vector<int>(10, 16));
 }
 
 TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {

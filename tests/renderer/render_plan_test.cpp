@@ -103,8 +103,8 @@ TEST(RenderPlan, UntouchedTilesChangeNothing) {
   for (const EstimateOptions& options : {EstimateOptions{.spp = 8}, EstimateOptions{.error = 0.03}}) {
     const Pair pair = render_pair(bench, Artifact::shadow, options, "untouched_tiles");
     EXPECT_EQ(pair.with.picture.values, pair.without.picture.values);
-    EXPECT_GT(pair.with.savings.untouched_tiles, 0);
-    EXPECT_EQ(pair.without.savings.untouched_tiles, 0);
+    EXPECT_GT(pair.with.savings.untouched_blocks, 0);
+    EXPECT_EQ(pair.without.savings.untouched_blocks, 0);
   }
 }
 
