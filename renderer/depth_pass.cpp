@@ -142,29 +142,29 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
                    std::array<std::vector<OrderSums>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
-  std::array<float, rays_a_call> real_m, object_m, depth_m;
+  std::array<float, rays_a_call> object_m, depth_m;
+  std::array<bool, rays_a_call> in_truth;
   std::array<std::size_t, rays_a_call> halves;
   for (int y = r.top; y < r.bottom; ++y)
     for (int x = r.left; x < r.right; ++x) {
       const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+      const ObjectDistances& distances = object.distances[ObjectTile::block_in_tile(x, y)];
       const int spp = sums.samples_at(x, y);
       for (int sample = 0; sample < spp;) {
         std::size_t count = 0;
         for (; sample < spp && count < rays_a_call; ++sample) {
-          const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + place;
-          if (at >= object.object_m.size() || object.object_m[at] == std::numeric_limits<float>::infinity())
-            continue;
+          object_m[count] = distances.distance_m(sample, x, y);
+          if (object_m[count] == std::numeric_limits<float>::infinity()) continue;
+          in_truth[count] = !distances.is_covered(sample, x, y);
           rays[count] = camera_ray(scene.camera, x, y, Sampler(seed, x, y, sample));
-          object_m[count] = object.object_m[at];
-          real_m[count] = object.real_m[at];
           halves[count++] = static_cast<std::size_t>(sample % 2);
         }
         depth.distances(std::span<const Ray>(rays.data(), count), std::span(depth_m.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
-          const bool in_truth = object_m[i] < real_m[i], in_depth = object_m[i] < depth_m[i];
+          const bool in_depth = object_m[i] < depth_m[i];
           OrderSums& out = order[halves[i]][place];
-          out.truth_only += in_truth && !in_depth ? 1.0F : 0.0F;
-          out.depth_only += in_depth && !in_truth ? 1.0F : 0.0F;
+          out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
+          out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;
         }
       }
     }

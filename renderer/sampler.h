@@ -23,6 +23,12 @@ class Sampler {
   std::uint32_t sample_;
 };
 
+/// One sample of one pixel.
+struct SampleId {
+  int x = 0, y = 0;
+  int number = 0;
+};
+
 /// Which dimension serves what, so that paths that share a vertex share its numbers.
 namespace dimension {
 inline constexpr int pixel = 0;

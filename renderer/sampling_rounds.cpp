@@ -29,28 +29,40 @@ class RoundPlanner {
   RoundPlanner(const SamplingState& state, const ErrorTarget& target)
       : state_(state),
         blocks_(state.blocks),
-        target_square_(target.rmse * target.rmse),
+        square_in_a_tile_(target.square_in_a_tile()),
         square_(target.rmse * target.rmse - rounding_square),
         expected_(state.image_square) {
-    for (const BlockState& block : blocks_) {
-      wanted_.push_back(block.spp);
-      had_ += block.spp;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      wanted_.push_back(blocks_[i].spp);
+      had_ += blocks_[i].spp;
+      if (blocks_[i].least_spp > blocks_[i].spp) grow_to(i, blocks_[i].least_spp);
     }
   }
 
-  std::vector<int> plan() {
-    for (int tile = 0; tile < static_cast<int>(state_.tile_rest.size()); ++tile) grow_tile(tile);
+  SamplingPlan plan() {
+    SamplingPlan out{.next = {}, .samples = 0, .suffices = true};
+    for (int tile = 0; tile < static_cast<int>(state_.tile_rest.size()); ++tile)
+      if (!grow_tile(tile)) out.suffices = false;
     Steps steps;
     for (std::size_t i = 0; i < blocks_.size(); ++i) push(i, steps);
     const bool not_yet = expected_ > square_;
     while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) grow_best(steps);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) wanted_[i] = std::min(wanted_[i], most_next(i));
-    return wanted_;
+    out.suffices = out.suffices && expected_ <= square_;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      out.samples += static_cast<double>(wanted_[i] - blocks_[i].spp) *
+                     state_.grid.pixels(static_cast<int>(i));
+      wanted_[i] = std::min(wanted_[i], most_next(i));
+    }
+    out.next = std::move(wanted_);
+    return out;
   }
 
  private:
-  /// Until the tile is good enough.
-  void grow_tile(int tile) {
+  /// Of the error allowed, what a tile that has more is sampled for: or a few samples would be missing again.
+  static constexpr double aim = 0.9;
+
+  /// Until the tile is good enough; false when it does not get there.
+  bool grow_tile(int tile) {
     const TileGrid grid{state_.grid.width_px, state_.grid.height_px};
     Steps steps;
     double square = state_.tile_rest[static_cast<std::size_t>(tile)] + rounding_square;
@@ -62,12 +74,14 @@ class RoundPlanner {
       square += share(i) * noise(i);
       push(i, steps);
     }
-    while (square > 9 * target_square_ && !steps.empty()) {
+    if (square <= square_in_a_tile_) return true;
+    while (square > aim * square_in_a_tile_ && !steps.empty()) {
       const std::size_t i = steps.top().block;
       const double before = noise(i);
       grow_best(steps);
       square -= share(i) * (before - noise(i));
     }
+    return square <= square_in_a_tile_;
   }
 
   void grow_best(Steps& steps) {
@@ -87,9 +101,11 @@ class RoundPlanner {
     return blocks_[i].noise > 0 && next_step(wanted_[i]) <= blocks_[i].most_spp;
   }
   /// Four times what a block has: two steps of two each, and no need to round.
-  [[nodiscard]] int most_next(std::size_t i) const { return 4 * blocks_[i].spp; }
-  void grow(std::size_t i) {
-    const int next = next_step(wanted_[i]);
+  [[nodiscard]] int most_next(std::size_t i) const {
+    return std::max(4 * blocks_[i].spp, blocks_[i].least_spp);
+  }
+  void grow(std::size_t i) { grow_to(i, next_step(wanted_[i])); }
+  void grow_to(std::size_t i, int next) {
     expected_ -= state_.grid.share(static_cast<int>(i)) * (noise(i) - noise_with(i, next));
     added_ += next - wanted_[i];
     wanted_[i] = next;
@@ -102,7 +118,7 @@ class RoundPlanner {
 
   const SamplingState& state_;
   const std::vector<BlockState>& blocks_;
-  const double target_square_;
+  const double square_in_a_tile_;
   const double square_;  ///< what noise and bias may be
   double expected_;
   std::vector<int> wanted_;
@@ -111,7 +127,7 @@ class RoundPlanner {
 
 }  // namespace
 
-std::vector<int> next_samples(const SamplingState& state, const ErrorTarget& target) {
+SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target) {
   return RoundPlanner(state, target).plan();
 }
 

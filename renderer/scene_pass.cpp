@@ -23,17 +23,13 @@ class TileSampler {
 
   /// Adds samples to one of its blocks.
   void add(int block, int from, int to) {
+    end_sample_ = to;
     const BlockGrid::Rectangle r = sums_.blocks().rectangle(block);
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x)
         for (int first = from; first < to; first += static_cast<int>(rays_a_call))
           look(x, y, first, std::min(to, first + static_cast<int>(rays_a_call)));
     follow_paths();
-    if (options_.who_is_in_front)
-      for (auto& object : sums_.objects) {
-        ObjectTile* there = object[static_cast<std::size_t>(tile_)].get();
-        if (there != nullptr) extend_distances(*there, to);
-      }
   }
 
  private:
@@ -104,7 +100,7 @@ class TileSampler {
       object_tile(object).halves[half][place].covered += 1.0F;
       add_behind(seen, i, sampler, plan);
     }
-    if (options_.who_is_in_front) add_order(seen, sample, i, sampler, plan);
+    if (options_.who_is_in_front) add_order(seen, {x, y, sample}, i, sampler, plan);
   }
 
   /// What an object in front covers.
@@ -120,17 +116,17 @@ class TileSampler {
   }
 
   /// Who is in front of whom, and the light of an object that something covers.
-  void add_order(const Followed& seen, int sample, std::size_t i, const Sampler& sampler,
+  void add_order(const Followed& seen, const SampleId& id, std::size_t i, const Sampler& sampler,
                  const PathPlan& plan) {
     for (int k = 1; k <= 3; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (!hit) continue;
       ObjectTile& there = object_tile(k);
-      extend_distances(there, sample + 1);
-      const std::size_t at = static_cast<std::size_t>(sample) * tile_pixels + seen.place;
-      there.object_m[at] = hit->distance_m;
       const SurfacePoint* real = seen_without(i, k);
-      if (real != nullptr) there.real_m[at] = real->distance_m;
+      ObjectDistances& distances = there.distances[ObjectTile::block_in_tile(id.x, id.y)];
+      distances.extend(end_sample_);
+      distances.set(id.number, id.x, id.y, hit->distance_m,
+                    real != nullptr && real->distance_m <= hit->distance_m);
       if (k == seen.object) continue;
       there.halves[seen.half][seen.place].hidden_samples += 1.0F;
       follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, plan});
@@ -190,18 +186,12 @@ class TileSampler {
     return *there;
   }
 
-  static void extend_distances(ObjectTile& tile, int samples) {
-    const std::size_t size = static_cast<std::size_t>(samples) * tile_pixels;
-    if (tile.object_m.size() >= size) return;
-    tile.object_m.resize(size, std::numeric_limits<float>::infinity());
-    tile.real_m.resize(size, std::numeric_limits<float>::infinity());
-  }
-
   const TruthScene& scene_;
   const SceneGeometry& geometry_;
   const ScenePassOptions& options_;
   SceneSums& sums_;
   int tile_;
+  int end_sample_ = 0;  ///< of those being added
   Hits room_;
   std::array<Hits, 3> objects_;
   PathBatch paths_;

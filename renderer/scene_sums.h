@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -44,13 +46,49 @@ struct ObjectSums {
 inline constexpr std::size_t tile_pixels =
     static_cast<std::size_t>(TileGrid::side_px) * static_cast<std::size_t>(TileGrid::side_px);
 
+/// How far an object is on the camera ray of each sample of a block, all pixels of a sample together; empty
+/// when it is in none.
+class ObjectDistances {
+ public:
+  void set(int sample, int x, int y, float distance_m, bool covered) {
+    distance_m_[place(sample, x, y)] = covered ? -distance_m : distance_m;
+  }
+  /// Room for so many samples.
+  void extend(int samples) {
+    const std::size_t size = place(samples, 0, 0);
+    if (distance_m_.size() >= size) return;
+    distance_m_.reserve(size);  // exactly: there are hundreds of megabytes of them
+    distance_m_.resize(size, std::numeric_limits<float>::infinity());
+  }
+  /// Infinity where the ray misses the object.
+  [[nodiscard]] float distance_m(int sample, int x, int y) const {
+    const std::size_t at = place(sample, x, y);
+    return at < distance_m_.size() ? std::abs(distance_m_[at]) : std::numeric_limits<float>::infinity();
+  }
+  /// Whether something else is nearer.
+  [[nodiscard]] bool is_covered(int sample, int x, int y) const {
+    return std::signbit(distance_m_[place(sample, x, y)]);
+  }
+
+ private:
+  [[nodiscard]] static std::size_t place(int sample, int x, int y) {
+    constexpr int pixels = BlockGrid::side_px * BlockGrid::side_px;
+    return static_cast<std::size_t>(sample) * pixels + static_cast<std::size_t>(BlockGrid::place(x, y));
+  }
+  std::vector<float> distance_m_;  ///< negative where covered
+};
+
 /// One object's part of a tile; only tiles that it is seen or hidden in have one.
 struct ObjectTile {
   std::array<std::vector<ObjectSums>, 2> halves;
   std::vector<GuideSums> guides;
-  /// Distances to the object and to the nearest other thing, sample by sample (sample * tile_pixels + place):
-  /// infinity where there is none. Only when the study asks who is in front.
-  std::vector<float> object_m, real_m;
+  /// Of each block. Only when the study asks who is in front.
+  std::array<ObjectDistances, 4> distances;
+
+  [[nodiscard]] static std::size_t block_in_tile(int x, int y) {
+    static_assert(TileGrid::side_px == 2 * BlockGrid::side_px);
+    return static_cast<std::size_t>(y / BlockGrid::side_px % 2 * 2 + x / BlockGrid::side_px % 2);
+  }
 };
 
 /// All sums of a scene, its worlds and its objects.

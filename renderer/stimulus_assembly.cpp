@@ -174,10 +174,10 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
   parallel_for(truth.height_px, threads, [&](int y) {
     for (int x = 0; x < truth.width_px; ++x) {
       const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.square_of(x, y));
-      const bool filtered = filters.ratio_tiles.empty() || filters.ratio_tiles[tile] != 0;
+      const bool filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
       for (std::size_t half = 0; half < 2; ++half)
         if (!out.halves[half].empty())
-          assembly.pixel(x, y, half, filtered ? rest : no_filter, object,
+          assembly.pixel(x, y, half, filtered ? rest : no_filter, filtered ? object : no_filter,
                          out.halves[half][truth.index(x, y)]);
     }
   });

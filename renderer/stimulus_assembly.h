@@ -18,8 +18,8 @@ struct StimulusParts {
 /// How light that the depth mesh answers is filtered.
 struct DepthFilters {
   FilterStrength ratio = {};   ///< light that only decides a ratio
-  TileSet ratio_tiles = {};    ///< where; empty: everywhere
   FilterStrength object = {};  ///< bounce light on the object
+  TileSet tiles = {};          ///< where; empty: everywhere
 };
 
 /// Puts a stimulus together from the truth's sums and the depth mesh's answers, pixel by pixel: DESIGN

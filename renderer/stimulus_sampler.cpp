@@ -110,11 +110,11 @@ void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
   parts.assign(samples.size(), {});
   add_direct_on_object(samples, parts);
   add_direct_on_rest(samples, parts);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].shows == StimulusSample::Shows::object) add_object_in_depth(samples[i], parts[i]);
+  for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
-  }
-  if (answers_.bounce == Who::depth) add_rest_in_depth(samples, parts);
+  if (answers_.bounce == Who::truth) return;  // bounce light of the truth is in the truth's sums already
+  if (bounce_.may_filter) follow_paths(samples, parts);
+  for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i]);
 }
 
 void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
@@ -159,34 +159,48 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
   }
 }
 
-void StimulusSampler::add_rest_in_depth(std::span<const StimulusSample> samples,
-                                        std::span<DepthPart> parts) const {
+bool StimulusSampler::is_batched(const StimulusSample& sample) const {
+  if (!bounce_.may_filter) return false;
+  if (sample.shows == StimulusSample::Shows::rest) return true;
+  // Every question of such a path is the depth mesh's, asked from the object itself.
+  return sample.shows == StimulusSample::Shows::object && answers_.object_lit == Who::depth &&
+         ask(Who::depth, sample, *sample.object).start == &*sample.object;
+}
+
+void StimulusSampler::follow_paths(std::span<const StimulusSample> samples,
+                                   std::span<DepthPart> parts) const {
   const bool direct = rest_is_one_path();
   thread_local PathBatch paths;
   paths.begin(depth_worlds_, scene_.light);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const StimulusSample& sample = samples[i];
-    if (sample.shows != StimulusSample::Shows::rest) continue;
-    if (bounce_.may_filter)
+  for (const StimulusSample& sample : samples) {
+    if (!is_batched(sample)) continue;
+    if (sample.shows == StimulusSample::Shows::rest)
       paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
                  path_plan(sample.number, bounce_.tail_every, direct)});
     else
-      add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler), direct,
-               true, parts[i]);
+      paths.add({only_world(0), *sample.object, sample.sampler,
+                 path_plan(sample.number, bounce_.tail_every)});
   }
-  if (!bounce_.may_filter) return;
   const std::span<const PathLight> found = paths.trace();
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].shows != StimulusSample::Shows::rest) continue;
+    if (!is_batched(samples[i])) continue;
     const PathLight& path = found[next++];
-    parts[i].reach_m = path.reach_m;
-    add_rest({.no = path.light[1], .with = path.light[0]}, direct, true, parts[i]);
+    if (samples[i].shows == StimulusSample::Shows::rest) {
+      parts[i].reach_m = path.reach_m;
+      add_rest({.no = path.light[1], .with = path.light[0]}, direct, true, parts[i]);
+    } else {
+      parts[i].object += path.light[0];
+    }
   }
 }
 
-void StimulusSampler::add_object_in_depth(const StimulusSample& sample, DepthPart& out) const {
-  if (answers_.bounce != Who::depth) return;  // bounce light of the truth is in the truth's sums already
+void StimulusSampler::add_one_path(const StimulusSample& sample, DepthPart& out) const {
+  if (is_batched(sample)) return;
+  if (sample.shows == StimulusSample::Shows::rest)
+    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler),
+             rest_is_one_path(), true, out);
+  if (sample.shows != StimulusSample::Shows::object) return;
   const Split light = object_light(sample, answers_.object_lit, Who::depth);
   if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
   out.object.bounce += light.bounce;

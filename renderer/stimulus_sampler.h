@@ -8,12 +8,6 @@
 
 namespace seamline {
 
-/// One sample of one pixel.
-struct SampleId {
-  int x = 0, y = 0;
-  int number = 0;
-};
-
 /// What the camera ray of one sample meets.
 struct StimulusSample {
   int number = 0;  ///< of the pixel's samples
@@ -84,8 +78,10 @@ class StimulusSampler {
   }
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
-  void add_rest_in_depth(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
-  void add_object_in_depth(const StimulusSample& sample, DepthPart& out) const;
+  /// Whether the path of a sample through the depth mesh is followed together with others.
+  [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
+  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_one_path(const StimulusSample& sample, DepthPart& out) const;
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;

@@ -55,19 +55,19 @@ TEST(SamplingRounds, GrowsUntilTheTargetIsExpectedAndNotBeyondTheLimit) {
   SamplingState state = ten_blocks(4e-4, 0, 4.36e-3);
   state.blocks[3].most_spp = 16;
   state.blocks[7].noise = 4e-2;
-  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02});
+  const std::vector<int> wanted = plan_samples(state, {.rmse = 0.02}).next;
   EXPECT_EQ(wanted[3], 16);
   EXPECT_EQ(wanted[7], 64);
   for (const int spp : wanted) EXPECT_TRUE(spp >= 16 && spp <= 64 && spp % 2 == 0);
-  EXPECT_EQ(next_samples(ten_blocks(1e-5, 0, 1e-5), {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(plan_samples(ten_blocks(1e-5, 0, 1e-5), {.rmse = 0.02}).next, std::vector<int>(10, 16));
 }
 
 TEST(SamplingRounds, ATileIsGoodEnoughAsAWhole) {
   SamplingState state = ten_blocks(1e-4, 0, 3e-4);
   state.blocks[4].noise = 5e-3;  // with its neighbour below 9 * 4e-4
-  EXPECT_EQ(next_samples(state, {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(plan_samples(state, {.rmse = 0.02}).next, std::vector<int>(10, 16));
   state.blocks[4].noise = 9e-3;
-  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02});
+  const std::vector<int> wanted = plan_samples(state, {.rmse = 0.02}).next;
   EXPECT_GT(wanted[4], 16);
   EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 16), 9);
 }
@@ -100,8 +100,8 @@ TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
 }
 
 TEST(SamplingRounds, TheWholePicturesErrorDecidesNotTheTilesBiases) {
-  EXPECT_EQ(next_samples(ten_blocks(1e-4, 5e-4, 2e-4), {.rmse = 0.02}), std::vector<int>(10, 16));
-  EXPECT_NE(next_samples(ten_blocks(1e-4, 5e-4, 6e-4), {.rmse = 0.02}), std::vector<int>(10, 16));
+  EXPECT_EQ(plan_samples(ten_blocks(1e-4, 5e-4, 2e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
+  EXPECT_NE(plan_samples(ten_blocks(1e-4, 5e-4, 6e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
 }
 
 TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
