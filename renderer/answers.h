@@ -14,10 +14,11 @@ struct Answers {
   Who occlusion = Who::truth;   ///< 4: does the real world hide the virtual object
   Who bounce = Who::truth;      ///< 5: bounce light
 
-  [[nodiscard]] bool needs_depth() const {
+  [[nodiscard]] bool asks_depth_for_light() const {
     return receiver == Who::depth || real_lit == Who::depth || object_lit == Who::depth ||
-           occlusion == Who::depth || bounce == Who::depth;
+           bounce == Who::depth;
   }
+  [[nodiscard]] bool needs_depth() const { return asks_depth_for_light() || occlusion == Who::depth; }
 };
 
 /// Whether the depth mesh answers anything about light on the real surfaces that the object does not cover.

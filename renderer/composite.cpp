@@ -19,12 +19,17 @@ std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
   return sums;
 }
 
-/// Median of a value over the pixels that have a ratio; 0 when none has.
+/// Pixels that a median is taken over at least, where there are as many: it only scales thresholds.
+constexpr std::size_t median_pixels = 1 << 15;
+
+/// Median of a value over the pixels that have a ratio (of large pictures, every few pixels); 0 when none has.
 template <class Value>
 float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
   std::vector<float> values;
-  for (const StimulusSums& pixel : sums)
-    if (pixel.rest > 0) values.push_back(value(pixel));
+  // An odd step, so that it meets every column of a picture.
+  const std::size_t step = (sums.size() / median_pixels) | 1U;
+  for (std::size_t i = 0; i < sums.size(); i += step)
+    if (sums[i].rest > 0) values.push_back(value(sums[i]));
   if (values.empty()) return 0.0F;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

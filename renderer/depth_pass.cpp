@@ -142,7 +142,8 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
                    std::array<std::vector<OrderSums>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
-  std::array<float, rays_a_call> object_m, depth_m;
+  std::array<std::optional<SurfacePoint>, rays_a_call> hits;
+  std::array<float, rays_a_call> object_m;
   std::array<bool, rays_a_call> in_truth;
   std::array<std::size_t, rays_a_call> halves;
   for (int y = r.top; y < r.bottom; ++y)
@@ -159,9 +160,9 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
           rays[count] = camera_ray(scene.camera, x, y, Sampler(seed, x, y, sample));
           halves[count++] = static_cast<std::size_t>(sample % 2);
         }
-        depth.distances(std::span<const Ray>(rays.data(), count), std::span(depth_m.data(), count));
+        depth.nearest_from_centre(std::span<const Ray>(rays.data(), count), std::span(hits.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
-          const bool in_depth = object_m[i] < depth_m[i];
+          const bool in_depth = !hits[i] || object_m[i] < hits[i]->distance_m;
           OrderSums& out = order[halves[i]][place];
           out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
           out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;

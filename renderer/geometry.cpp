@@ -20,9 +20,10 @@ namespace {
 /// Adds triangles to a scene; with `shared`, Embree looks into the arrays, which must outlive it and of which
 /// the first must have room for one vertex more.
 void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
-            const std::vector<Triangle>& triangles, bool shared) {
+            const std::vector<Triangle>& triangles, bool shared,
+            RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH) {
   RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+  rtcSetGeometryBuildQuality(geometry, quality);
   if (shared) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
                                sizeof(Eigen::Vector3f), positions.size());
@@ -75,15 +76,18 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edg
   commit(as_scene(scene_));
 }
 
-Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo) : scene_(rtcNewScene(embree_device())) {
+Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality)
+    : scene_(rtcNewScene(embree_device())) {
   auto part = std::make_shared<Part>();
   part->name = "local scene";
   part->albedo = albedo;
   part->positions_m.reserve(mesh.vertices_m.size() + 1);
   part->positions_m.assign(mesh.vertices_m.begin(), mesh.vertices_m.end());
   part->triangles = mesh.triangles;
-  rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
-  attach(as_scene(scene_), part->positions_m, part->triangles, true);
+  const RTCBuildQuality of_tree =
+      quality == TreeQuality::for_light ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
+  rtcSetSceneBuildQuality(as_scene(scene_), of_tree);
+  attach(as_scene(scene_), part->positions_m, part->triangles, true, of_tree);
   auto table = std::async(std::launch::async, [&mesh_part = *part] {
     return make_direction_table(mesh_part.positions_m, mesh_part.triangles);
   });

@@ -46,6 +46,12 @@ enum class Edges {
   loose   ///< about once in 200,000 rays that meet a mesh, for rays a third faster
 };
 
+/// What a search tree is good for.
+enum class TreeQuality {
+  for_light,    ///< fast rays from everywhere
+  for_few_rays  ///< built in a third of the time
+};
+
 /// The process-wide Embree device.
 class RayDevice {
  public:
@@ -73,7 +79,7 @@ class Geometry {
   /// Meshes of scene files.
   explicit Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edges = Edges::tight);
   /// The local scene: geometric normals, one albedo, loose edges.
-  Geometry(const DepthMesh& mesh, const Rgb& albedo);
+  Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality = TreeQuality::for_light);
   ~Geometry();
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) = delete;

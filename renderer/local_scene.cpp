@@ -12,7 +12,8 @@ LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
                         .tolerance = settings.tolerance,
                         .yaw_texels = condition.yaw_texels,
                         .threads = settings.threads});
-  return {Geometry(mesh, Rgb::Constant(static_cast<float>(settings.albedo))),
+  return {Geometry(mesh, Rgb::Constant(static_cast<float>(settings.albedo)),
+                   settings.asks_light ? TreeQuality::for_light : TreeQuality::for_few_rays),
           {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error}};
 }
 

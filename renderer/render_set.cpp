@@ -176,14 +176,18 @@ class SetRenderer {
     const Condition& condition = works.front().stimulus.condition;
     const Stopwatch watch;
     std::optional<LocalScene> depth;
-    bool needed = request_.layers;
-    for (const PendingStimulus& work : works)
-      needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+    bool needed = request_.layers, asks_light = request_.layers;
+    for (const PendingStimulus& work : works) {
+      const Answers answers = recipe(work.stimulus.artifact, study_.isolation).answers;
+      needed = needed || answers.needs_depth();
+      asks_light = asks_light || answers.asks_depth_for_light();
+    }
     if (needed)
       depth.emplace(make_local_scene(estimator.geometry().truth, condition,
                                      {.density = settings_.mesh,
                                       .tolerance = study_.mesh_tolerance,
                                       .albedo = scene.definition.albedo,
+                                      .asks_light = asks_light,
                                       .threads = threads_}));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,

@@ -5,13 +5,6 @@
 
 namespace seamline {
 
-std::uint64_t mix_bits(std::uint64_t bits) {
-  bits += 0x9e3779b97f4a7c15ULL;
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
-  return bits ^ (bits >> 31);
-}
-
 Random::Random(std::uint64_t seed, std::uint64_t stream) {
   std::uint64_t word = mix_bits(seed) ^ mix_bits(~stream);
   for (std::uint64_t& part : state_) part = word = mix_bits(word);

@@ -6,7 +6,12 @@
 namespace seamline {
 
 /// Mixes 64 bits so that every input bit changes every output bit (splitmix64 finaliser).
-[[nodiscard]] std::uint64_t mix_bits(std::uint64_t bits);
+[[nodiscard]] constexpr std::uint64_t mix_bits(std::uint64_t bits) {
+  bits += 0x9e3779b97f4a7c15ULL;
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
+  return bits ^ (bits >> 31);
+}
 
 /// Seamline's own generator (xoshiro256**, seeded by splitmix64): the same numbers on every platform and
 /// library. `std::*_distribution` and `std::shuffle` are not used anywhere, because they differ between
