@@ -10,6 +10,8 @@
 #include "renderer/composite.h"
 #include "renderer/depth_mesh.h"
 #include "renderer/stimulus_pass.h"
+#include "stimuli/study_file.h"
+#include "stimuli/support/assets.h"
 
 namespace seamline {
 namespace {
@@ -112,7 +114,10 @@ std::vector<Measurement> measure_picture(const std::string& name, const Subject&
                                          const std::array<const Geometry*, 2>& depths,
                                          const BenchOptions& options) {
   const ObjectGeometry geometry = object_geometry(scene, 2);
-  const PassOptions pass{.spp = options.quick ? 1 : 4, .seed = 1, .threads = options.threads};
+  // As many samples as a study has: of four, one that falls on the other side of a shadow's edge would be a
+  // quarter of the pixel.
+  const int spp = read_study(builtin_study("depth_resolution_isolated")).samples_per_pixel;
+  const PassOptions pass{.spp = options.quick ? 1 : spp, .seed = 1, .threads = options.threads};
   const TruthLayers truth = render_truth(scene, geometry, pass);
   std::array<ByteImage, 2> pictures;
   for (std::size_t i = 0; i < 2; ++i)

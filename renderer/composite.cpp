@@ -22,7 +22,8 @@ std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
 /// Pixels that a median is taken over at least, where there are as many: it only scales thresholds.
 constexpr std::size_t median_pixels = 1 << 15;
 
-/// Median of a value over the pixels that have a ratio (of large pictures, every few pixels); 0 when none has.
+/// Median of a value over the pixels that have a ratio (of large pictures, every few pixels); 0 when none
+/// has.
 template <class Value>
 float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
   std::vector<float> values;

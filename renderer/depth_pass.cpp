@@ -179,8 +179,7 @@ ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object
   ObjectOrder order(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {
     const auto t = static_cast<std::size_t>(tile);
-    if (tiles[t])
-      order_of_tile(scene, sums, *tiles[t], sums.grid.rectangle(tile), depth, seed, order[t]);
+    if (tiles[t]) order_of_tile(scene, sums, *tiles[t], sums.grid.rectangle(tile), depth, seed, order[t]);
   });
   return order;
 }

@@ -21,7 +21,7 @@ constexpr std::size_t most_triangles = std::size_t{1} << 21;
 constexpr int most_steps = 48;
 /// The triangles around the last ray's are in the nearest cache; a few of them are sooner looked at than the
 /// table.
-constexpr int steps_from_guess = 4;
+constexpr int steps_from_guess = 8;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -35,16 +35,12 @@ Corners inward_of(const Corners& p) {
 }
 
 CentreTriangle seen_from_centre(const Corners& p) {
-  Corners inward = inward_of(p);
-  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-  const Eigen::Vector3d m = normal / normal.dot(p[0]);
+  const Corners inward = inward_of(p);
   CentreTriangle seen{};
-  for (std::size_t i = 0; i < 3; ++i) inward[i].normalize();
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    const Eigen::Vector3f of_lane = (lane < 3 ? inward[lane] : m).cast<float>();
+  for (std::size_t lane = 0; lane < 3; ++lane) {
+    const Eigen::Vector3f of_lane = inward[lane].normalized().cast<float>();
     seen.x[lane] = of_lane.x(), seen.y[lane] = of_lane.y(), seen.z[lane] = of_lane.z();
   }
-  seen.inverse_length_m = static_cast<float>(1 / m.norm());
   return seen;
 }
 
@@ -66,9 +62,10 @@ void join_neighbours(std::size_t vertex_count, std::span<const Triangle> triangl
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t to = triangles[i][k], from = triangles[i][(k + 1) % 3];
-      seen[i].neighbours[k] = nothing;
+      std::uint32_t neighbour = nothing;
       for (std::uint32_t e = first[from]; e < first[from + 1]; ++e)
-        if (edges[e].to == to) seen[i].neighbours[k] = edges[e].triangle;
+        if (edges[e].to == to) neighbour = edges[e].triangle;
+      seen[i].set_neighbour(static_cast<int>(k), neighbour);
     }
 }
 
@@ -131,8 +128,8 @@ int farthest_outside(__m128 product, int edges) {
 
 /// From a triangle over edges to the one that the direction lies in. `not_found` at a hole, or after so many
 /// triangles.
-CentreHit walk(const std::vector<CentreTriangle>& triangles, std::uint32_t index,
-               const Eigen::Vector3f& direction, int most) {
+std::uint32_t walk(const std::vector<CentreTriangle>& triangles, std::uint32_t index,
+                   const Eigen::Vector3f& direction, int most) {
   const __m128 x = _mm_set1_ps(direction.x()), y = _mm_set1_ps(direction.y()), z = _mm_set1_ps(direction.z());
   for (int step = 0; step < most && index != nothing; ++step) {
     const CentreTriangle& t = triangles[index];
@@ -141,10 +138,10 @@ CentreHit walk(const std::vector<CentreTriangle>& triangles, std::uint32_t index
                    _mm_mul_ps(_mm_load_ps(t.z.data()), z));
     // A bit for each edge that the direction is beyond.
     const int beyond = _mm_movemask_ps(_mm_cmplt_ps(product, _mm_setzero_ps())) & 7;
-    if (beyond == 0) return {index, _mm_cvtss_f32(_mm_shuffle_ps(product, product, 3))};
-    index = t.neighbours[static_cast<std::size_t>(farthest_outside(product, beyond))];
+    if (beyond == 0) return index;
+    index = t.neighbour(farthest_outside(product, beyond));
   }
-  return {.triangle = DirectionTable::not_found};
+  return DirectionTable::not_found;
 }
 
 }  // namespace
@@ -160,13 +157,14 @@ std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector
   return table;
 }
 
-CentreHit find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction, std::uint32_t guess) {
+std::uint32_t find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction,
+                            std::uint32_t guess) {
   if (guess != nothing) {
-    const CentreHit near = walk(table.triangles, guess, direction, steps_from_guess);
-    if (near.triangle != DirectionTable::not_found) return near;
+    const std::uint32_t near = walk(table.triangles, guess, direction, steps_from_guess);
+    if (near != DirectionTable::not_found) return near;
   }
   const std::uint32_t start = table.triangle_of_cell[cube::cell_of(direction)];
-  if (start == nothing) return {};
+  if (start == nothing) return nothing;
   return walk(table.triangles, start, direction, most_steps);
 }
 

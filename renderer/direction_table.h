@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,14 +11,28 @@
 
 namespace seamline {
 
-/// One triangle as rays from the centre see it: one cache line, and one register an axis. Lanes 0 to 2 are
-/// the unit normals of the planes through the centre and the edges 01, 12, 20, inside where the products with
-/// a direction are not negative; lane 3 is m of the triangle's plane m.x = 1, whose product with a direction
-/// is the inverse of the distance.
-struct alignas(64) CentreTriangle {
+/// One triangle as rays from the centre see it: a register an axis. Lanes 0 to 2 are the unit normals of the
+/// planes through the centre and the edges 01, 12, 20, inside where the products with a direction are not
+/// negative; lane 3 holds the triangles beyond these edges.
+class alignas(16) CentreTriangle {
+ public:
   std::array<float, 4> x, y, z;
-  std::array<std::uint32_t, 3> neighbours;  ///< over the edges 01, 12, 20, or `DirectionTable::nothing`
-  float inverse_length_m;                   ///< of m; the surface's normal towards the centre is -m / |m|
+
+  /// Over edge 0, 1 or 2; or `DirectionTable::nothing`.
+  [[nodiscard]] std::uint32_t neighbour(int edge) const {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(edge == 0   ? x[3]
+                                                            : edge == 1 ? y[3]
+                                                                        : z[3]) &
+                               mask;
+    return bits == mask ? 0xffffffff : bits;
+  }
+  void set_neighbour(int edge, std::uint32_t triangle) {
+    (edge == 0 ? x : edge == 1 ? y : z)[3] = std::bit_cast<float>(one | (triangle & mask));
+  }
+
+ private:
+  static constexpr std::uint32_t mask = 0x7fffff;   ///< a float's digits
+  static constexpr std::uint32_t one = 0x3f800000;  ///< so that what is calculated with it is a plain number
 };
 
 /// Finds the triangle of the local scene that a ray from the panorama's centre hits, without a tree: seen
@@ -25,7 +40,7 @@ struct alignas(64) CentreTriangle {
 /// direction has at most one triangle.
 ///
 /// A cell of directions (`cube_cells.h`) names the triangle that its centre lies in; from there the search
-/// walks over edges to the triangle of the direction, mostly no step or one. It takes 64 bytes a triangle and
+/// walks over edges to the triangle of the direction, mostly no step or one. It takes 48 bytes a triangle and
 /// 4 a cell (1.5 MB).
 struct DirectionTable {
   std::vector<std::uint32_t> triangle_of_cell;  ///< or `nothing`: surely no triangle
@@ -40,14 +55,9 @@ struct DirectionTable {
 [[nodiscard]] std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector3f> vertices_m,
                                                                  std::span<const Triangle> triangles);
 
-/// What lies in a direction.
-struct CentreHit {
-  std::uint32_t triangle = DirectionTable::nothing;  ///< or `not_found`: another way has to be taken
-  float inverse_distance_m = 0;
-};
-
-/// `guess`: a triangle that the direction may well lie in, such as its neighbour's; or `nothing`.
-[[nodiscard]] CentreHit find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction,
-                                      std::uint32_t guess);
+/// The triangle that lies in a direction, `nothing`, or `not_found`: another way has to be taken. `guess`: a
+/// triangle that the direction may well lie in, such as its neighbour's; or `nothing`.
+[[nodiscard]] std::uint32_t find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction,
+                                          std::uint32_t guess);
 
 }  // namespace seamline

@@ -22,7 +22,7 @@ inline constexpr double rounding_square = 1.0 / (12.0 * 255.0 * 255.0);
 struct ErrorEstimate {
   SquaredError image;
   std::vector<SquaredError> tiles;
-  std::vector<SquaredError> blocks;  ///< what samples are planned by
+  std::vector<SquaredError> blocks;         ///< what samples are planned by
   [[nodiscard]] double rmse() const;        ///< over the image: noise, bias and rounding
   [[nodiscard]] double worst_tile() const;  ///< the largest of any tile
 };

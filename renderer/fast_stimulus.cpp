@@ -55,9 +55,8 @@ class StimulusRounds {
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
     const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
     if (answers.occlusion == Who::depth)  // where it may show is not known beforehand
-      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)]
-                                [static_cast<std::size_t>(truth_.sums.grid.square_of(r.left, r.top))] !=
-             nullptr;
+      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][static_cast<std::size_t>(
+                 truth_.sums.grid.square_of(r.left, r.top))] != nullptr;
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x)
         if (shows_object_[truth_.layers.index(x, y)] != 0) return true;
@@ -167,9 +166,9 @@ class StimulusRounds {
     return unfiltered > 0 || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }
 
-  /// A tile's bias is known to a fifteenth of its unfiltered noise (the product of two halves' changes, over a
-  /// thousand pixels): what is less than three times that may be none, and is left alone in a tile that is good
-  /// enough.
+  /// A tile's bias is known to a fifteenth of its unfiltered noise (the product of two halves' changes, over
+  /// a thousand pixels): what is less than three times that may be none, and is left alone in a tile that is
+  /// good enough.
   static constexpr double surely = 0.2;
 
   /// Tiles that the filter makes worse, those first whose bias costs fewest samples to be rid of.
@@ -182,7 +181,9 @@ class StimulusRounds {
       const bool too_wrong = error.total() + rounding_square > options_.target->square_in_a_tile();
       const double least = too_wrong ? 0 : surely * judged.unfiltered->tiles[t].noise;
       if (filtered_[t] == 0 || !(bias > least)) continue;
-      gains.emplace_back(too_wrong ? -std::numeric_limits<double>::infinity() : -bias / samples_without_filter(judged, t), t);
+      gains.emplace_back(
+          too_wrong ? -std::numeric_limits<double>::infinity() : -bias / samples_without_filter(judged, t),
+          t);
     }
     std::sort(gains.begin(), gains.end());
     std::vector<std::size_t> tiles;
@@ -199,15 +200,15 @@ class StimulusRounds {
     for (const int block : blocks_of(depth_.grid, static_cast<int>(tile))) {
       const auto b = static_cast<std::size_t>(block);
       const int spp = asked_of(b);
-      samples += depth_.blocks().pixels(block) *
-                 std::max({1.0, static_cast<double>(truth_.sums.spp[b] - spp), spp * (unfiltered / filtered - 1)});
+      samples += depth_.blocks().pixels(block) * std::max({1.0, static_cast<double>(truth_.sums.spp[b] - spp),
+                                                           spp * (unfiltered / filtered - 1)});
     }
     return samples;
   }
 
   /// What there is to plan with when some tiles go without the filter. The photograph's own noise is there
-  /// already. Samples have to do what the filter did: as many as the photograph has, or the tile's noise would
-  /// show as a patch.
+  /// already. Samples have to do what the filter did: as many as the photograph has, or the tile's noise
+  /// would show as a patch.
   [[nodiscard]] SamplingState state(const Judgement& judged, std::span<const std::size_t> unfiltered) const {
     TileSet without(filtered_.size(), 0);
     for (const std::size_t tile : unfiltered) without[tile] = 1;
@@ -216,8 +217,8 @@ class StimulusRounds {
     for (std::size_t t = 0; t < without.size(); ++t) {
       const ErrorEstimate& error = without[t] == 0 ? judged.error : *judged.unfiltered;
       state.tile_rest.push_back(std::max(0.0, error.tiles[t].bias));
-      state.image_square += depth_.grid.share(static_cast<int>(t)) *
-                            (error.tiles[t].total() - judged.error.tiles[t].total());
+      state.image_square +=
+          depth_.grid.share(static_cast<int>(t)) * (error.tiles[t].total() - judged.error.tiles[t].total());
     }
     for (std::size_t b = 0; b < judged.error.blocks.size(); ++b) {
       const BlockGrid::Rectangle r = depth_.blocks().rectangle(static_cast<int>(b));
@@ -254,8 +255,8 @@ class StimulusRounds {
     return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
   }
 
-  /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one is
-  /// not looked for before the noise is low enough: a ratio of very few samples is biased itself, and the
+  /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
+  /// is not looked for before the noise is low enough: a ratio of very few samples is biased itself, and the
   /// filter would be blamed for it.
   [[nodiscard]] Judgement judge(const StimulusLayers& made) {
     HalfPictures pictures;

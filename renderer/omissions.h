@@ -53,14 +53,14 @@ inline thread_local OmittedRays omitted_rays;
 /// What omissions saved in a scene, from counters.
 struct Savings {
   OmittedRays omitted;
-  std::int64_t joint_rays = 0;       ///< of the pass that all stimuli share
-  std::int64_t depth_rays = 0;       ///< of all stimuli's questions to depth meshes
-  std::int64_t stimuli = 0;          ///< rendered
-  std::int64_t ratio_samples = 0;    ///< samples not asked of the depth mesh
-  double ratio_rays = 0;             ///< the same times the rays of one such sample
+  std::int64_t joint_rays = 0;        ///< of the pass that all stimuli share
+  std::int64_t depth_rays = 0;        ///< of all stimuli's questions to depth meshes
+  std::int64_t stimuli = 0;           ///< rendered
+  std::int64_t ratio_samples = 0;     ///< samples not asked of the depth mesh
+  double ratio_rays = 0;              ///< the same times the rays of one such sample
   std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
-  std::int64_t untouched_rays = 0;   ///< their camera rays, which is the least they would have cost
-  std::int64_t order_bytes = 0;      ///< distances of what objects hide, not kept
+  std::int64_t untouched_rays = 0;    ///< their camera rays, which is the least they would have cost
+  std::int64_t order_bytes = 0;       ///< distances of what objects hide, not kept
 };
 
 }  // namespace seamline

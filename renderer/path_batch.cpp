@@ -128,10 +128,9 @@ void PathBatch::go_on(int vertex) {
     worlds_->room->nearest(rays_, hits_, Coherence::scattered);
     for (std::size_t i = 0; i < rays_.size(); ++i) {
       const Vertex& from = vertices_[vertex_of_ray_[i]];
-      worlds_->nearest_past_room(rays_[i], hits_[i], from.set,
-                                 [&](WorldSet set, const std::optional<SurfacePoint>& hit) {
-                                   meet(from, set, hit, vertex);
-                                 });
+      worlds_->nearest_past_room(
+          rays_[i], hits_[i], from.set,
+          [&](WorldSet set, const std::optional<SurfacePoint>& hit) { meet(from, set, hit, vertex); });
     }
     rays_.clear();
   }

@@ -85,8 +85,8 @@ class PathBatch {
   std::vector<Vertex> vertices_, next_vertices_;
   std::vector<Eigen::Array2f> points_;  ///< of each vertex
   std::vector<Ray> rays_;
-  std::vector<Arriving> arriving_;           ///< of each ray
-  std::vector<std::size_t> vertex_of_ray_;   ///< of each ray that goes on
+  std::vector<Arriving> arriving_;          ///< of each ray
+  std::vector<std::size_t> vertex_of_ray_;  ///< of each ray that goes on
   std::vector<std::uint8_t> blocked_;
   std::vector<std::optional<SurfacePoint>> hits_;
 };

@@ -49,8 +49,8 @@ class RoundPlanner {
     while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) grow_best(steps);
     out.suffices = out.suffices && expected_ <= square_;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      out.samples += static_cast<double>(wanted_[i] - blocks_[i].spp) *
-                     state_.grid.pixels(static_cast<int>(i));
+      out.samples +=
+          static_cast<double>(wanted_[i] - blocks_[i].spp) * state_.grid.pixels(static_cast<int>(i));
       wanted_[i] = std::min(wanted_[i], most_next(i));
     }
     out.next = std::move(wanted_);
@@ -93,9 +93,8 @@ class RoundPlanner {
 
   [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
   [[nodiscard]] double noise_with(std::size_t i, int spp) const {
-    return blocks_[i].spp > 0
-               ? blocks_[i].noise * std::pow(static_cast<double>(blocks_[i].spp) / spp, 1.1)
-               : 0.0;
+    return blocks_[i].spp > 0 ? blocks_[i].noise * std::pow(static_cast<double>(blocks_[i].spp) / spp, 1.1)
+                              : 0.0;
   }
   [[nodiscard]] bool can_grow(std::size_t i) const {
     return blocks_[i].noise > 0 && next_step(wanted_[i]) <= blocks_[i].most_spp;

@@ -16,7 +16,7 @@ struct ErrorTarget {
 
 /// What more samples can do in a block: `noise` falls with them.
 struct BlockState {
-  double noise = 0;  ///< squared
+  double noise = 0;   ///< squared
   int spp = 0;        ///< even
   int least_spp = 0;  ///< what it gets in any case
   int most_spp = 0;   ///< the block never gets more
@@ -40,11 +40,11 @@ struct SamplingPlan {
   bool suffices = false;  ///< whether it is expected to be met then
 };
 
-/// Steps go to the blocks that gain most for a sample, until the target is expected to be met (noise, squared,
-/// is taken to fall like samples^-1.1: -1 for independent numbers, up to -1.5 for Sobol'), over the image and
-/// in every tile. Estimates from few samples are rough, so none gets more than four times what it has at once;
-/// what others would have to do for it is not asked of them, but left to the next round. When the image is not
-/// good enough at least a sixteenth of the samples is planned, so that there are few rounds.
+/// Steps go to the blocks that gain most for a sample, until the target is expected to be met (noise,
+/// squared, is taken to fall like samples^-1.1: -1 for independent numbers, up to -1.5 for Sobol'), over the
+/// image and in every tile. Estimates from few samples are rough, so none gets more than four times what it
+/// has at once; what others would have to do for it is not asked of them, but left to the next round. When
+/// the image is not good enough at least a sixteenth of the samples is planned, so that there are few rounds.
 [[nodiscard]] SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target);
 
 }  // namespace seamline

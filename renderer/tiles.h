@@ -39,8 +39,8 @@ struct SquareGrid {
   [[nodiscard]] static int place(int x, int y) { return (y % side_px) * side_px + x % side_px; }
 };
 
-/// What a worker takes at a time, what an object's sums are kept for, and over which the worst error is looked
-/// for (`--error`: 3 E in the worst of them).
+/// What a worker takes at a time, what an object's sums are kept for, and over which the worst error is
+/// looked for (`--error`: 3 E in the worst of them).
 using TileGrid = SquareGrid<32>;
 /// What has a number of samples of its own: a quarter of a tile, so that samples go where the noise is.
 using BlockGrid = SquareGrid<16>;
