@@ -137,32 +137,34 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
 namespace {
 
 /// The order in one tile.
-void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectTile& object,
-                   const TileGrid::Rectangle& r, const Geometry& depth, std::uint64_t seed,
-                   std::array<std::vector<OrderSums>, 2>& order) {
+void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectTile& tile,
+                   const TileGrid::Rectangle& r, const Geometry& object, const Geometry& depth,
+                   std::uint64_t seed, std::array<std::vector<OrderSums>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
-  std::array<std::optional<SurfacePoint>, rays_a_call> hits;
-  std::array<float, rays_a_call> object_m;
+  std::array<std::optional<SurfacePoint>, rays_a_call> on_object, on_depth;
   std::array<bool, rays_a_call> in_truth;
   std::array<std::size_t, rays_a_call> halves;
   for (int y = r.top; y < r.bottom; ++y)
     for (int x = r.left; x < r.right; ++x) {
       const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
-      const ObjectDistances& distances = object.distances[ObjectTile::block_in_tile(x, y)];
+      const ObjectOnRays& on_rays = tile.on_rays[ObjectTile::block_in_tile(x, y)];
       const int spp = sums.samples_at(x, y);
       for (int sample = 0; sample < spp;) {
         std::size_t count = 0;
         for (; sample < spp && count < rays_a_call; ++sample) {
-          object_m[count] = distances.distance_m(sample, x, y);
-          if (object_m[count] == std::numeric_limits<float>::infinity()) continue;
-          in_truth[count] = !distances.is_covered(sample, x, y);
+          const ObjectOnRays::Is found = on_rays.at(sample, x, y);
+          if (found == ObjectOnRays::Is::absent) continue;
+          in_truth[count] = found == ObjectOnRays::Is::in_front;
           rays[count] = camera_ray(scene.camera, x, y, Sampler(seed, x, y, sample));
           halves[count++] = static_cast<std::size_t>(sample % 2);
         }
-        depth.nearest_from_centre(std::span<const Ray>(rays.data(), count), std::span(hits.data(), count));
+        const std::span<const Ray> asked(rays.data(), count);
+        object.nearest_from_centre(asked, std::span(on_object.data(), count));
+        depth.nearest_from_centre(asked, std::span(on_depth.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
-          const bool in_depth = !hits[i] || object_m[i] < hits[i]->distance_m;
+          if (!on_object[i]) continue;  // its very edge
+          const bool in_depth = !on_depth[i] || on_object[i]->distance_m < on_depth[i]->distance_m;
           OrderSums& out = order[halves[i]][place];
           out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
           out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;
@@ -173,13 +175,14 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
 
 }  // namespace
 
-ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index, const Geometry& depth,
-                      std::uint64_t seed, int threads) {
+ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
+                      const Geometry& object, const Geometry& depth, std::uint64_t seed, int threads) {
   const auto& tiles = sums.objects[static_cast<std::size_t>(object_index - 1)];
   ObjectOrder order(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {
     const auto t = static_cast<std::size_t>(tile);
-    if (tiles[t]) order_of_tile(scene, sums, *tiles[t], sums.grid.rectangle(tile), depth, seed, order[t]);
+    if (tiles[t])
+      order_of_tile(scene, sums, *tiles[t], sums.grid.rectangle(tile), object, depth, seed, order[t]);
   });
   return order;
 }

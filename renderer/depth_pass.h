@@ -46,10 +46,11 @@ struct OrderSums {
   float depth_only = 0;  ///< the other way round
 };
 
-/// For the tiles an object has (null: the same order everywhere). One ray into the depth mesh a sample; the
-/// rest was kept by the joint pass.
+/// For the tiles an object has (null: the same order everywhere). A ray to the object and one into the depth
+/// mesh for each sample that meets the object; the rest was kept by the joint pass.
 using ObjectOrder = std::vector<std::array<std::vector<OrderSums>, 2>>;
 [[nodiscard]] ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
-                                    const Geometry& depth, std::uint64_t seed, int threads);
+                                    const Geometry& object, const Geometry& depth, std::uint64_t seed,
+                                    int threads);
 
 }  // namespace seamline

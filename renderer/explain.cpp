@@ -133,7 +133,7 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
   if (savings.order_bytes > 0)
     rows.push_back({"who_is_in_front",
                     fmt::format("{:.1f} MB", static_cast<double>(savings.order_bytes) * 1e-6),
-                    "distances not kept"});
+                    "of samples, not kept"});
   const auto traced = static_cast<double>(savings.joint_rays + savings.depth_rays);
   std::string out =
       fmt::format("\n{}: {} rays traced, about {} left out\n", scene, millions(traced), millions(rays));

@@ -88,10 +88,9 @@ class FastEstimator : public SceneEstimator {
     if (options_.who_is_in_front) return all;
     for (const auto& object : sums_.objects)
       for (std::size_t t = 0; t < object.size(); ++t)
-        if (object[t])  // a distance a sample
+        if (object[t])  // a byte a sample
           for (const int block : blocks_of(sums_.grid, static_cast<int>(t)))
-            all.order_bytes += static_cast<std::int64_t>(sizeof(float)) * sums_.blocks().pixels(block) *
-                               sums_.spp[static_cast<std::size_t>(block)];
+            all.order_bytes += sums_.blocks().pixels(block) * sums_.spp[static_cast<std::size_t>(block)];
     return all;
   }
 

@@ -1,11 +1,10 @@
 #include "renderer/fast_stimulus.h"
 
 #include <algorithm>
-#include <limits>
-#include <span>
 
 #include "renderer/composite.h"
 #include "renderer/stimulus_assembly.h"
+#include "renderer/stimulus_plan.h"
 
 namespace seamline {
 namespace {
@@ -24,7 +23,8 @@ class StimulusRounds {
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;
     if (order_differs)
-      order_ = ask_order(truth.scene, truth.sums, truth.object_index, *depth, options.seed, options.threads);
+      order_ = ask_order(truth.scene, truth.sums, truth.object_index, truth.geometry.object, *depth,
+                         options.seed, options.threads);
   }
 
   FastStimulus run() {
@@ -35,7 +35,7 @@ class StimulusRounds {
                 depth_);
       out.layers = {};  // the round before's: one at a time in memory
       out.layers = layers(filters());
-      Judgement judged = judge(out.layers);
+      StimulusJudgement judged = judge(out.layers);
       out.error = judged.error;
       if (good_enough(out.error)) break;
       if (plan_more(judged, wanted)) continue;
@@ -139,109 +139,23 @@ class StimulusRounds {
     return !options_.target || options_.target->met_by(error);
   }
 
-  /// The picture's error as it is, and as it would be if no light of the depth mesh were filtered.
-  struct Judgement {
-    ErrorEstimate error;
-    std::optional<ErrorEstimate> unfiltered;
-  };
-
-  /// What each block should have next, and which tiles go without the filter; false when nothing can
-  /// be gained. Samples are added to the rest, and to the object where nothing else is asked for.
-  bool plan_more(const Judgement& judged, DepthSamples& wanted) {
-    const std::vector<std::size_t> biased = biased_tiles(judged);
-    SamplingPlan best = plan_samples(state(judged, {}), *options_.target);
-    std::size_t unfiltered = 0;
-    // As many as make the fewest samples, of those that it pays for most.
-    for (std::size_t some = 1; some <= biased.size(); some += (some + 1) / 2) {
-      SamplingPlan plan = plan_samples(state(judged, std::span(biased).first(some)), *options_.target);
-      if (best.suffices && (!plan.suffices || plan.samples >= best.samples)) continue;
-      best = std::move(plan);
-      unfiltered = some;
+  /// What each block should have next, and which tiles go without the filter; false when nothing can be
+  /// gained. Samples are added to the rest, and to the object where nothing else is asked for.
+  bool plan_more(const StimulusJudgement& judged, DepthSamples& wanted) {
+    const StimulusPlan plan = plan_stimulus({.grid = depth_.grid,
+                                             .photograph = truth_.error,
+                                             .photograph_spp = truth_.sums.spp,
+                                             .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
+                                             .filtered = filtered_,
+                                             .judged = judged,
+                                             .target = *options_.target});
+    for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
+    for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
+      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
+      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
     }
-    for (std::size_t i = 0; i < unfiltered; ++i) filtered_[biased[i]] = 0;
-    for (std::size_t b = 0; b < best.next.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], best.next[b]);
-      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], best.next[b]);
-    }
-    return unfiltered > 0 || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
+    return !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }
-
-  /// A tile's bias is known to a fifteenth of its unfiltered noise (the product of two halves' changes, over
-  /// a thousand pixels): what is less than three times that may be none, and is left alone in a tile that is
-  /// good enough.
-  static constexpr double surely = 0.2;
-
-  /// Tiles that the filter makes worse, those first whose bias costs fewest samples to be rid of.
-  [[nodiscard]] std::vector<std::size_t> biased_tiles(const Judgement& judged) const {
-    if (!judged.unfiltered) return {};
-    std::vector<std::pair<double, std::size_t>> gains;
-    for (std::size_t t = 0; t < filtered_.size(); ++t) {
-      const SquaredError &photograph = truth_.error.tiles[t], &error = judged.error.tiles[t];
-      const double bias = error.bias - std::max(0.0, photograph.bias);
-      const bool too_wrong = error.total() + rounding_square > options_.target->square_in_a_tile();
-      const double least = too_wrong ? 0 : surely * judged.unfiltered->tiles[t].noise;
-      if (filtered_[t] == 0 || !(bias > least)) continue;
-      gains.emplace_back(
-          too_wrong ? -std::numeric_limits<double>::infinity() : -bias / samples_without_filter(judged, t),
-          t);
-    }
-    std::sort(gains.begin(), gains.end());
-    std::vector<std::size_t> tiles;
-    for (const auto& [gain, tile] : gains) tiles.push_back(tile);
-    return tiles;
-  }
-
-  /// Samples that a tile needs without the filter to be as free of noise as it is with it.
-  [[nodiscard]] double samples_without_filter(const Judgement& judged, std::size_t tile) const {
-    const double photograph = truth_.error.tiles[tile].noise;
-    const double unfiltered = std::max(judged.unfiltered->tiles[tile].noise - photograph, 0.0);
-    const double filtered = std::max(judged.error.tiles[tile].noise - photograph, 1e-3 * unfiltered);
-    double samples = 0;
-    for (const int block : blocks_of(depth_.grid, static_cast<int>(tile))) {
-      const auto b = static_cast<std::size_t>(block);
-      const int spp = asked_of(b);
-      samples += depth_.blocks().pixels(block) * std::max({1.0, static_cast<double>(truth_.sums.spp[b] - spp),
-                                                           spp * (unfiltered / filtered - 1)});
-    }
-    return samples;
-  }
-
-  /// What there is to plan with when some tiles go without the filter. The photograph's own noise is there
-  /// already. Samples have to do what the filter did: as many as the photograph has, or the tile's noise
-  /// would show as a patch.
-  [[nodiscard]] SamplingState state(const Judgement& judged, std::span<const std::size_t> unfiltered) const {
-    TileSet without(filtered_.size(), 0);
-    for (const std::size_t tile : unfiltered) without[tile] = 1;
-    SamplingState state{
-        .grid = depth_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = judged.error.image.total()};
-    for (std::size_t t = 0; t < without.size(); ++t) {
-      const ErrorEstimate& error = without[t] == 0 ? judged.error : *judged.unfiltered;
-      state.tile_rest.push_back(std::max(0.0, error.tiles[t].bias));
-      state.image_square +=
-          depth_.grid.share(static_cast<int>(t)) * (error.tiles[t].total() - judged.error.tiles[t].total());
-    }
-    for (std::size_t b = 0; b < judged.error.blocks.size(); ++b) {
-      const BlockGrid::Rectangle r = depth_.blocks().rectangle(static_cast<int>(b));
-      const int tile = depth_.grid.square_of(r.left, r.top);
-      const bool is_without = without[static_cast<std::size_t>(tile)] != 0;
-      const double all = (is_without ? *judged.unfiltered : judged.error).blocks[b].noise;
-      const double photograph = std::min(truth_.error.blocks[b].noise, all);
-      const int spp = asked_of(b);
-      state.blocks.push_back({.noise = all - photograph,
-                              .spp = spp,
-                              .least_spp = is_without && spp > 0 ? truth_.sums.spp[b] : 0,
-                              .most_spp = spp > 0 ? most_samples(b) : 0});
-      state.tile_rest[static_cast<std::size_t>(tile)] +=
-          photograph * depth_.blocks().pixels(static_cast<int>(b)) / depth_.grid.pixels(tile);
-    }
-    return state;
-  }
-
-  [[nodiscard]] int asked_of(std::size_t block) const {
-    return lights_rest() ? depth_.spp.rest[block] : depth_.spp.object[block];
-  }
-  /// How often a block is asked at most: where a photograph needs few samples, the ratio may need more.
-  [[nodiscard]] int most_samples(std::size_t block) const { return 16 * truth_.sums.spp[block]; }
 
   [[nodiscard]] DepthFilters filters() const {
     return {.ratio = options_.ratio_filter, .object = options_.filter, .tiles = filtered_};
@@ -258,7 +172,7 @@ class StimulusRounds {
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
   /// is not looked for before the noise is low enough: a ratio of very few samples is biased itself, and the
   /// filter would be blamed for it.
-  [[nodiscard]] Judgement judge(const StimulusLayers& made) {
+  [[nodiscard]] StimulusJudgement judge(const StimulusLayers& made) {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;

@@ -60,7 +60,7 @@ struct Savings {
   double ratio_rays = 0;              ///< the same times the rays of one such sample
   std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
   std::int64_t untouched_rays = 0;    ///< their camera rays, which is the least they would have cost
-  std::int64_t order_bytes = 0;       ///< distances of what objects hide, not kept
+  std::int64_t order_bytes = 0;       ///< who is in front on each ray, not kept
 };
 
 }  // namespace seamline

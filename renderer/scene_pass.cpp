@@ -123,10 +123,10 @@ class TileSampler {
       if (!hit) continue;
       ObjectTile& there = object_tile(k);
       const SurfacePoint* real = seen_without(i, k);
-      ObjectDistances& distances = there.distances[ObjectTile::block_in_tile(id.x, id.y)];
-      distances.extend(end_sample_);
-      distances.set(id.number, id.x, id.y, hit->distance_m,
-                    real != nullptr && real->distance_m <= hit->distance_m);
+      const bool covered = real != nullptr && real->distance_m <= hit->distance_m;
+      ObjectOnRays& on_rays = there.on_rays[ObjectTile::block_in_tile(id.x, id.y)];
+      on_rays.extend(end_sample_);
+      on_rays.set(id.number, id.x, id.y, covered ? ObjectOnRays::Is::covered : ObjectOnRays::Is::in_front);
       if (k == seen.object) continue;
       there.halves[seen.half][seen.place].hidden_samples += 1.0F;
       follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, plan});

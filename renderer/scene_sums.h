@@ -1,8 +1,6 @@
 #pragma once
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -46,28 +44,23 @@ struct ObjectSums {
 inline constexpr std::size_t tile_pixels =
     static_cast<std::size_t>(TileGrid::side_px) * static_cast<std::size_t>(TileGrid::side_px);
 
-/// How far an object is on the camera ray of each sample of a block, all pixels of a sample together; empty
-/// when it is in none.
-class ObjectDistances {
+/// Whether the camera ray of each sample of a block meets an object, and whether something else is nearer; of
+/// all pixels of a sample together. A byte a sample: there are hundreds of millions.
+class ObjectOnRays {
  public:
-  void set(int sample, int x, int y, float distance_m, bool covered) {
-    distance_m_[place(sample, x, y)] = covered ? -distance_m : distance_m;
-  }
+  enum class Is : std::uint8_t { absent, in_front, covered };
+
+  void set(int sample, int x, int y, Is found) { found_[place(sample, x, y)] = found; }
   /// Room for so many samples.
   void extend(int samples) {
     const std::size_t size = place(samples, 0, 0);
-    if (distance_m_.size() >= size) return;
-    distance_m_.reserve(size);  // exactly: there are hundreds of megabytes of them
-    distance_m_.resize(size, std::numeric_limits<float>::infinity());
+    if (found_.size() >= size) return;
+    found_.reserve(size);  // and no more
+    found_.resize(size, Is::absent);
   }
-  /// Infinity where the ray misses the object.
-  [[nodiscard]] float distance_m(int sample, int x, int y) const {
-    const std::size_t at = place(sample, x, y);
-    return at < distance_m_.size() ? std::abs(distance_m_[at]) : std::numeric_limits<float>::infinity();
-  }
-  /// Whether something else is nearer.
-  [[nodiscard]] bool is_covered(int sample, int x, int y) const {
-    return std::signbit(distance_m_[place(sample, x, y)]);
+  [[nodiscard]] Is at(int sample, int x, int y) const {
+    const std::size_t i = place(sample, x, y);
+    return i < found_.size() ? found_[i] : Is::absent;
   }
 
  private:
@@ -75,7 +68,7 @@ class ObjectDistances {
     constexpr int pixels = BlockGrid::side_px * BlockGrid::side_px;
     return static_cast<std::size_t>(sample) * pixels + static_cast<std::size_t>(BlockGrid::place(x, y));
   }
-  std::vector<float> distance_m_;  ///< negative where covered
+  std::vector<Is> found_;
 };
 
 /// One object's part of a tile; only tiles that it is seen or hidden in have one.
@@ -83,7 +76,7 @@ struct ObjectTile {
   std::array<std::vector<ObjectSums>, 2> halves;
   std::vector<GuideSums> guides;
   /// Of each block. Only when the study asks who is in front.
-  std::array<ObjectDistances, 4> distances;
+  std::array<ObjectOnRays, 4> on_rays;
 
   [[nodiscard]] static std::size_t block_in_tile(int x, int y) {
     static_assert(TileGrid::side_px == 2 * BlockGrid::side_px);
