@@ -24,8 +24,11 @@ int sky_rays_of(const Light& light) {
 constexpr std::array<FilterStrength, 6> strengths = {
     {{0, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 3.0F}, {2, 2.0F}, {3, 2.0F}}};
 constexpr std::size_t first_strength = 4;
-/// Of the light that only decides a ratio: few samples, filtered more.
-constexpr FilterStrength ratio_strength = {2, 3.0F};
+/// Of the light that only decides a ratio: few samples, filtered more. Where there is nothing but sky a ratio
+/// of few samples is noisiest and its light smoothest: a weaker filter would leave blotches.
+FilterStrength ratio_strength_of(const Light& light) {
+  return light.bounces > 0 && !light.ambient_occlusion ? FilterStrength{2, 3.0F} : FilterStrength{3, 2.0F};
+}
 
 /// Of the error asked for, what the photograph may have. What is left is for the noise that stimuli add: next
 /// to nothing, except where bounce light has to be traced for each of them.
@@ -67,13 +70,14 @@ class FastEstimator : public SceneEstimator {
 
   EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                              const ReportProgress& progress) override {
-    FastStimulusOptions options{.seed = options_.seed,
-                                .threads = options_.threads,
-                                .tail_every = tail_every_of(options_),
-                                .omit = options_.omit,
-                                .filter = strengths[strength_],
-                                .ratio_filter = options_.omit.bounce_filter ? ratio_strength : strengths[0],
-                                .progress = progress};
+    FastStimulusOptions options{
+        .seed = options_.seed,
+        .threads = options_.threads,
+        .tail_every = tail_every_of(options_),
+        .omit = options_.omit,
+        .filter = strengths[strength_],
+        .ratio_filter = options_.omit.bounce_filter ? ratio_strength_of(scene_.light) : strengths[0],
+        .progress = progress};
     if (options_.error) options.target = ErrorTarget{*options_.error};
     const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, options);

@@ -17,8 +17,8 @@ class Assembly {
         depth_(parts.depth),
         order_(parts.order) {}
 
-  void pixel(int x, int y, std::size_t half, const FilteredBounce& rest, const FilteredBounce& object,
-             StimulusSums& out) const {
+  /// The object's light, and what another layer than the kept one shows.
+  void add_object(int x, int y, std::size_t half, const FilteredBounce& object, StimulusSums& out) const {
     const Pixel in = gather(x, y, half);
     const std::size_t i = truth_.layers.index(x, y);
     if (recipe_.keep == Keep::object_layer)
@@ -29,9 +29,11 @@ class Assembly {
       out.object =
           object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
               .total();
-    if (recipe_.keep == Keep::object_layer) return;
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
-    add_rest_of(in, rest.texel(i), rest.surface(i), half, out);
+  }
+  void add_rest(int x, int y, std::size_t half, const FilteredBounce& rest, StimulusSums& out) const {
+    const std::size_t i = truth_.layers.index(x, y);
+    add_rest_of(gather(x, y, half), rest.texel(i), rest.surface(i), half, out);
   }
 
  private:
@@ -163,24 +165,31 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
   out.guides = truth.guides;
   out.depth_lights_rest = depth_lights_rest(parts.recipe.answers);
   out.rays = parts.depth.rays;
-  FilteredBounce rest, object;
-  if (!parts.depth.guides.empty())
-    rest = filtered_rest(parts.truth, parts.depth, filters.ratio, threads, out.guides);
-  const bool on_object = parts.recipe.answers.bounce == Who::depth && parts.recipe.keep != Keep::rest_layer;
-  if (on_object && filters.object.levels > 0)
-    object = filtered_object(parts.truth, parts.depth, filters.object, threads);
   const Assembly assembly(parts);
   const FilteredBounce no_filter;
-  parallel_for(truth.height_px, threads, [&](int y) {
-    for (int x = 0; x < truth.width_px; ++x) {
-      const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.square_of(x, y));
-      const bool filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
-      for (std::size_t half = 0; half < 2; ++half)
-        if (!out.halves[half].empty())
-          assembly.pixel(x, y, half, filtered ? rest : no_filter, filtered ? object : no_filter,
-                         out.halves[half][truth.index(x, y)]);
-    }
-  });
+  const auto each_pixel = [&](const FilteredBounce& filtered, auto add) {
+    parallel_for(truth.height_px, threads, [&](int y) {
+      for (int x = 0; x < truth.width_px; ++x) {
+        const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.square_of(x, y));
+        const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
+        for (std::size_t half = 0; half < 2; ++half)
+          if (!out.halves[half].empty())
+            (assembly.*add)(x, y, half, is_filtered ? filtered : no_filter,
+                            out.halves[half][truth.index(x, y)]);
+      }
+    });
+  };
+  {  // one after the other: each takes a hundred bytes a pixel
+    const bool on_object = parts.recipe.answers.bounce == Who::depth && parts.recipe.keep != Keep::rest_layer;
+    FilteredBounce object;
+    if (on_object && filters.object.levels > 0)
+      object = filtered_object(parts.truth, parts.depth, filters.object, threads);
+    each_pixel(object, &Assembly::add_object);
+  }
+  FilteredBounce rest;
+  if (!parts.depth.guides.empty())
+    rest = filtered_rest(parts.truth, parts.depth, filters.ratio, threads, out.guides);
+  if (parts.recipe.keep != Keep::object_layer) each_pixel(rest, &Assembly::add_rest);
   return out;
 }
 
