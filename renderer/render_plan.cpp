@@ -136,7 +136,7 @@ class ScenePlanner {
   void who_is_in_front() {
     omit({.name = "who_is_in_front",
           .why = "the truth decides what hides the object, so what lies behind it is not kept",
-          .saves = "8 bytes a sample in the object's tiles",
+          .saves = "a byte a sample in the object's tiles",
           .change = no_change},
          any([](const Recipe& r) { return r.answers.occlusion == Who::depth; })
              ? "the depth mesh decides what hides the object"
