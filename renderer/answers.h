@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "stimuli/artifact.h"
 
 namespace seamline {
@@ -44,5 +46,8 @@ struct Recipe {
 /// kept and for `overlap` only the rest (the paper's section 4.1.1); the reserved artifacts are as in
 /// `query`.
 [[nodiscard]] Recipe recipe(Artifact artifact, Isolation isolation);
+
+/// What any of the artifacts asks of the depth mesh.
+[[nodiscard]] Answers asked_by_any(std::span<const Artifact> artifacts, Isolation isolation);
 
 }  // namespace seamline

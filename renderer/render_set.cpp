@@ -15,6 +15,7 @@
 #include "renderer/set_work.h"
 #include "renderer/stopwatch.h"
 #include "renderer/timings.h"
+#include "renderer/visible_objects.h"
 #include "stimuli/study_files.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/atomic_file.h"
@@ -104,11 +105,9 @@ class SetRenderer {
                             .seed = settings_.seed,
                             .threads = threads_,
                             .omit = settings_.omit};
-    for (const Artifact artifact : scene.definition.artifacts) {
-      const Recipe how = recipe(artifact, study_.isolation);
-      options.who_is_in_front = options.who_is_in_front || how.answers.occlusion == Who::depth;
-      options.depth_bounces = options.depth_bounces || how.answers.bounce == Who::depth;
-    }
+    const Answers asked = asked_by_any(scene.definition.artifacts, study_.isolation);
+    options.who_is_in_front = asked.occlusion == Who::depth;
+    options.depth_bounces = asked.bounce == Who::depth;
     return make_estimator(settings_.estimator, scene, options);
   }
 
@@ -119,15 +118,7 @@ class SetRenderer {
         records_.finished_reference(definition.name, hashes_.of_reference(definition.name)))
       return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
-    const Geometry everything = scene.geometry(true, {1, 2, 3});
-    const std::array<std::int64_t, 4> seen = visible_pixels(scene.camera, everything);
-    for (std::size_t i = 1; i < seen.size(); ++i)
-      if (seen[i] == 0)
-        throw input_error({.file = study_.file.string(),
-                           .field = fmt::format("scene \"{}\", object \"{}\"", definition.name,
-                                                definition.objects[i - 1].name),
-                           .wanted = "an object that covers at least one pixel of the picture",
-                           .found = "none"});
+    require_visible_objects(study_, scene);
     lights_.emplace(definition.name, light_facts(scene));
     scenes_.emplace(definition.name, std::move(scene));
   }
@@ -176,12 +167,12 @@ class SetRenderer {
     const Condition& condition = works.front().stimulus.condition;
     const Stopwatch watch;
     std::optional<LocalScene> depth;
-    bool needed = request_.layers, asks_light = request_.layers;
-    for (const PendingStimulus& work : works) {
-      const Answers answers = recipe(work.stimulus.artifact, study_.isolation).answers;
-      needed = needed || answers.needs_depth();
-      asks_light = asks_light || answers.asks_depth_for_light();
-    }
+    bool needed = request_.layers;
+    for (const PendingStimulus& work : works)
+      needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+    // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
+    // bytes.
+    const bool asks_light = asked_by_any(scene.definition.artifacts, study_.isolation).asks_depth_for_light();
     if (needed)
       depth.emplace(make_local_scene(estimator.geometry().truth, condition,
                                      {.density = settings_.mesh,

@@ -44,16 +44,16 @@ TEST(DirectOnObject, IsThatOfEachPointAlone) {
       asked.push_back({&points[i], {&real, &starts[i]}, Sampler(5, static_cast<int>(i), 3, 2)});
     std::vector<Rgb> direct(points.size());
     direct_on_object(asked, object, light, direct);
-    int dark = 0, full = 0;
+    int dark = 0, lit = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Rgb alone =
           leaving_object(asked[i].lit_past, {nullptr, nullptr}, object, points[i], light, asked[i].sampler)
               .direct;
       ASSERT_LT((direct[i] - alone).abs().maxCoeff(), 1e-5F) << i << " of " << sky_rays;
-      (alone.isZero() ? dark : full) += 1;
+      (alone.isZero() ? dark : lit) += 1;
     }
     EXPECT_GT(dark, 0);
-    EXPECT_GT(full, 0);
+    EXPECT_GT(lit, 0);
   }
 }
 

@@ -1,0 +1,29 @@
+#include "renderer/answers.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace seamline {
+namespace {
+
+TEST(Answers, OfSeveralArtifactsAreTheDepthMeshsWhereAnyOfThemAsksIt) {
+  const std::array artifacts = {Artifact::receiver, Artifact::occlusion};
+  const Answers asked = asked_by_any(artifacts, Isolation::query);
+  EXPECT_EQ(asked.receiver, Who::depth);
+  EXPECT_EQ(asked.occlusion, Who::depth);
+  EXPECT_EQ(asked.real_lit, Who::truth);
+  EXPECT_EQ(asked.object_lit, Who::truth);
+  EXPECT_EQ(asked.bounce, Who::truth);
+}
+
+TEST(Answers, AnOcclusionAsksTheDepthMeshButNotForLight) {
+  const Answers of_occlusion = recipe(Artifact::occlusion, Isolation::query).answers;
+  EXPECT_TRUE(of_occlusion.needs_depth());
+  EXPECT_FALSE(of_occlusion.asks_depth_for_light());
+  EXPECT_TRUE(recipe(Artifact::occlusion, Isolation::mask).answers.asks_depth_for_light());
+  EXPECT_FALSE(asked_by_any(std::span<const Artifact>{}, Isolation::mask).needs_depth());
+}
+
+}  // namespace
+}  // namespace seamline
