@@ -31,15 +31,6 @@ Image shaded_picture(const Camera& camera, const Geometry& geometry) {
   return picture;
 }
 
-std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry& everything) {
-  std::array<std::int64_t, 4> count{};
-  for (int y = 0; y < camera.height_px; ++y)
-    for (int x = 0; x < camera.width_px; ++x)
-      if (const auto hit = everything.nearest(centre_ray(camera, x, y)))
-        ++count[static_cast<std::size_t>(hit->object_index)];
-  return count;
-}
-
 bool has_layers(const fs::path& set_folder, const Stimulus& stimulus, const std::string& inputs) {
   const fs::path made_from = layer_folder(set_folder, stimulus) / "inputs";
   return fs::exists(made_from) && read_file(made_from) == inputs;

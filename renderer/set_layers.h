@@ -34,7 +34,4 @@ void write_layers(const LayerTarget& target, const TruthScene& scene, const Geom
 /// The depth mesh lit from the camera: grey by the angle of its triangles, sky black.
 [[nodiscard]] Image shaded_picture(const Camera& camera, const Geometry& geometry);
 
-/// Pixels whose centre shows background (0) or object 1, 2, 3.
-[[nodiscard]] std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry& everything);
-
 }  // namespace seamline

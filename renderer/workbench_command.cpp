@@ -11,6 +11,7 @@
 #include "renderer/parallel.h"
 #include "renderer/photo_composite.h"
 #include "renderer/set_layers.h"
+#include "renderer/visible_objects.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
