@@ -27,7 +27,8 @@ struct Composite {
 /// a few paths find) both sums are taken from a filter along depth and normals. Elsewhere nothing is
 /// filtered: with and without share their noise there, and the division cancels it. And where the depth mesh
 /// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
-/// 1 in proportion: sheets have sealed that surface in.
+/// 1 in proportion: sheets have sealed that surface in. Medians of large pictures are taken over every few
+/// pixels.
 [[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio,
                                 int threads = 1);
 

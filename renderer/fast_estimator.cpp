@@ -17,7 +17,7 @@ constexpr int tail_every = 4;
 /// price and a third is not; where there is nothing but sky, the camera ray is what they share.
 int sky_rays_of(const Light& light) {
   if (light.environment_radiance.isZero(0.0F)) return 1;
-  return light.bounces > 0 && !light.ambient_occlusion ? 2 : 8;
+  return light.bounces > 0 ? 2 : 8;
 }
 
 /// From weak to strong; more samples need less of it.
@@ -27,7 +27,7 @@ constexpr std::size_t first_strength = 4;
 /// Of the light that only decides a ratio: few samples, filtered more. Where there is nothing but sky a ratio
 /// of few samples is noisiest and its light smoothest: a weaker filter would leave blotches.
 FilterStrength ratio_strength_of(const Light& light) {
-  return light.bounces > 0 && !light.ambient_occlusion ? FilterStrength{2, 3.0F} : FilterStrength{3, 2.0F};
+  return light.bounces > 0 ? FilterStrength{2, 3.0F} : FilterStrength{3, 2.0F};
 }
 
 /// Of the error asked for, what the photograph may have. What is left is for the noise that stimuli add: next

@@ -54,9 +54,6 @@ class StimulusRounds {
     if (recipe_.keep == Keep::rest_layer) return false;
     if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
     const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
-    if (answers.occlusion == Who::depth)  // where it may show is not known beforehand
-      return truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][static_cast<std::size_t>(
-                 truth_.sums.grid.square_of(r.left, r.top))] != nullptr;
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x)
         if (shows_object_[truth_.layers.index(x, y)] != 0) return true;
@@ -176,11 +173,13 @@ class StimulusRounds {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
-    pictures.sampled = pictures.filtered;
-    ErrorEstimate noise = with_bias_of_truth(pictures);
-    looks_for_bias_ = looks_for_bias_ || good_enough(noise);
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
-    if (!filtered || !looks_for_bias_) return {std::move(noise), {}};
+    if (!filtered || !looks_for_bias_) {
+      pictures.sampled = pictures.filtered;
+      ErrorEstimate noise = with_bias_of_truth(pictures);
+      looks_for_bias_ = !filtered || good_enough(noise);
+      if (!filtered || !looks_for_bias_) return {std::move(noise), {}};
+    }
     for (std::size_t half = 0; half < 2; ++half)  // one at a time in memory
       pictures.sampled[half] = compose_half(layers(no_filters(), half), half, options_.threads).picture;
     ErrorEstimate error = with_bias_of_truth(pictures);

@@ -88,8 +88,7 @@ class StimulusPlanner {
           state_.grid.share(static_cast<int>(t)) * (expected.total() - error_.tiles[t].total());
     }
     for (std::size_t b = 0; b < error_.blocks.size(); ++b) {
-      const BlockGrid::Rectangle r = blocks_.rectangle(static_cast<int>(b));
-      const int tile = state_.grid.square_of(r.left, r.top);
+      const int tile = tile_of_block(state_.grid, static_cast<int>(b));
       const bool is_without = without[static_cast<std::size_t>(tile)] != 0;
       const double noise = (is_without ? unfiltered() : error_).blocks[b].noise;
       const double of_photograph = std::min(photograph_.blocks[b].noise, noise);

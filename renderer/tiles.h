@@ -56,6 +56,12 @@ using BlockGrid = SquareGrid<16>;
   return out;
 }
 
+/// The tile that a block lies in.
+[[nodiscard]] inline int tile_of_block(const TileGrid& grid, int block) {
+  const BlockGrid::Rectangle r = BlockGrid{grid.width_px, grid.height_px}.rectangle(block);
+  return grid.square_of(r.left, r.top);
+}
+
 /// Some tiles of a grid: a flag each.
 using TileSet = std::vector<char>;
 
