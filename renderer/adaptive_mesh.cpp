@@ -1,7 +1,6 @@
 #include "renderer/adaptive_mesh.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "renderer/adaptive_mesh_assembly.h"
 #include "renderer/adaptive_mesh_bound.h"
@@ -14,32 +13,35 @@ GridTriangle grid_triangle(const Lattice& lattice, const LatticeTriangle& t) {
   return {lattice.grid_vertex(t.apex), lattice.grid_vertex(t.left), lattice.grid_vertex(t.right)};
 }
 
-/// Splits what must be split under this triangle. Returns how many triangles had to be looked at.
-int refine(Lattice& lattice, const TriangleBound& bound, const LatticeTriangle& t) {
-  if (t.is_unit()) return 0;
+/// Splits what must be split under this triangle.
+void refine(Lattice& lattice, const TriangleBound& bound, const LatticeTriangle& t) {
+  if (t.is_unit()) return;
   const LatticePoint m = t.midpoint();
-  int looked_at = 0;
   if (!lattice.is_split_at(m)) {
-    if (lattice.is_accepted(t)) return 0;
+    if (lattice.is_accepted(t)) return;
     if (bound.holds(grid_triangle(lattice, t))) {
       lattice.accept(t);
-      return 1;
+      return;
     }
     lattice.split_at(m);
-    looked_at = 1;
   }
-  return looked_at + refine(lattice, bound, {m, t.apex, t.left}) +
-         refine(lattice, bound, {m, t.right, t.apex});
+  refine(lattice, bound, {m, t.apex, t.left});
+  refine(lattice, bound, {m, t.right, t.apex});
 }
 
 /// A split on one side of an edge can split a triangle that was accepted, on the other side; what that leaves
-/// has to be looked at too.
+/// has to be looked at too: in most rounds of few blocks.
 void refine_all(Lattice& lattice, const TriangleBound& bound, int threads) {
-  for (std::atomic<int> looked_at = 1; looked_at > 0;) {
-    looked_at = 0;
-    for_each_in_parallel(lattice.root_count(), threads,
-                         [&](int root) { looked_at += refine(lattice, bound, lattice.root(root)); });
-  }
+  const auto changed_blocks = [&] {
+    std::vector<int> changed;
+    for (int block = 0; block < lattice.block_count(); ++block)
+      if (lattice.take_change(block)) changed.push_back(block);
+    return changed;
+  };
+  for (std::vector<int> blocks = changed_blocks(); !blocks.empty(); blocks = changed_blocks())
+    for_each_in_parallel(2 * static_cast<int>(blocks.size()), threads, [&](int i) {
+      refine(lattice, bound, lattice.root(2 * blocks[static_cast<std::size_t>(i / 2)] + i % 2));
+    });
 }
 
 double largest_error(const Lattice& lattice, const TriangleBound& bound, int threads) {

@@ -31,6 +31,7 @@ Lattice::Lattice(int dense_width, int dense_height)
       height_(round_up(std::max(1, dense_height - 1), block_)),
       column_of_(spread(width_, dense_width)),
       row_of_(spread(height_, dense_height - 1)),
+      changed_(static_cast<std::size_t>(block_count()), 1),
       flags_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ + 1)) {}
 
 LatticeTriangle Lattice::root(int i) const {
@@ -47,6 +48,7 @@ void Lattice::split_at(const LatticePoint& p) {
   if (step == 0 || step >= block_) return;      // a corner of blocks is always there
   std::atomic_ref<std::uint8_t> flags(flags_[index(p)]);
   if ((flags.fetch_or(split, std::memory_order_relaxed) & split) != 0) return;
+  note_change(p);
 
   // The two triangles that share this midpoint exist when their larger parents are split, whose midpoints are
   // their apexes.
@@ -61,6 +63,18 @@ void Lattice::split_at(const LatticePoint& p) {
     apexes = {LatticePoint{p.x - step, p.y - step}, LatticePoint{p.x + step, p.y + step}};
   for (const LatticePoint& apex : apexes)
     if (apex.y >= 0 && apex.y <= height_) split_at({(apex.x + width_) % width_, apex.y});
+}
+
+void Lattice::note_change(const LatticePoint& p) {
+  const int across = width_ / block_, down = height_ / block_;
+  const int right = p.x / block_ % across, below = p.y / block_;
+  const int left = p.x % block_ == 0 ? (right + across - 1) % across : right;
+  const int above = p.y % block_ == 0 ? below - 1 : below;
+  for (const int row : {above, below})
+    for (const int column : {left, right})
+      if (row >= 0 && row < down)
+        std::atomic_ref<std::uint8_t>(changed_[static_cast<std::size_t>(row * across + column)])
+            .store(1, std::memory_order_release);
 }
 
 void Lattice::accept(const LatticeTriangle& t) {

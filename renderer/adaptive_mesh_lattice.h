@@ -34,7 +34,9 @@ class Lattice {
   Lattice(int dense_width, int dense_height);
 
   [[nodiscard]] int height() const { return height_; }
-  [[nodiscard]] int root_count() const { return width_ / block_ * (height_ / block_) * 2; }
+  [[nodiscard]] int block_count() const { return width_ / block_ * (height_ / block_); }
+  /// Two to a block: 2 b and 2 b + 1 belong to block b.
+  [[nodiscard]] int root_count() const { return 2 * block_count(); }
   [[nodiscard]] LatticeTriangle root(int i) const;
   [[nodiscard]] GridVertex grid_vertex(const LatticePoint& p) const {
     return {row_of_[static_cast<std::size_t>(p.y)], column_of_[static_cast<std::size_t>(p.x)]};
@@ -44,6 +46,11 @@ class Lattice {
   /// Splits the two triangles that meet in this midpoint, and first the larger ones that must be split for
   /// these to exist.
   void split_at(const LatticePoint& p);
+  /// Whether something was split in the block, or on its edge, since this was last asked; at first true.
+  [[nodiscard]] bool take_change(int block) {
+    return std::atomic_ref<std::uint8_t>(changed_[static_cast<std::size_t>(block)])
+               .exchange(0, std::memory_order_acquire) != 0;
+  }
   /// Notes that the triangle holds its bound, which need not be found out again.
   void accept(const LatticeTriangle& t);
   [[nodiscard]] bool is_accepted(const LatticeTriangle& t) const {
@@ -75,9 +82,12 @@ class Lattice {
     return std::atomic_ref<std::uint8_t>(flags_[index(p)]).load(std::memory_order_relaxed);
   }
 
+  void note_change(const LatticePoint& p);
+
   int block_, width_, height_;
   std::vector<int> column_of_,
       row_of_;  ///< dense column (the last is the dense width) and row of each line of the lattice
+  std::vector<std::uint8_t> changed_;        ///< a flag a block
   mutable std::vector<std::uint8_t> flags_;  ///< mutable only because std::atomic_ref cannot be const
 };
 
