@@ -16,8 +16,9 @@ struct PathPlan {
   WorldSet reach_of = 0xFF;       ///< the worlds whose first hit counts as how far the first ray got
 };
 /// Every `tail_every`-th sample of each half has a tail.
-[[nodiscard]] inline PathPlan path_plan(int sample, int tail_every, bool sky_joins_bounce = false) {
-  return {.has_tail = (sample / 2) % tail_every == 0,
+[[nodiscard]] inline PathPlan path_plan(const Sampler& sampler, int tail_every,
+                                        bool sky_joins_bounce = false) {
+  return {.has_tail = sampler.turn(tail_every) == 0,
           .tail_weight = static_cast<float>(tail_every),
           .sky_joins_bounce = sky_joins_bounce};
 }

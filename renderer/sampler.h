@@ -18,6 +18,13 @@ class Sampler {
   /// A point in [0, 1)^2.
   [[nodiscard]] Eigen::Array2f point(int dimension) const;
 
+  /// 0 to `of` - 1: the samples of a pixel's half take turns, and which of them begins differs from pixel to
+  /// pixel and half to half. Where only those whose turn is 0 do something, as many times as the others leave
+  /// it out, nothing is biased by how few samples there are.
+  [[nodiscard]] int turn(int of) const {
+    return static_cast<int>((sample_ + (pixel_hash_ >> 8)) % static_cast<std::uint32_t>(of));
+  }
+
  private:
   std::uint32_t pixel_hash_;
   std::uint32_t sample_;

@@ -91,7 +91,7 @@ class TileSampler {
     const int object = front == nullptr ? 0 : front->object_index;
     const Followed seen{LightOf::front, object, sums_.index(x, y), place, half};
     const Sampler sampler(options_.seed, x, y, sample);
-    const PathPlan plan = path_plan(sample, options_.tail_every);
+    const PathPlan plan = path_plan(sampler, options_.tail_every);
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
       follow(seen, {set, *front, sampler, plan});

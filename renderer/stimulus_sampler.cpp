@@ -176,10 +176,10 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples,
     if (!is_batched(sample)) continue;
     if (sample.shows == StimulusSample::Shows::rest)
       paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
-                 path_plan(sample.number, bounce_.tail_every, direct)});
+                 path_plan(sample.sampler, bounce_.tail_every, direct)});
     else
       paths.add(
-          {only_world(0), *sample.object, sample.sampler, path_plan(sample.number, bounce_.tail_every)});
+          {only_world(0), *sample.object, sample.sampler, path_plan(sample.sampler, bounce_.tail_every)});
   }
   const std::span<const PathLight> found = paths.trace();
   std::size_t next = 0;

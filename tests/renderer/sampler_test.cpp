@@ -36,6 +36,24 @@ TEST(Sampler, EveryDyadicCellOfAPowerOfTwoHoldsOnePointOfEachHalf) {
     }
 }
 
+/// A pixel's half takes turns in order; who begins is left to chance, or two samples would never be enough.
+TEST(Sampler, TurnsAreTakenFromADifferentBeginningInEveryHalf) {
+  constexpr int of = 4, pixels = 4000;
+  std::array<int, of> first{};
+  int together = 0;
+  for (int pixel = 0; pixel < pixels; ++pixel) {
+    for (int half = 0; half < 2; ++half) {
+      const int begin = Sampler(5, pixel, 1, half).turn(of);
+      for (int i = 0; i < 2 * of; ++i)
+        ASSERT_EQ(Sampler(5, pixel, 1, 2 * i + half).turn(of), (begin + i) % of);
+      ++first[static_cast<std::size_t>(begin)];
+    }
+    if (Sampler(5, pixel, 1, 0).turn(of) == Sampler(5, pixel, 1, 1).turn(of)) ++together;
+  }
+  for (const int count : first) EXPECT_NEAR(count, 2 * pixels / of, 200);
+  EXPECT_NEAR(together, pixels / of, 150);
+}
+
 /// What makes half the difference of two halves an honest estimate of the noise of their mean.
 TEST(Sampler, TheTwoHalvesOfAPixelAreIndependent) {
   double variance_of_mean = 0, estimate = 0;
