@@ -9,6 +9,22 @@
 namespace seamline {
 namespace {
 
+/// Gives sampled sums the denominator that filtered ones have, and changes their numerator by what the ratio
+/// makes of the difference:
+///   S_with + (F_with / F_no) (F_no - S_no) over F_no.
+/// The change of the ratio by the filter is then linear in the samples. The quotient of the samples' own sums
+/// is not: of few samples it is biased itself, in both halves alike, and the filter would be blamed for it.
+void divide_alike(const std::vector<StimulusSums>& filtered, std::vector<StimulusSums>& sampled) {
+  constexpr float most = 1e6F;  // what is beyond is clamped when it is composed
+  for (std::size_t i = 0; i < sampled.size(); ++i) {
+    const StimulusSums& from = filtered[i];
+    StimulusSums& to = sampled[i];
+    const Rgb ratio = (from.no > 0.0F).select((from.with / from.no).min(most), 1.0F);
+    to.with += ratio * (from.no - to.no);
+    to.no = from.no;
+  }
+}
+
 /// Renders one stimulus in rounds.
 class StimulusRounds {
  public:
@@ -83,7 +99,7 @@ class StimulusRounds {
     return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
   }
 
-  static constexpr int pilot = 4;
+  static constexpr int pilot = 2;
   /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
   /// not give it away.
   [[nodiscard]] int first_rest_samples(std::size_t block) const {
@@ -167,8 +183,7 @@ class StimulusRounds {
   }
 
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
-  /// is not looked for before the noise is low enough: a ratio of very few samples is biased itself, and the
-  /// filter would be blamed for it.
+  /// is not looked for before the noise is low enough: it takes twice as long, and needs samples itself.
   [[nodiscard]] StimulusJudgement judge(const StimulusLayers& made) {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
@@ -180,8 +195,11 @@ class StimulusRounds {
       looks_for_bias_ = !filtered || good_enough(noise);
       if (!filtered || !looks_for_bias_) return {std::move(noise), {}};
     }
-    for (std::size_t half = 0; half < 2; ++half)  // one at a time in memory
-      pictures.sampled[half] = compose_half(layers(no_filters(), half), half, options_.threads).picture;
+    for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
+      StimulusLayers sampled = layers(no_filters(), half);
+      divide_alike(made.halves[half], sampled.halves[half]);
+      pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
+    }
     ErrorEstimate error = with_bias_of_truth(pictures);
     pictures.filtered = pictures.sampled;
     return {std::move(error), with_bias_of_truth(pictures)};
