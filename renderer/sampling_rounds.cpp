@@ -35,6 +35,7 @@ class RoundPlanner {
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       wanted_.push_back(blocks_[i].spp);
       had_ += blocks_[i].spp;
+      if (blocks_[i].spp > 0) ++sampled_blocks_;
       if (blocks_[i].least_spp > blocks_[i].spp) grow_to(i, blocks_[i].least_spp);
     }
   }
@@ -46,7 +47,7 @@ class RoundPlanner {
     Steps steps;
     for (std::size_t i = 0; i < blocks_.size(); ++i) push(i, steps);
     const bool not_yet = expected_ > square_;
-    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < had_ / 16))) grow_best(steps);
+    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < least_added()))) grow_best(steps);
     out.suffices = out.suffices && expected_ <= square_;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       out.samples +=
@@ -91,6 +92,8 @@ class RoundPlanner {
     push(i, steps);
   }
 
+  [[nodiscard]] long least_added() const { return std::max(had_ / 16, sampled_blocks_ / 2); }
+
   [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
   [[nodiscard]] double noise_with(std::size_t i, int spp) const {
     return blocks_[i].spp > 0 ? blocks_[i].noise * std::pow(static_cast<double>(blocks_[i].spp) / spp, 1.1)
@@ -121,7 +124,7 @@ class RoundPlanner {
   const double square_;  ///< what noise and bias may be
   double expected_;
   std::vector<int> wanted_;
-  long had_ = 0, added_ = 0;
+  long had_ = 0, sampled_blocks_ = 0, added_ = 0;
 };
 
 }  // namespace

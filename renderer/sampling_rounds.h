@@ -44,7 +44,8 @@ struct SamplingPlan {
 /// squared, is taken to fall like samples^-1.1: -1 for independent numbers, up to -1.5 for Sobol'), over the
 /// image and in every tile. Estimates from few samples are rough, so none gets more than four times what it
 /// has at once; what others would have to do for it is not asked of them, but left to the next round. When
-/// the image is not good enough at least a sixteenth of the samples is planned, so that there are few rounds.
+/// the image is not good enough at least a sixteenth of the samples is planned, and one for every other
+/// pixel, so that there are few rounds.
 [[nodiscard]] SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target);
 
 }  // namespace seamline
