@@ -54,7 +54,7 @@ class StimulusRounds {
       StimulusJudgement judged = judge(out.layers);
       out.error = judged.error;
       if (good_enough(out.error)) break;
-      if (plan_more(judged, wanted)) continue;
+      if (plan_more(judged, round, wanted)) continue;
       if (looks_for_bias_) break;
       looks_for_bias_ = true;
     }
@@ -154,14 +154,15 @@ class StimulusRounds {
 
   /// What each block should have next, and which tiles go without the filter; false when nothing can be
   /// gained. Samples are added to the rest, and to the object where nothing else is asked for.
-  bool plan_more(const StimulusJudgement& judged, DepthSamples& wanted) {
+  bool plan_more(const StimulusJudgement& judged, int round, DepthSamples& wanted) {
     const StimulusPlan plan = plan_stimulus({.grid = depth_.grid,
                                              .photograph = truth_.error,
                                              .photograph_spp = truth_.sums.spp,
                                              .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
                                              .filtered = filtered_,
                                              .judged = judged,
-                                             .target = *options_.target});
+                                             .target = *options_.target,
+                                             .round = round});
     for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
     for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
       if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);

@@ -47,7 +47,9 @@ class RoundPlanner {
     Steps steps;
     for (std::size_t i = 0; i < blocks_.size(); ++i) push(i, steps);
     const bool not_yet = expected_ > square_;
-    while (!steps.empty() && (expected_ > square_ || (not_yet && added_ < least_added()))) grow_best(steps);
+    while (!steps.empty() &&
+           (expected_ > square_ || (not_yet && static_cast<double>(added_) < least_added())))
+      grow_best(steps);
     out.suffices = out.suffices && expected_ <= square_;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       out.samples +=
@@ -92,7 +94,10 @@ class RoundPlanner {
     push(i, steps);
   }
 
-  [[nodiscard]] long least_added() const { return std::max(had_ / 16, sampled_blocks_ / 2); }
+  [[nodiscard]] double least_added() const {
+    return std::max(state_.least_growth * static_cast<double>(had_),
+                    0.5 * static_cast<double>(sampled_blocks_));
+  }
 
   [[nodiscard]] double noise(std::size_t i) const { return noise_with(i, wanted_[i]); }
   [[nodiscard]] double noise_with(std::size_t i, int spp) const {

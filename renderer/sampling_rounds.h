@@ -31,6 +31,8 @@ struct SamplingState {
   /// Squared error of the whole picture, without rounding: not the tiles' mean, because a bias below 0 in a
   /// tile only means that it is not known.
   double image_square = 0;
+  /// Of the samples that there are, what is added at least when the image is not good enough.
+  double least_growth = 1.0 / 16;
 };
 
 struct SamplingPlan {
@@ -44,7 +46,7 @@ struct SamplingPlan {
 /// squared, is taken to fall like samples^-1.1: -1 for independent numbers, up to -1.5 for Sobol'), over the
 /// image and in every tile. Estimates from few samples are rough, so none gets more than four times what it
 /// has at once; what others would have to do for it is not asked of them, but left to the next round. When
-/// the image is not good enough at least a sixteenth of the samples is planned, and one for every other
+/// the image is not good enough at least `least_growth` is planned, and one sample for every other
 /// pixel, so that there are few rounds.
 [[nodiscard]] SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target);
 

@@ -1,6 +1,7 @@
 #include "renderer/stimulus_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -80,7 +81,11 @@ class StimulusPlanner {
   [[nodiscard]] SamplingState without_filter(std::span<const std::size_t> tiles) const {
     TileSet without(state_.filtered.size(), 0);
     for (const std::size_t tile : tiles) without[tile] = 1;
-    SamplingState out{.grid = blocks_, .blocks = {}, .tile_rest = {}, .image_square = error_.image.total()};
+    SamplingState out{.grid = blocks_,
+                      .blocks = {},
+                      .tile_rest = {},
+                      .image_square = error_.image.total(),
+                      .least_growth = std::min(0.5, std::ldexp(1.0 / 16, state_.round))};
     for (std::size_t t = 0; t < without.size(); ++t) {
       const SquaredError& expected = without[t] == 0 ? error_.tiles[t] : unfiltered().tiles[t];
       out.tile_rest.push_back(std::max(0.0, expected.bias));

@@ -22,6 +22,7 @@ struct StimulusState {
   const TileSet& filtered;                 ///< tiles where light of the depth mesh is filtered
   const StimulusJudgement& judged;
   const ErrorTarget& target;
+  int round = 0;  ///< those before it
 };
 
 struct StimulusPlan {
@@ -31,7 +32,8 @@ struct StimulusPlan {
 
 /// As `plan_samples`; and tiles go without the filter whose bias costs the fewest samples to be rid of, as
 /// many as make the plan cheapest. There, samples have to do what the filter did: as many as the photograph
-/// has, or the tile's noise would show as a patch.
+/// has, or the tile's noise would show as a patch. Where the photograph's own error takes nearly all that is
+/// allowed, samples gain little: what a round adds at least doubles from one to the next.
 [[nodiscard]] StimulusPlan plan_stimulus(const StimulusState& state);
 
 }  // namespace seamline
