@@ -158,10 +158,8 @@ class SetRenderer {
     estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
-    for (const auto& [width_px, works] : by_width) {
-      render_width(scene, estimator, works);
-      give_back_freed_memory();
-    }
+    for (const auto& [width_px, works] : by_width) render_width(scene, estimator, works);
+    give_back_freed_memory();
   }
 
   /// All artifacts of one depth map share its mesh.
