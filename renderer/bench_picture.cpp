@@ -107,7 +107,10 @@ struct GivenTruth {
       : scene(lit(subject.scene)), sums(empty_sums(scene.camera)) {
     constexpr int spp = 4;
     add_samples(scene, SceneGeometry(scene), std::vector<int>(sums.spp.size(), spp),
-                {.seed = subject.study.seed, .threads = subject.threads}, sums);
+                {.seed = subject.study.seed,
+                 .threads = subject.threads,
+                 .who_is_in_front = subject.recipe.answers.occlusion == Who::depth},
+                sums);
     layers = truth_layers(sums, scene.camera, scene.light.environment_radiance, subject.stimulus.object_index,
                           {.filter = {}, .threads = subject.threads});
     for (auto& half : layers.halves)
