@@ -8,14 +8,15 @@ namespace seamline {
 struct DepthSums {
   Split no, with;       ///< light on the rest as far as the depth mesh has a part in it; its sky
                         ///< is in `bounce`, with what may be filtered
-  Split object;         ///< light on the object, as far as the depth mesh answers it
+  Split object;         ///< light on the object, as far as the depth mesh answers it; its direct part is what
+                        ///< the depth mesh adds to the truth's
   float rest = 0;       ///< samples in `no` and `with`
   float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
   float covered = 0;    ///< samples in `object`
 };
 
-/// How many samples each block has, even numbers. A ratio is content with few of them; light on the object
-/// needs as many as the photograph has, because its noise must not give the object away.
+/// How many samples each block has, even numbers. A ratio is content with few of them, and so is what the
+/// depth mesh adds to the truth's light on the object, whose noise is the photograph's.
 struct DepthSamples {
   std::vector<int> rest;    ///< that ask for light on the rest
   std::vector<int> object;  ///< that ask for light on the object, in pixels that show it

@@ -79,7 +79,8 @@ class FastEstimator : public SceneEstimator {
         .ratio_filter = options_.omit.bounce_filter ? ratio_strength_of(scene_.light) : strengths[0],
         .progress = progress};
     if (options_.error) options.target = ErrorTarget{*options_.error};
-    const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, error_};
+    const ObjectTruth truth{scene_,        sums_,  *geometry_,
+                            object_index_, truth_, errors_[static_cast<std::size_t>(object_index_ - 1)]};
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, options);
     add(made.saved);
     return {std::move(made.layers), made.error.rmse(), made.error.worst_tile()};
@@ -133,36 +134,50 @@ class FastEstimator : public SceneEstimator {
     };
     std::vector<int> wanted(sums_.spp.size(), options_.error ? first_spp : std::max(2, options_.spp / 2 * 2));
     add_samples(scene_, *joint_, wanted, options, sums_);
-    error_ = choose_strength();
-    if (options_.error) {
-      const ErrorTarget target{*options_.error * photograph_share(options_)};
-      while (!target.met_by(error_)) {
-        wanted = plan_samples(state(), target).next;
-        if (wanted == sums_.spp) break;
-        done += part;
-        part *= 0.5;
-        add_samples(scene_, *joint_, wanted, options, sums_);
-        error_ = choose_strength();
-      }
+    std::optional<ErrorTarget> target;
+    if (options_.error) target = ErrorTarget{*options_.error * photograph_share(options_)};
+    for (int judged = 1; (judged = judge(judged, target)) > 0;) {
+      wanted = plan_samples(state(errors_[static_cast<std::size_t>(judged - 1)]), *target).next;
+      if (wanted == sums_.spp) break;
+      done += part;
+      part *= 0.5;
+      add_samples(scene_, *joint_, wanted, options, sums_);
     }
     joint_.reset();
   }
 
-  [[nodiscard]] SamplingState state() const {
+  [[nodiscard]] SamplingState state(const ErrorEstimate& error) const {
     SamplingState state{
-        .grid = sums_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error_.image.total()};
-    for (std::size_t b = 0; b < error_.blocks.size(); ++b)
-      state.blocks.push_back({.noise = error_.blocks[b].noise, .spp = sums_.spp[b], .most_spp = most_spp});
-    for (const SquaredError& tile : error_.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
+        .grid = sums_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error.image.total()};
+    for (std::size_t b = 0; b < error.blocks.size(); ++b)
+      state.blocks.push_back({.noise = error.blocks[b].noise, .spp = sums_.spp[b], .most_spp = most_spp});
+    for (const SquaredError& tile : error.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
     return state;
   }
 
+  /// The reference is filtered for each object as its stimuli are: with the object's change apart from the
+  /// light without it, so that its error differs from object to object. An object whose error is not what is
+  /// wanted; `first` is looked at before the others. 0: there is none, or nothing is wanted.
+  int judge(int first, const std::optional<ErrorTarget>& target) {
+    const std::array<Image, 2> sampled = half_pictures(first, {.levels = 0});
+    errors_[static_cast<std::size_t>(first - 1)] = choose_strength(first, sampled);
+    if (target && !target->met_by(errors_[static_cast<std::size_t>(first - 1)])) return first;
+    int worst = 0;
+    for (int k = 1; k <= static_cast<int>(errors_.size()); ++k) {
+      ErrorEstimate& error = errors_[static_cast<std::size_t>(k - 1)];
+      if (k != first) error = error_with(k, strength_, sampled);
+      if (target && !target->met_by(error) &&
+          (worst == 0 || error.image.total() > errors_[static_cast<std::size_t>(worst - 1)].image.total()))
+        worst = k;
+    }
+    return worst;
+  }
+
   /// Takes the strength with the least estimated error, from the present one towards weaker ones.
-  ErrorEstimate choose_strength() {
-    const std::array<Image, 2> sampled = half_pictures({.levels = 0});
-    ErrorEstimate best = error_with(strength_, sampled);
+  ErrorEstimate choose_strength(int object_index, const std::array<Image, 2>& sampled) {
+    ErrorEstimate best = error_with(object_index, strength_, sampled);
     while (strength_ > 0) {
-      ErrorEstimate weaker = error_with(strength_ - 1, sampled);
+      ErrorEstimate weaker = error_with(object_index, strength_ - 1, sampled);
       if (weaker.image.total() >= best.image.total()) break;
       best = std::move(weaker);
       --strength_;
@@ -170,15 +185,17 @@ class FastEstimator : public SceneEstimator {
     return best;
   }
 
-  ErrorEstimate error_with(std::size_t strength, const std::array<Image, 2>& sampled) const {
+  [[nodiscard]] ErrorEstimate error_with(int object_index, std::size_t strength,
+                                         const std::array<Image, 2>& sampled) const {
     return estimate_error(
-        {.filtered = strength == 0 ? sampled : half_pictures(strengths[strength]), .sampled = sampled},
+        {.filtered = strength == 0 ? sampled : half_pictures(object_index, strengths[strength]),
+         .sampled = sampled},
         scene_.definition.exposure_ev, options_.threads);
   }
 
   /// The reference from each half of the samples; the layers are gone when it returns.
-  [[nodiscard]] std::array<Image, 2> half_pictures(const FilterStrength& strength) const {
-    const TruthLayers layers = layers_of(1, strength);
+  [[nodiscard]] std::array<Image, 2> half_pictures(int object_index, const FilterStrength& strength) const {
+    const TruthLayers layers = layers_of(object_index, strength);
     return {half_reference_image(layers, 0), half_reference_image(layers, 1)};
   }
 
@@ -192,7 +209,7 @@ class FastEstimator : public SceneEstimator {
   std::unique_ptr<const SceneGeometry> joint_;  ///< until the joint pass is done
   SceneSums sums_;
   std::size_t strength_ = first_strength;
-  ErrorEstimate error_;
+  std::array<ErrorEstimate, 3> errors_;  ///< of the reference, filtered for each object
   int object_index_ = 0;
   std::optional<ObjectGeometry> geometry_;
   TruthLayers truth_;

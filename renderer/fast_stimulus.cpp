@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/composite.h"
+#include "renderer/object_noise.h"
 #include "renderer/stimulus_assembly.h"
 #include "renderer/stimulus_plan.h"
 
@@ -33,7 +34,8 @@ class StimulusRounds {
       : truth_(truth),
         recipe_(recipe),
         options_(options),
-        sampler_(truth.scene, truth.geometry, depth, recipe, options.seed, {true, options.tail_every}),
+        sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
+                 {.may_filter = true, .tail_every = options.tail_every, .object_from_truth = true}),
         depth_(empty_answers(truth.scene.camera, recipe.answers)),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
@@ -53,8 +55,12 @@ class StimulusRounds {
       out.layers = layers(filters());
       StimulusJudgement judged = judge(out.layers);
       out.error = judged.error;
-      if (good_enough(out.error)) break;
-      if (plan_more(judged, round, wanted)) continue;
+      wanted = depth_.spp;
+      if (options_.target)
+        wanted.object = samples_on_object(truth_, out.layers, wanted.object, options_.threads);
+      const bool is_good = good_enough(out.error);
+      if (is_good && wanted.object == depth_.spp.object) break;
+      if (is_good || plan_more(judged, round, wanted)) continue;
       if (looks_for_bias_) break;
       looks_for_bias_ = true;
     }
@@ -99,12 +105,11 @@ class StimulusRounds {
     return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
   }
 
-  static constexpr int pilot = 2;
-  /// A few where only a ratio is asked for; on the object as many as the truth has, because its noise must
-  /// not give it away.
-  [[nodiscard]] int first_rest_samples(std::size_t block) const {
+  static constexpr int pilot = 2, pilot_on_object = 8;
+  /// A few where only a ratio is asked for, or what the depth mesh adds to the truth.
+  [[nodiscard]] int first_samples(std::size_t block, int few) const {
     const int all = truth_.sums.spp[block];
-    return options_.target && options_.omit.ratio_samples ? std::min(pilot, all) : all;
+    return options_.target && options_.omit.ratio_samples ? std::min(few, all) : all;
   }
 
   /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
@@ -112,8 +117,8 @@ class StimulusRounds {
   StimulusLayers with_untouched_tiles() {
     DepthSamples wanted = depth_.spp;
     for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (wanted.rest[b] == 0) wanted.rest[b] = first_rest_samples(b);
-      if (wanted.object[b] == 0) wanted.object[b] = truth_.sums.spp[b];
+      if (wanted.rest[b] == 0) wanted.rest[b] = first_samples(b, pilot);
+      if (wanted.object[b] == 0) wanted.object[b] = first_samples(b, pilot_on_object);
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
     return layers(filters());
@@ -130,7 +135,7 @@ class StimulusRounds {
       } else if (depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_blocks;
-        saved.untouched_rays += geometries * pixels * first_rest_samples(b);
+        saved.untouched_rays += geometries * pixels * first_samples(b, pilot);
       }
     }
     if (asked > 0)
@@ -142,8 +147,8 @@ class StimulusRounds {
   [[nodiscard]] DepthSamples first_samples() const {
     DepthSamples wanted = depth_.spp;
     for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = first_rest_samples(b);
-      if (lights_object(b)) wanted.object[b] = truth_.sums.spp[b];
+      if (lights_rest()) wanted.rest[b] = first_samples(b, pilot);
+      if (lights_object(b)) wanted.object[b] = first_samples(b, pilot_on_object);
     }
     return wanted;
   }
@@ -165,8 +170,12 @@ class StimulusRounds {
                                              .round = round});
     for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
     for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
-      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
+      const int asked = lights_rest() ? depth_.spp.rest[b] : depth_.spp.object[b];
+      if (plan.next_spp[b] <= asked) continue;
+      // On the object as many times more as beside it: the plan does not know which of them is the noisy one.
+      const int on_object = (depth_.spp.object[b] * plan.next_spp[b] / asked + 1) / 2 * 2;
+      wanted.object[b] = std::max(wanted.object[b], on_object);
+      if (lights_rest()) wanted.rest[b] = plan.next_spp[b];
     }
     return !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }

@@ -20,7 +20,7 @@ void trace(const Geometry& object, const Geometry& real, Coherence coherence, Li
 
 void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,
                       std::span<Rgb> direct) {
-  std::fill(direct.begin(), direct.end(), Rgb::Zero());
+  for (std::size_t i = 0; i < points.size(); ++i) direct[i] = points[i].point->emission;
   if (points.empty()) return;
   const Geometry& real = *points.front().lit_past.geometry;
   thread_local LightRays rays;

@@ -109,18 +109,17 @@ class ScenePlanner {
   }
 
   void ratio_samples() {
-    const bool lights =
-        any([](const Recipe& r) { return r.keep != Keep::object_layer && asks_depth_for_rest(r.answers); });
+    const bool lights = any([](const Recipe& r) { return r.answers.asks_depth_for_light(); });
     std::string needed;
     if (!settings_.error) needed = "the number of samples is given";
-    if (!lights) needed = "no artifact asks the depth mesh for light beside the object";
-    omit(
-        {.name = "ratio_samples",
-         .why = "with and without the object are the same light, so their ratio needs fewer samples than the "
-                "photograph",
-         .saves = "most questions to the depth mesh beside the object",
-         .change = noise_only},
-        needed);
+    if (!lights) needed = "no artifact asks the depth mesh for light";
+    omit({.name = "ratio_samples",
+          .why =
+              "with and without the object are nearly the same light, and so are truth and depth mesh on the "
+              "object: ratio and difference need fewer samples than the photograph",
+          .saves = "most questions to the depth mesh",
+          .change = noise_only},
+         needed);
   }
 
   void untouched_tiles() {

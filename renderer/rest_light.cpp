@@ -21,7 +21,10 @@ void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rg
 
 void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
                     std::span<RadiancePair> pairs) {
-  std::fill(pairs.begin(), pairs.end(), RadiancePair{});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Split emitted{.direct = points[i].emission};
+    pairs[i] = {emitted, emitted};
+  }
   if (points.empty()) return;
   const Geometry& real = *points.front().lit.geometry;
   thread_local LightRays rays;

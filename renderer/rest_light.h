@@ -13,11 +13,12 @@ struct RestPoint {
   RealQuestion lit = {nullptr, nullptr};  ///< one geometry for all points
   Rgb albedo = Rgb::Zero();               ///< the truth's, whose bounce light joins it
   Sampler sampler;
+  Rgb emission = Rgb::Zero();  ///< the truth's
 };
 
 /// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of
-/// their own. The sun is in `direct`; the sky, which is smooth and may be filtered, in `bounce`. `pairs` is
-/// as long as `points`.
+/// their own. The sun is in `direct`, with what the points emit; the sky, which is smooth and may be
+/// filtered, in `bounce`. `pairs` is as long as `points`.
 void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
                     std::span<RadiancePair> pairs);
 

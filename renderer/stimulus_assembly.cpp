@@ -28,7 +28,8 @@ class Assembly {
     else
       out.object =
           object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
-              .total();
+              .total() +
+          in.depth_to_layers * in.depth.object.direct;
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
   }
   void add_rest(int x, int y, std::size_t half, const FilteredBounce& rest, StimulusSums& out) const {
@@ -40,11 +41,12 @@ class Assembly {
   /// Everything known of one pixel and half, in the layers' number of samples.
   struct Pixel {
     const TruthSums& truth;
-    const ObjectSums& own;   ///< in the pixel's own number of samples
-    const DepthSums& depth;  ///< in the depth pass's own number of samples
-    float to_layers = 1;     ///< from the pixel's number of samples to the layers'
-    float uncovers = 0;      ///< share of the truth's covered samples that the depth mesh uncovers
-    float covers = 0;        ///< share of the truth's uncovered samples that it covers
+    const ObjectSums& own;      ///< in the pixel's own number of samples
+    const DepthSums& depth;     ///< in the depth pass's own number of samples
+    float to_layers = 1;        ///< from the pixel's number of samples to the layers'
+    float depth_to_layers = 0;  ///< from the samples that asked about the object to the layers'; 0: none did
+    float uncovers = 0;         ///< share of the truth's covered samples that the depth mesh uncovers
+    float covers = 0;           ///< share of the truth's uncovered samples that it covers
     float newly_covered = 0;
   };
 
@@ -60,6 +62,8 @@ class Assembly {
              .depth = depth_.halves[half][i]};
     const auto samples_of_pixel = static_cast<float>(truth_.sums.samples_at(x, y));
     in.to_layers = static_cast<float>(layers.spp) / samples_of_pixel;
+    const int asked = depth_.spp.object[static_cast<std::size_t>(depth_.blocks().square_of(x, y))];
+    if (asked > 0) in.depth_to_layers = static_cast<float>(layers.spp) / static_cast<float>(asked);
     if (order_.empty() || order_[tile][half].empty()) return in;
     const OrderSums& order = order_[tile][half][place];
     const float samples = 0.5F * samples_of_pixel;
@@ -69,27 +73,26 @@ class Assembly {
     return in;
   }
 
-  /// Light of `covered` samples of the object. `filtered` holds its bounce light in the depth mesh, or is
-  /// null.
+  /// Light of `covered` samples of the object, the direct part as in the truth. `filtered` holds its bounce
+  /// light in the depth mesh, or is null.
   [[nodiscard]] Split object_light(const Pixel& in, float covered, const BounceTexel* filtered,
                                    const Surface* surface, std::size_t half) const {
     if (covered <= 0.0F) return {};
     const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
-    if (answers_.object_lit == Who::truth && answers_.bounce == Who::truth) return truth;
-    if (in.depth.covered <= 0.0F) return truth;  // no sample fell on it
-    Split depth = covered / in.depth.covered * in.depth.object;
+    if (answers_.bounce == Who::truth || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
     if (filtered != nullptr && filtered->no_samples(half) > 0.0F)
-      depth.bounce = filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half));
-    return {answers_.object_lit == Who::truth ? truth.direct : depth.direct,
-            answers_.bounce == Who::truth ? truth.bounce : depth.bounce};
+      return {truth.direct, filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half))};
+    return {truth.direct, covered / in.depth.covered * in.depth.object.bounce};
   }
 
-  /// Light of the object where the truth hides it and the depth mesh does not.
+  /// Light of the object where the truth hides it and the depth mesh does not, the direct part as in the
+  /// truth.
   [[nodiscard]] Split hidden_light(const Pixel& in) const {
     if (in.newly_covered <= 0.0F) return {};
-    if (answers_.object_lit == Who::depth && in.depth.covered > 0.0F)
-      return in.newly_covered / in.depth.covered * in.depth.object;
-    return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
+    Split light = in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
+    if (answers_.bounce == Who::depth && in.depth.covered > 0.0F)
+      light.bounce = in.newly_covered / in.depth.covered * in.depth.object.bounce;
+    return light;
   }
 
   void add_rest_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,

@@ -28,7 +28,7 @@ bool covers(const StimulusSample& sample, const std::optional<SurfacePoint>& rea
 
 StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry,
                                  const Geometry* depth, const Recipe& recipe, std::uint64_t seed,
-                                 const BounceSampling& bounce)
+                                 const LightSampling& sampling)
     : scene_(scene),
       geometry_(geometry),
       depth_(recipe.answers.needs_depth() ? depth : nullptr),
@@ -36,7 +36,7 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       answers_(recipe.answers),
       depth_worlds_{depth_, &geometry.object, {}, 1},
       seed_(seed),
-      bounce_(bounce) {}
+      sampling_(sampling) {}
 
 void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const {
   out.clear();
@@ -108,29 +108,31 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
 void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
                                 std::vector<DepthPart>& parts) const {
   parts.assign(samples.size(), {});
-  add_direct_on_object(samples, parts);
+  if (answers_.object_lit == Who::depth) {
+    if (answers_.bounce == Who::truth) add_direct_on_object(Who::depth, 1.0F, samples, parts);
+    if (sampling_.object_from_truth) add_direct_on_object(Who::truth, -1.0F, samples, parts);
+  }
   add_direct_on_rest(samples, parts);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
   if (answers_.bounce == Who::truth) return;  // bounce light of the truth is in the truth's sums already
-  if (bounce_.may_filter) follow_paths(samples, parts);
+  if (sampling_.may_filter) follow_paths(samples, parts);
   for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i]);
 }
 
-void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
+void StimulusSampler::add_direct_on_object(Who who, float factor, std::span<const StimulusSample> samples,
                                            std::span<DepthPart> parts) const {
-  if (answers_.object_lit == Who::truth || answers_.bounce == Who::depth) return;
   thread_local std::vector<ObjectPoint> points;
   thread_local std::vector<Rgb> lit;
   points.clear();
   for (const StimulusSample& sample : samples)
     if (sample.shows == StimulusSample::Shows::object)
-      points.push_back({&*sample.object, ask(Who::depth, sample, *sample.object), sample.sampler});
+      points.push_back({&*sample.object, ask(who, sample, *sample.object), sample.sampler});
   lit.resize(points.size());
   direct_on_object(points, geometry_.object, scene_.light, lit);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].shows == StimulusSample::Shows::object) parts[i].object.direct = lit[next++];
+    if (samples[i].shows == StimulusSample::Shows::object) parts[i].object.direct += factor * lit[next++];
 }
 
 void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples,
@@ -145,7 +147,8 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
                       .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real},
                       .albedo = sample.real->albedo,
-                      .sampler = sample.sampler});
+                      .sampler = sample.sampler,
+                      .emission = sample.real->emission});
   }
   lit.resize(points.size());
   direct_on_rest(points, geometry_.object, scene_.light, lit);
@@ -153,14 +156,14 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].shows != StimulusSample::Shows::rest) continue;
     RadiancePair& pair = lit[next++];
-    if (!bounce_.may_filter)
+    if (!sampling_.may_filter)
       pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
     add_rest(pair, true, true, parts[i]);
   }
 }
 
 bool StimulusSampler::is_batched(const StimulusSample& sample) const {
-  if (!bounce_.may_filter) return false;
+  if (!sampling_.may_filter) return false;
   if (sample.shows == StimulusSample::Shows::rest) return true;
   // Every question of such a path is the depth mesh's, asked from the object itself.
   return sample.shows == StimulusSample::Shows::object && answers_.object_lit == Who::depth &&
@@ -176,10 +179,10 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples,
     if (!is_batched(sample)) continue;
     if (sample.shows == StimulusSample::Shows::rest)
       paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
-                 path_plan(sample.sampler, bounce_.tail_every, direct)});
+                 path_plan(sample.sampler, sampling_.tail_every, direct)});
     else
       paths.add(
-          {only_world(0), *sample.object, sample.sampler, path_plan(sample.sampler, bounce_.tail_every)});
+          {only_world(0), *sample.object, sample.sampler, path_plan(sample.sampler, sampling_.tail_every)});
   }
   const std::span<const PathLight> found = paths.trace();
   std::size_t next = 0;

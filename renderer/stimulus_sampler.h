@@ -19,17 +19,20 @@ struct StimulusSample {
   enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
 };
 
-/// How a sampler asks for bounce light on real surfaces. When it may be filtered, sky light that the depth
-/// mesh has a part in joins it, because it may be filtered with it. `tail_every`: see PathPlan; only then.
-struct BounceSampling {
+/// How a sampler asks. When bounce light on real surfaces may be filtered, sky light that the depth mesh has
+/// a part in joins it, because it may be filtered with it. `tail_every`: see PathPlan; only then.
+struct LightSampling {
   bool may_filter = false;
   int tail_every = 1;
+  bool object_from_truth = false;  ///< see DepthPart::object
 };
 
 /// Light that the depth mesh has a part in, of one sample.
 struct DepthPart {
   Split no, with;  ///< on the rest, without and with the object
-  Split object;    ///< on the object
+  /// On the object; with `object_from_truth` its direct part is only what the depth mesh adds to the truth's
+  /// (below 0 where it takes away). That is nothing for most samples, and the truth's is known already.
+  Split object;
   float rest = 0;  ///< 1 when `no` and `with` count
   /// How far the first ray for bounce light got; infinity when it is not known.
   float reach_m = std::numeric_limits<float>::infinity();
@@ -41,7 +44,7 @@ class StimulusSampler {
  public:
   /// `depth` may be null when the recipe asks nothing of the depth mesh.
   StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
-                  const Recipe& recipe, std::uint64_t seed, const BounceSampling& bounce = {});
+                  const Recipe& recipe, std::uint64_t seed, const LightSampling& sampling = {});
 
   /// What the camera rays of samples meet; `out` is as long as `ids`.
   void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const;
@@ -76,7 +79,9 @@ class StimulusSampler {
     return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
            answers_.real_lit == Who::depth;
   }
-  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  /// Direct light on the objects that samples show, as one of the two answers, times `factor`.
+  void add_direct_on_object(Who who, float factor, std::span<const StimulusSample> samples,
+                            std::span<DepthPart> parts) const;
   void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   /// Whether the path of a sample through the depth mesh is followed together with others.
   [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
@@ -90,7 +95,7 @@ class StimulusSampler {
   const Answers& answers_;
   Worlds depth_worlds_;
   std::uint64_t seed_;
-  BounceSampling bounce_;
+  LightSampling sampling_;
 };
 
 }  // namespace seamline

@@ -70,7 +70,7 @@ Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, co
 RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
                           const Light& light, const Sampler& sampler) {
   RadiancePair pair;
-  pair.no.bounce = pair.with.bounce = first.emission;
+  pair.no.direct = pair.with.direct = first.emission;
   const World without{real, nullptr};
   const World with{real, object};
   const bool emits = with.emits();
@@ -148,7 +148,7 @@ std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vect
 Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by, const Geometry& object,
                      const SurfacePoint& point, const Light& light, const Sampler& sampler) {
   Split out;
-  out.bounce = point.emission;
+  out.direct = point.emission;
   for (const Sun& sun : light.suns) {
     const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(0)));
     const float cosine = sun_cosine(point, to_sun);

@@ -7,8 +7,8 @@ namespace seamline {
 
 /// Radiance leaving a point, by how the light came to it.
 struct Split {
-  Rgb direct = Rgb::Zero();  ///< from sun and sky
-  Rgb bounce = Rgb::Zero();  ///< from other surfaces, and the point's own emission
+  Rgb direct = Rgb::Zero();  ///< from sun and sky, and the point's own emission
+  Rgb bounce = Rgb::Zero();  ///< from other surfaces: what may be filtered
 
   [[nodiscard]] Rgb total() const { return direct + bounce; }
   Split& operator+=(const Split& other) {
