@@ -28,6 +28,12 @@ struct Answers {
   return answers.receiver == Who::depth || answers.real_lit == Who::depth || answers.bounce == Who::depth;
 }
 
+/// Whether the depth mesh changes only sun and sky on the object: what it adds to the truth's light there is
+/// nothing for most samples. (Its bounce light has little in common with the truth's.)
+[[nodiscard]] inline bool adds_to_object(const Answers& answers) {
+  return answers.object_lit == Who::depth && answers.bounce == Who::truth;
+}
+
 /// Whether the depth mesh decides how much light a real surface gets, so that its sheets can seal one in. As
 /// a receiver alone it only lends its points and normals.
 [[nodiscard]] inline bool depth_lights_rest(const Answers& answers) {

@@ -8,15 +8,16 @@ namespace seamline {
 struct DepthSums {
   Split no, with;       ///< light on the rest as far as the depth mesh has a part in it; its sky
                         ///< is in `bounce`, with what may be filtered
-  Split object;         ///< light on the object, as far as the depth mesh answers it; its direct part is what
-                        ///< the depth mesh adds to the truth's
+  Split object;         ///< light on the object, as far as the depth mesh answers it; or, when
+                        ///< `adds_to_object`, what that adds to the truth's
   float rest = 0;       ///< samples in `no` and `with`
   float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
   float covered = 0;    ///< samples in `object`
 };
 
 /// How many samples each block has, even numbers. A ratio is content with few of them, and so is what the
-/// depth mesh adds to the truth's light on the object, whose noise is the photograph's.
+/// depth mesh adds to the truth's light on the object. Where it answers all that light, as many are needed as
+/// the photograph has, because noise must not give the object away.
 struct DepthSamples {
   std::vector<int> rest;    ///< that ask for light on the rest
   std::vector<int> object;  ///< that ask for light on the object, in pixels that show it

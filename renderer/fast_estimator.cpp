@@ -157,7 +157,8 @@ class FastEstimator : public SceneEstimator {
 
   /// The reference is filtered for each object as its stimuli are: with the object's change apart from the
   /// light without it, so that its error differs from object to object. An object whose error is not what is
-  /// wanted; `first` is looked at before the others. 0: there is none, or nothing is wanted.
+  /// wanted, `first` before the others, which only count where stimuli have next to nothing for noise of
+  /// their own. 0: there is none, or nothing is wanted.
   int judge(int first, const std::optional<ErrorTarget>& target) {
     const std::array<Image, 2> sampled = half_pictures(first, {.levels = 0});
     errors_[static_cast<std::size_t>(first - 1)] = choose_strength(first, sampled);
@@ -166,7 +167,7 @@ class FastEstimator : public SceneEstimator {
     for (int k = 1; k <= static_cast<int>(errors_.size()); ++k) {
       ErrorEstimate& error = errors_[static_cast<std::size_t>(k - 1)];
       if (k != first) error = error_with(k, strength_, sampled);
-      if (target && !target->met_by(error) &&
+      if (target && !options_.depth_bounces && !target->met_by(error) &&
           (worst == 0 || error.image.total() > errors_[static_cast<std::size_t>(worst - 1)].image.total()))
         worst = k;
     }

@@ -35,7 +35,9 @@ class StimulusRounds {
         recipe_(recipe),
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
-                 {.may_filter = true, .tail_every = options.tail_every, .object_from_truth = true}),
+                 {.may_filter = true,
+                  .tail_every = options.tail_every,
+                  .object_from_truth = adds_to_object(recipe.answers)}),
         depth_(empty_answers(truth.scene.camera, recipe.answers)),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
@@ -105,9 +107,14 @@ class StimulusRounds {
     return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
   }
 
-  static constexpr int pilot = 2, pilot_on_object = 8;
-  /// A few where only a ratio is asked for, or what the depth mesh adds to the truth.
-  [[nodiscard]] int first_samples(std::size_t block, int few) const {
+  /// A few where only a ratio is asked for.
+  [[nodiscard]] int first_rest_samples(std::size_t block) const { return few_or_all(2, block); }
+  /// A few where only a difference is; else as many as the truth has, because noise must not give the object
+  /// away.
+  [[nodiscard]] int first_object_samples(std::size_t block) const {
+    return adds_to_object(recipe_.answers) ? few_or_all(8, block) : truth_.sums.spp[block];
+  }
+  [[nodiscard]] int few_or_all(int few, std::size_t block) const {
     const int all = truth_.sums.spp[block];
     return options_.target && options_.omit.ratio_samples ? std::min(few, all) : all;
   }
@@ -117,8 +124,8 @@ class StimulusRounds {
   StimulusLayers with_untouched_tiles() {
     DepthSamples wanted = depth_.spp;
     for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (wanted.rest[b] == 0) wanted.rest[b] = first_samples(b, pilot);
-      if (wanted.object[b] == 0) wanted.object[b] = first_samples(b, pilot_on_object);
+      if (wanted.rest[b] == 0) wanted.rest[b] = first_rest_samples(b);
+      if (wanted.object[b] == 0) wanted.object[b] = first_object_samples(b);
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
     return layers(filters());
@@ -135,7 +142,7 @@ class StimulusRounds {
       } else if (depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_blocks;
-        saved.untouched_rays += geometries * pixels * first_samples(b, pilot);
+        saved.untouched_rays += geometries * pixels * first_rest_samples(b);
       }
     }
     if (asked > 0)
@@ -147,8 +154,8 @@ class StimulusRounds {
   [[nodiscard]] DepthSamples first_samples() const {
     DepthSamples wanted = depth_.spp;
     for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = first_samples(b, pilot);
-      if (lights_object(b)) wanted.object[b] = first_samples(b, pilot_on_object);
+      if (lights_rest()) wanted.rest[b] = first_rest_samples(b);
+      if (lights_object(b)) wanted.object[b] = first_object_samples(b);
     }
     return wanted;
   }
@@ -170,12 +177,8 @@ class StimulusRounds {
                                              .round = round});
     for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
     for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
-      const int asked = lights_rest() ? depth_.spp.rest[b] : depth_.spp.object[b];
-      if (plan.next_spp[b] <= asked) continue;
-      // On the object as many times more as beside it: the plan does not know which of them is the noisy one.
-      const int on_object = (depth_.spp.object[b] * plan.next_spp[b] / asked + 1) / 2 * 2;
-      wanted.object[b] = std::max(wanted.object[b], on_object);
-      if (lights_rest()) wanted.rest[b] = plan.next_spp[b];
+      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
+      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
     }
     return !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
   }

@@ -28,8 +28,8 @@ class Assembly {
     else
       out.object =
           object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
-              .total() +
-          in.depth_to_layers * in.depth.object.direct;
+              .total();
+    if (adds_to_object(answers_)) out.object += in.depth_to_layers * in.depth.object.direct;
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
   }
   void add_rest(int x, int y, std::size_t half, const FilteredBounce& rest, StimulusSums& out) const {
@@ -73,26 +73,25 @@ class Assembly {
     return in;
   }
 
-  /// Light of `covered` samples of the object, the direct part as in the truth. `filtered` holds its bounce
-  /// light in the depth mesh, or is null.
+  /// Light of `covered` samples of the object, without what the depth mesh adds to the truth's. `filtered`
+  /// holds its bounce light in the depth mesh, or is null.
   [[nodiscard]] Split object_light(const Pixel& in, float covered, const BounceTexel* filtered,
                                    const Surface* surface, std::size_t half) const {
     if (covered <= 0.0F) return {};
     const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
     if (answers_.bounce == Who::truth || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
+    Split depth = covered / in.depth.covered * in.depth.object;
     if (filtered != nullptr && filtered->no_samples(half) > 0.0F)
-      return {truth.direct, filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half))};
-    return {truth.direct, covered / in.depth.covered * in.depth.object.bounce};
+      depth.bounce = filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half));
+    return {answers_.object_lit == Who::truth ? truth.direct : depth.direct, depth.bounce};
   }
 
-  /// Light of the object where the truth hides it and the depth mesh does not, the direct part as in the
-  /// truth.
+  /// Light of the object where the truth hides it and the depth mesh does not, likewise.
   [[nodiscard]] Split hidden_light(const Pixel& in) const {
     if (in.newly_covered <= 0.0F) return {};
-    Split light = in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
-    if (answers_.bounce == Who::depth && in.depth.covered > 0.0F)
-      light.bounce = in.newly_covered / in.depth.covered * in.depth.object.bounce;
-    return light;
+    const bool from_depth = answers_.object_lit == Who::depth && answers_.bounce == Who::depth;
+    if (from_depth && in.depth.covered > 0.0F) return in.newly_covered / in.depth.covered * in.depth.object;
+    return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
   }
 
   void add_rest_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,
