@@ -16,9 +16,11 @@ struct Answers {
   Who occlusion = Who::truth;   ///< 4: does the real world hide the virtual object
   Who bounce = Who::truth;      ///< 5: bounce light
 
-  [[nodiscard]] bool asks_depth_for_light() const {
-    return receiver == Who::depth || real_lit == Who::depth || object_lit == Who::depth ||
-           bounce == Who::depth;
+  [[nodiscard]] bool asks_depth_for_light() const { return receiver == Who::depth || traces_depth(); }
+  /// Whether rays go through the depth mesh that do not start at the panorama's centre: as a receiver it only
+  /// lends the points that the camera sees, and needs no good search tree.
+  [[nodiscard]] bool traces_depth() const {
+    return real_lit == Who::depth || object_lit == Who::depth || bounce == Who::depth;
   }
   [[nodiscard]] bool needs_depth() const { return asks_depth_for_light() || occlusion == Who::depth; }
 };

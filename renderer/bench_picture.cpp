@@ -133,7 +133,7 @@ Reached reach_fast(const ConvergenceSubject& subject, const Geometry& depth, con
   const ObjectTruth truth{begin.scene,  begin.sums,    subject.geometry, subject.stimulus.object_index,
                           begin.layers, begin.no_error};
   Reached reached;
-  for (double error = 0.06; error > given.least_error && !reached.wanted(); error /= 1.1)
+  for (double error = 0.05; error > given.least_error && !reached.wanted(); error /= 1.1)
     reached = attempt(given, fmt::format("fast, estimated error {:.3f}", error), [&](double& seconds) {
       const double display = error * given.mean_radiance * GivenTruth::display_per_radiance;
       const FastStimulusOptions options{.seed = subject.study.seed,
@@ -174,8 +174,10 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
   const Stopwatch mesh_watch;
   const DepthMap map = capture_depth(subject.geometry.truth, subject.stimulus.condition.depth_width_px,
                                      subject.stimulus.condition.yaw_texels, subject.threads);
-  const Geometry depth =
-      subject_geometry(subject, subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance));
+  // The rays of one picture do not pay for a better tree.
+  const Geometry depth(subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance),
+                       Rgb::Constant(static_cast<float>(subject.scene.definition.albedo)),
+                       TreeQuality::for_few_rays);
   const double mesh_seconds = mesh_watch.seconds();
   fmt::print(stderr, "  the reference, by path\n");
   GivenBackground given =

@@ -13,7 +13,7 @@ LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
                         .yaw_texels = condition.yaw_texels,
                         .threads = settings.threads});
   return {Geometry(mesh, Rgb::Constant(static_cast<float>(settings.albedo)),
-                   settings.asks_light ? TreeQuality::for_light : TreeQuality::for_few_rays),
+                   settings.traces_rays ? TreeQuality::for_light : TreeQuality::for_few_rays),
           {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error}};
 }
 

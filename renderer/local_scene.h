@@ -17,7 +17,7 @@ struct LocalSceneSettings {
   MeshDensity density = MeshDensity::adaptive;
   double tolerance = 1e-4;  ///< see MeshOptions
   double albedo = 0.5;      ///< of the whole mesh
-  bool asks_light = true;   ///< false: only who is in front, which needs no good tree
+  bool traces_rays = true;  ///< false: only from the panorama's centre, which needs no good tree
   int threads = 1;
 };
 

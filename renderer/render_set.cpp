@@ -173,13 +173,13 @@ class SetRenderer {
       needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
-    const bool asks_light = asked_by_any(scene.definition.artifacts, study_.isolation).asks_depth_for_light();
+    const bool traces_rays = asked_by_any(scene.definition.artifacts, study_.isolation).traces_depth();
     if (needed)
       depth.emplace(make_local_scene(estimator.geometry().truth, condition,
                                      {.density = settings_.mesh,
                                       .tolerance = study_.mesh_tolerance,
                                       .albedo = scene.definition.albedo,
-                                      .asks_light = asks_light,
+                                      .traces_rays = traces_rays,
                                       .threads = threads_}));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,

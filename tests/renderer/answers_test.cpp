@@ -17,6 +17,15 @@ TEST(Answers, OfSeveralArtifactsAreTheDepthMeshsWhereAnyOfThemAsksIt) {
   EXPECT_EQ(asked.bounce, Who::truth);
 }
 
+TEST(Answers, OnlyLightFromElsewhereTracesRaysThroughTheDepthMesh) {
+  for (const Artifact artifact : {Artifact::receiver, Artifact::occlusion, Artifact::none})
+    EXPECT_FALSE(recipe(artifact, Isolation::query).answers.traces_depth()) << word(artifact);
+  for (const Artifact artifact : {Artifact::shadow, Artifact::overlap, Artifact::bounce, Artifact::all})
+    EXPECT_TRUE(recipe(artifact, Isolation::query).answers.traces_depth()) << word(artifact);
+  EXPECT_TRUE(recipe(Artifact::receiver, Isolation::query).answers.asks_depth_for_light());
+  EXPECT_TRUE(recipe(Artifact::receiver, Isolation::mask).answers.traces_depth());
+}
+
 TEST(Answers, AnOcclusionAsksTheDepthMeshButNotForLight) {
   const Answers of_occlusion = recipe(Artifact::occlusion, Isolation::query).answers;
   EXPECT_TRUE(of_occlusion.needs_depth());
