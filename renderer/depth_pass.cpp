@@ -12,6 +12,7 @@ namespace {
 /// to `end_object` about the object.
 struct PixelSamples {
   int first_rest = 0, end_rest = 0, first_object = 0, end_object = 0;
+  bool beside_truth = false;
   [[nodiscard]] bool asks_rest(int i) const { return i >= first_rest && i < end_rest; }
   [[nodiscard]] bool asks_object(int i) const { return i >= first_object && i < end_object; }
   [[nodiscard]] int first() const {
@@ -33,7 +34,7 @@ class TileAsker {
     const std::size_t pixel = answers_.grid.index(x, y);
     for (int i = samples.first(); i < samples.end(); ++i) {
       ids_.push_back({x, y, i});
-      wanted_.push_back({pixel, samples.asks_rest(i), samples.asks_object(i)});
+      wanted_.push_back({pixel, samples.asks_rest(i), samples.asks_object(i), samples.beside_truth});
     }
     if (ids_.size() >= at_once) ask();
   }
@@ -51,7 +52,7 @@ class TileAsker {
   static constexpr std::size_t at_once = 32;
   struct Wanted {
     std::size_t pixel;
-    bool rest, object;
+    bool rest, object, beside_truth;
   };
 
   /// What a sample shows decides which of its pixel's two numbers of samples counts.
@@ -61,6 +62,7 @@ class TileAsker {
       const bool on_object = seen_[i].shows == StimulusSample::Shows::object;
       if (!(on_object ? wanted_[i].object : wanted_[i].rest)) continue;
       seen_[kept] = seen_[i], wanted_[kept] = wanted_[i];
+      seen_[kept].beside_truth = wanted_[i].beside_truth;
       ++kept;
     }
     seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(kept), seen_.end());
@@ -68,12 +70,14 @@ class TileAsker {
 
   void add_part(const StimulusSample& sample, const DepthPart& part, std::size_t pixel) {
     using Shows = StimulusSample::Shows;
-    DepthSums& sums = answers_.halves[static_cast<std::size_t>(sample.number % 2)][pixel];
+    const auto half = static_cast<std::size_t>(sample.number % 2);
+    DepthSums& sums = answers_.halves[half][pixel];
     sums.no += part.no;
     sums.with += part.with;
     sums.object += part.object;
     sums.rest += part.rest;
     if (sample.shows == Shows::object) sums.covered += 1.0F;
+    if (sample.beside_truth) answers_.object_in_truth[half][pixel] += part.object_in_truth;
     if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
     if (answers_.guides.empty()) return;
     if (const SurfacePoint* receiver = sampler_.receiver(sample))
@@ -90,7 +94,8 @@ class TileAsker {
 
 }  // namespace
 
-DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
+DepthAnswers empty_answers(const Camera& camera, const Answers& answers,
+                           const std::vector<int>& photograph_spp) {
   DepthAnswers out;
   out.grid = {camera.width_px, camera.height_px};
   const std::size_t pixels =
@@ -99,6 +104,9 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers) {
   if (asks_depth_for_rest(answers)) out.guides.resize(pixels);
   out.spp.rest.resize(static_cast<std::size_t>(out.blocks().count()));
   out.spp.object.resize(static_cast<std::size_t>(out.blocks().count()));
+  out.spp.photograph = photograph_spp;
+  if (adds_to_object(answers))
+    for (auto& half : out.object_in_truth) half.resize(pixels, Rgb::Zero());
   return out;
 }
 
@@ -113,7 +121,9 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     for (const int block : blocks_of(answers.grid, tile)) {
       const auto b = static_cast<std::size_t>(block);
       int &rest = answers.spp.rest[b], &object = answers.spp.object[b];
-      const PixelSamples with_object = {rest, wanted.rest[b], object, wanted.object[b]};
+      const bool beside_truth =
+          !answers.object_in_truth[0].empty() && wanted.object[b] < wanted.photograph[b];
+      const PixelSamples with_object = {rest, wanted.rest[b], object, wanted.object[b], beside_truth};
       const PixelSamples without_object = {rest, wanted.rest[b], 0, 0};
       if (with_object.first() >= with_object.end()) continue;
       const BlockGrid::Rectangle r = answers.blocks().rectangle(block);

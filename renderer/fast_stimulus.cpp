@@ -35,10 +35,8 @@ class StimulusRounds {
         recipe_(recipe),
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
-                 {.may_filter = true,
-                  .tail_every = options.tail_every,
-                  .object_from_truth = adds_to_object(recipe.answers)}),
-        depth_(empty_answers(truth.scene.camera, recipe.answers)),
+                 {.may_filter = true, .tail_every = options.tail_every}),
+        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.sums.spp)),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;

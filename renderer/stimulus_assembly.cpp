@@ -29,7 +29,7 @@ class Assembly {
       out.object =
           object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
               .total();
-    if (adds_to_object(answers_)) out.object += in.depth_to_layers * in.depth.object.direct;
+    if (adds_to_object(answers_)) out.object += added_to_object(x, y, half, in);
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
   }
   void add_rest(int x, int y, std::size_t half, const FilteredBounce& rest, StimulusSums& out) const {
@@ -41,12 +41,11 @@ class Assembly {
   /// Everything known of one pixel and half, in the layers' number of samples.
   struct Pixel {
     const TruthSums& truth;
-    const ObjectSums& own;      ///< in the pixel's own number of samples
-    const DepthSums& depth;     ///< in the depth pass's own number of samples
-    float to_layers = 1;        ///< from the pixel's number of samples to the layers'
-    float depth_to_layers = 0;  ///< from the samples that asked about the object to the layers'; 0: none did
-    float uncovers = 0;         ///< share of the truth's covered samples that the depth mesh uncovers
-    float covers = 0;           ///< share of the truth's uncovered samples that it covers
+    const ObjectSums& own;   ///< in the pixel's own number of samples
+    const DepthSums& depth;  ///< in the depth pass's own number of samples
+    float to_layers = 1;     ///< from the pixel's number of samples to the layers'
+    float uncovers = 0;      ///< share of the truth's covered samples that the depth mesh uncovers
+    float covers = 0;        ///< share of the truth's uncovered samples that it covers
     float newly_covered = 0;
   };
 
@@ -62,8 +61,6 @@ class Assembly {
              .depth = depth_.halves[half][i]};
     const auto samples_of_pixel = static_cast<float>(truth_.sums.samples_at(x, y));
     in.to_layers = static_cast<float>(layers.spp) / samples_of_pixel;
-    const int asked = depth_.spp.object[static_cast<std::size_t>(depth_.blocks().square_of(x, y))];
-    if (asked > 0) in.depth_to_layers = static_cast<float>(layers.spp) / static_cast<float>(asked);
     if (order_.empty() || order_[tile][half].empty()) return in;
     const OrderSums& order = order_[tile][half][place];
     const float samples = 0.5F * samples_of_pixel;
@@ -84,6 +81,18 @@ class Assembly {
     if (filtered != nullptr && filtered->no_samples(half) > 0.0F)
       depth.bounce = filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half));
     return {answers_.object_lit == Who::truth ? truth.direct : depth.direct, depth.bounce};
+  }
+
+  /// What sun and sky past the depth mesh add to those of the truth, below 0 where they take away. Where as
+  /// many samples were asked as the truth has, they are the same ones, and the truth's sum of them is known.
+  [[nodiscard]] Rgb added_to_object(int x, int y, std::size_t half, const Pixel& in) const {
+    const auto block = static_cast<std::size_t>(depth_.blocks().square_of(x, y));
+    const int asked = depth_.spp.object[block];
+    if (asked == 0 || in.depth.covered <= 0.0F) return Rgb::Zero();
+    const float to_layers = static_cast<float>(truth_.layers.spp) / static_cast<float>(asked);
+    if (asked >= depth_.spp.photograph[block])
+      return to_layers * in.depth.object.direct - in.truth.object.direct;
+    return to_layers * (in.depth.object.direct - depth_.object_in_truth[half][truth_.layers.index(x, y)]);
   }
 
   /// Light of the object where the truth hides it and the depth mesh does not, likewise.

@@ -108,10 +108,7 @@ RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const 
 void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
                                 std::vector<DepthPart>& parts) const {
   parts.assign(samples.size(), {});
-  if (answers_.object_lit == Who::depth) {
-    if (answers_.bounce == Who::truth) add_direct_on_object(Who::depth, 1.0F, samples, parts);
-    if (sampling_.object_from_truth) add_direct_on_object(Who::truth, -1.0F, samples, parts);
-  }
+  add_direct_on_object(samples, parts);
   add_direct_on_rest(samples, parts);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
@@ -120,19 +117,29 @@ void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
   for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i]);
 }
 
-void StimulusSampler::add_direct_on_object(Who who, float factor, std::span<const StimulusSample> samples,
+void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
                                            std::span<DepthPart> parts) const {
+  if (!adds_to_object(answers_)) return;  // or it is found with its bounce light
+  using Shows = StimulusSample::Shows;
   thread_local std::vector<ObjectPoint> points;
   thread_local std::vector<Rgb> lit;
-  points.clear();
-  for (const StimulusSample& sample : samples)
-    if (sample.shows == StimulusSample::Shows::object)
-      points.push_back({&*sample.object, ask(who, sample, *sample.object), sample.sampler});
-  lit.resize(points.size());
-  direct_on_object(points, geometry_.object, scene_.light, lit);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].shows == StimulusSample::Shows::object) parts[i].object.direct += factor * lit[next++];
+  const auto answer = [&](Who who, auto asked, auto take) {
+    points.clear();
+    for (const StimulusSample& sample : samples)
+      if (sample.shows == Shows::object && asked(sample))
+        points.push_back({&*sample.object, ask(who, sample, *sample.object), sample.sampler});
+    lit.resize(points.size());
+    direct_on_object(points, geometry_.object, scene_.light, lit);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (samples[i].shows == Shows::object && asked(samples[i])) take(parts[i]) = lit[next++];
+  };
+  answer(
+      Who::depth, [](const StimulusSample&) { return true; },
+      [](DepthPart& part) -> Rgb& { return part.object.direct; });
+  answer(
+      Who::truth, [](const StimulusSample& sample) { return sample.beside_truth; },
+      [](DepthPart& part) -> Rgb& { return part.object_in_truth; });
 }
 
 void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples,

@@ -16,6 +16,7 @@ struct StimulusSample {
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
   std::optional<SurfacePoint> depth;   ///< x_D
   bool covered_in_truth = false;
+  bool beside_truth = false;  ///< see DepthPart::object_in_truth
   enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
 };
 
@@ -24,15 +25,15 @@ struct StimulusSample {
 struct LightSampling {
   bool may_filter = false;
   int tail_every = 1;
-  bool object_from_truth = false;  ///< see DepthPart::object
 };
 
 /// Light that the depth mesh has a part in, of one sample.
 struct DepthPart {
   Split no, with;  ///< on the rest, without and with the object
-  /// On the object; with `object_from_truth` its direct part is only what the depth mesh adds to the truth's
-  /// (below 0 where it takes away). That is nothing for most samples, and the truth's is known already.
-  Split object;
+  Split object;    ///< on the object
+  /// With `beside_truth`, the direct part of `object` as the truth answers it for the same sample: for most
+  /// it is the same.
+  Rgb object_in_truth = Rgb::Zero();
   float rest = 0;  ///< 1 when `no` and `with` count
   /// How far the first ray for bounce light got; infinity when it is not known.
   float reach_m = std::numeric_limits<float>::infinity();
@@ -79,9 +80,7 @@ class StimulusSampler {
     return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
            answers_.real_lit == Who::depth;
   }
-  /// Direct light on the objects that samples show, as one of the two answers, times `factor`.
-  void add_direct_on_object(Who who, float factor, std::span<const StimulusSample> samples,
-                            std::span<DepthPart> parts) const;
+  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
   /// Whether the path of a sample through the depth mesh is followed together with others.
   [[nodiscard]] bool is_batched(const StimulusSample& sample) const;

@@ -98,6 +98,20 @@ TEST_P(EveryScene, SamplesUntilTheErrorIsBelowWhatWasAsked) {
   }
 }
 
+TEST_P(EveryScene, NoiseDoesNotGiveTheObjectAway) {
+  const auto fast = subject.estimator(Estimator::fast, {.error = 0.006, .seed = 1, .threads = 2});
+  const StimulusLayers made =
+      fast->stimulus(recipe(Artifact::shadow, Isolation::query), &subject.depth, {}).layers;
+  double in_photograph = 0, in_stimulus = 0;
+  for (std::size_t i = 0; i < made.guides.size(); ++i) {
+    const auto& truth = fast->truth().halves;
+    in_photograph += double{(truth[0][i].object.total() - truth[1][i].object.total()).square().sum()};
+    in_stimulus += double{(made.halves[0][i].object - made.halves[1][i].object).square().sum()};
+  }
+  EXPECT_GT(in_photograph, 0);
+  EXPECT_LT(in_stimulus, 1.6 * in_photograph);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values(0, 1, 2), [](const auto& scene) {
   return paper_study().scenes[static_cast<std::size_t>(scene.param)].name;
 });
