@@ -4,9 +4,9 @@
 namespace seamline {
 
 /// How many samples each block should have of what the depth mesh adds to the light on the object, so that
-/// noise does not give the object away: the variance of its light in the stimulus at most half as large again
-/// as in the photograph, in every block that shows it; never more than the photograph has, unless it has them
-/// already. `asked_spp`: those each block has had, 0 where nothing is asked.
+/// noise does not give the object away: in every block that shows it, the variance of its light in the
+/// stimulus is at most 1.4 times that in the photograph; never more samples than the photograph has, unless
+/// they are there already. `asked_spp`: those each block has had, 0 where nothing is asked.
 [[nodiscard]] std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusLayers& stimulus,
                                                  const std::vector<int>& asked_spp, int threads);
 
