@@ -186,7 +186,7 @@ class SetRenderer {
                              condition.depth_width_px),
                  watch.seconds(), 0);
     for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
-    // Taking it again costs about 0.15 s: little beside stimuli whose bounce light is traced, which need most.
+    // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
     if (asked_by_any(scene.definition.artifacts, study_.isolation).bounce == Who::depth)
       give_back_freed_memory();
   }
