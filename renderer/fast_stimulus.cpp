@@ -74,12 +74,14 @@ class StimulusRounds {
   [[nodiscard]] bool lights_object(std::size_t block) const {
     const Answers& answers = recipe_.answers;
     if (recipe_.keep == Keep::rest_layer) return false;
-    if (answers.object_lit == Who::truth && answers.bounce == Who::truth) return false;
+    return (answers.object_lit == Who::depth || answers.bounce == Who::depth) && object_pixels(block) > 0;
+  }
+  [[nodiscard]] int object_pixels(std::size_t block) const {
     const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
+    int pixels = 0;
     for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x)
-        if (shows_object_[truth_.layers.index(x, y)] != 0) return true;
-    return false;
+      for (int x = r.left; x < r.right; ++x) pixels += shows_object_[truth_.layers.index(x, y)] != 0 ? 1 : 0;
+    return pixels;
   }
 
   /// A flag a pixel: whether the object is seen through it, in the truth or in the depth mesh.
@@ -134,10 +136,13 @@ class StimulusRounds {
     std::int64_t asked = 0;
     for (std::size_t b = 0; b < depth_.spp.rest.size(); ++b) {
       const std::int64_t pixels = depth_.blocks().pixels(static_cast<int>(b));
-      asked += pixels * depth_.spp.rest[b];
-      if (depth_.spp.rest[b] > 0) {
-        saved.ratio_samples += pixels * std::max(0, truth_.sums.spp[b] - depth_.spp.rest[b]);
-      } else if (depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
+      const auto count = [&](std::int64_t of_pixels, int spp) {
+        asked += of_pixels * spp;
+        if (spp > 0) saved.ratio_samples += of_pixels * std::max(0, truth_.sums.spp[b] - spp);
+      };
+      count(pixels, depth_.spp.rest[b]);
+      count(object_pixels(b), depth_.spp.object[b]);
+      if (depth_.spp.rest[b] == 0 && depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_blocks;
         saved.untouched_rays += geometries * pixels * first_rest_samples(b);
