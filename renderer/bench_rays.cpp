@@ -33,13 +33,13 @@ void record_path(const TruthScene& scene, const Geometry& geometry, const Sample
 RecordedRays record_rays(const TruthScene& scene, const Geometry& geometry, int tile_row_step) {
   RecordedRays rays;
   const Camera& camera = scene.camera;
-  const int step = tile_row_step * tile_px;
-  for (int top = 0; top + tile_px <= camera.height_px; top += step)
+  for (int top = 0; top + tile_px <= camera.height_px; top += tile_px)
     for (int left = 0; left + tile_px <= camera.width_px; left += tile_px)
       for (int i = 0; i < tile_px * tile_px; ++i) {
         const int x = left + i % tile_px, y = top + i / tile_px;
         const Sampler sampler(1, x, y, 0);
         rays.primary.push_back(camera_ray(camera, x, y, sampler));
+        if (top / tile_px % tile_row_step != 0) continue;
         if (const auto hit = geometry.nearest(rays.primary.back()))
           record_path(scene, geometry, sampler, *hit, rays);
       }

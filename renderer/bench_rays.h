@@ -15,7 +15,8 @@ struct RecordedRays {
   std::vector<Ray> bounce;   ///< from there and later vertices of a path, cosine-distributed
 };
 
-/// Follows one path of at most three vertices through every pixel of every `tile_row_step`th row of tiles.
+/// The primary rays of the whole photograph, and one path of at most three vertices through every pixel of
+/// every `tile_row_step`th row of tiles.
 [[nodiscard]] RecordedRays record_rays(const TruthScene& scene, const Geometry& geometry, int tile_row_step);
 
 /// A built-in scene with its objects, as the isolated study renders it.

@@ -51,8 +51,10 @@ void capture_band(const Geometry& geometry, const TexelDirections& directions, i
   for (int left = 0; left < map.width_px; left += block_px) {
     const int columns = std::min(block_px, map.width_px - left);
     const auto count = static_cast<std::size_t>(rows * columns);
-    for (int i = 0; i < rows * columns; ++i)
-      rays[static_cast<std::size_t>(i)].direction = directions.at(left + i % columns, top + i / columns);
+    Ray* ray = rays.data();
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        ray++->direction = directions.at(left + column, top + row);
     geometry.distances(std::span(rays).first(count), std::span(distance_m).first(count));
     for (int row = 0; row < rows; ++row)
       std::copy_n(

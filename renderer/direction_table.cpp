@@ -7,14 +7,13 @@
 #include <bit>
 
 #include "renderer/cube_cells.h"
+#include "renderer/triangle_neighbours.h"
 
 namespace seamline {
 namespace {
 
 constexpr std::uint32_t nothing = DirectionTable::nothing;
-
-/// More have only full meshes.
-constexpr std::size_t most_triangles = std::size_t{1} << 21;
+static_assert(nothing == no_neighbour);
 
 /// Where many thin triangles meet (sheets over depth jumps) walks are long; on the built-in scenes one in
 /// 10,000 is longer than this.
@@ -34,39 +33,18 @@ Corners inward_of(const Corners& p) {
   return {p[1].cross(p[0]), p[2].cross(p[1]), p[0].cross(p[2])};
 }
 
-CentreTriangle seen_from_centre(const Corners& p) {
+CentreTriangle seen_from_centre(const Corners& p, const std::array<std::uint32_t, 3>& neighbours) {
   const Corners inward = inward_of(p);
   CentreTriangle seen{};
   for (std::size_t lane = 0; lane < 3; ++lane) {
     const Eigen::Vector3f of_lane = inward[lane].normalized().cast<float>();
     seen.x[lane] = of_lane.x(), seen.y[lane] = of_lane.y(), seen.z[lane] = of_lane.z();
+    seen.set_neighbour(static_cast<int>(lane), neighbours[lane]);
   }
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  seen.plane_per_m = (normal / normal.dot(p[0])).cast<float>();
+  seen.plane_distance_m = static_cast<float>(std::abs(normal.dot(p[0])) / normal.norm());
   return seen;
-}
-
-/// Tells each triangle which one has its edge the other way round.
-void join_neighbours(std::size_t vertex_count, std::span<const Triangle> triangles,
-                     std::vector<CentreTriangle>& seen) {
-  struct Edge {
-    std::uint32_t to, triangle;
-  };
-  // Edges in the order of the vertices they start from.
-  std::vector<std::uint32_t> first(vertex_count + 1);
-  for (const Triangle& t : triangles)
-    for (const std::uint32_t v : t) ++first[v + 1];
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  std::vector<Edge> edges(triangles.size() * 3);
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) edges[next[triangles[i][k]]++] = {triangles[i][(k + 1) % 3], i};
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t to = triangles[i][k], from = triangles[i][(k + 1) % 3];
-      std::uint32_t neighbour = nothing;
-      for (std::uint32_t e = first[from]; e < first[from + 1]; ++e)
-        if (edges[e].to == to) neighbour = edges[e].triangle;
-      seen[i].set_neighbour(static_cast<int>(k), neighbour);
-    }
 }
 
 bool share_a_corner(const Triangle& a, const Triangle& b) {
@@ -128,8 +106,9 @@ int farthest_outside(__m128 product, int edges) {
 
 /// From a triangle over edges to the one that the direction lies in. `not_found` at a hole, or after so many
 /// triangles.
-std::uint32_t walk(const std::vector<CentreTriangle>& triangles, std::uint32_t index,
-                   const Eigen::Vector3f& direction, int most) {
+[[gnu::always_inline]] inline std::uint32_t walk(const std::vector<CentreTriangle>& triangles,
+                                                 std::uint32_t index, const Eigen::Vector3f& direction,
+                                                 int most) {
   const __m128 x = _mm_set1_ps(direction.x()), y = _mm_set1_ps(direction.y()), z = _mm_set1_ps(direction.z());
   for (int step = 0; step < most && index != nothing; ++step) {
     const CentreTriangle& t = triangles[index];
@@ -147,13 +126,13 @@ std::uint32_t walk(const std::vector<CentreTriangle>& triangles, std::uint32_t i
 }  // namespace
 
 std::optional<DirectionTable> make_direction_table(std::span<const Eigen::Vector3f> vertices_m,
-                                                   std::span<const Triangle> triangles) {
-  if (triangles.size() > most_triangles) return std::nullopt;
+                                                   std::span<const Triangle> triangles,
+                                                   std::span<const std::array<std::uint32_t, 3>> neighbours) {
   DirectionTable table{triangles_of_cells(vertices_m, triangles), {}};
   if (table.triangle_of_cell.empty()) return std::nullopt;
   table.triangles.reserve(triangles.size());
-  for (const Triangle& t : triangles) table.triangles.push_back(seen_from_centre(corners_of(t, vertices_m)));
-  join_neighbours(vertices_m.size(), triangles, table.triangles);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    table.triangles.push_back(seen_from_centre(corners_of(triangles[i], vertices_m), neighbours[i]));
   return table;
 }
 

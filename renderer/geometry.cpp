@@ -11,32 +11,29 @@
 #include <utility>
 
 #include "renderer/embree_handles.h"
+#include "renderer/quads.h"
 #include "renderer/ray_count.h"
 #include "renderer/ray_packet.h"
+#include "renderer/triangle_neighbours.h"
 
 namespace seamline {
 namespace {
 
-/// Adds triangles to a scene; with `shared`, Embree looks into the arrays, which must outlive it and of which
-/// the first must have room for one vertex more.
+/// Adds a mesh of triangles or of quads to a scene, which copies it.
+template <std::size_t corners>
 void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
-            const std::vector<Triangle>& triangles, bool shared,
-            RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH) {
-  RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+            const std::vector<std::array<std::uint32_t, corners>>& faces, RTCBuildQuality quality) {
+  static_assert(corners == 3 || corners == 4);
+  RTCGeometry geometry =
+      rtcNewGeometry(embree_device(), corners == 3 ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD);
   rtcSetGeometryBuildQuality(geometry, quality);
-  if (shared) {
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
-                               sizeof(Eigen::Vector3f), positions.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
-                               sizeof(Triangle), triangles.size());
-  } else {
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                             sizeof(Eigen::Vector3f), positions.size());
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            sizeof(Triangle), triangles.size());
-    std::copy(positions.begin(), positions.end(), static_cast<Eigen::Vector3f*>(vertices));
-    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
-  }
+  const auto copy = [geometry](RTCBufferType type, RTCFormat format, const auto& values) {
+    using Value = std::decay_t<decltype(values.front())>;
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
+    std::copy(values.begin(), values.end(), static_cast<Value*>(buffer));
+  };
+  copy(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
+  copy(RTC_BUFFER_TYPE_INDEX, corners == 3 ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, faces);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -69,7 +66,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edg
   if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& part : parts_) {
-    attach(as_scene(scene_), part->positions_m, part->triangles, false);
+    attach(as_scene(scene_), part->positions_m, part->triangles, RTC_BUILD_QUALITY_HIGH);
     surfaces_.push_back(surface_table(*part));
     emits_ = emits_ || (part->emission > 0.0F).any();
   }
@@ -78,23 +75,23 @@ Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edg
 
 Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality)
     : scene_(rtcNewScene(embree_device())) {
-  auto part = std::make_shared<Part>();
-  part->name = "local scene";
-  part->albedo = albedo;
-  part->positions_m.reserve(mesh.vertices_m.size() + 1);
-  part->positions_m.assign(mesh.vertices_m.begin(), mesh.vertices_m.end());
-  part->triangles = mesh.triangles;
+  surfaces_.push_back({.albedo = albedo});
   const RTCBuildQuality of_tree =
       quality == TreeQuality::for_light ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(as_scene(scene_), of_tree);
-  attach(as_scene(scene_), part->positions_m, part->triangles, true, of_tree);
-  auto table = std::async(std::launch::async, [&mesh_part = *part] {
-    return make_direction_table(mesh_part.positions_m, mesh_part.triangles);
+  if (mesh.triangles.size() > DirectionTable::most_triangles) {
+    attach(as_scene(scene_), mesh.vertices_m, mesh.triangles, of_tree);
+    commit(as_scene(scene_));
+    return;
+  }
+  const auto neighbours = triangle_neighbours(mesh.vertices_m.size(), mesh.triangles);
+  auto table = std::async(std::launch::async, [&mesh, &neighbours] {
+    return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
   });
+  attach(as_scene(scene_), mesh.vertices_m, pair_into_quads(mesh.vertices_m, mesh.triangles, neighbours),
+         of_tree);
   commit(as_scene(scene_));
   directions_ = table.get();
-  surfaces_.push_back(surface_table(*part));
-  parts_.push_back(std::move(part));
 }
 
 std::int64_t Geometry::own_memory_bytes() const {

@@ -17,21 +17,6 @@ struct LeftOver {
   std::size_t count = 0;
 };
 
-/// The plane m.x = 1 of a triangle.
-struct Plane {
-  Eigen::Vector3f m;       ///< its product with a unit direction is the inverse of the distance
-  Eigen::Vector3f normal;  ///< unit, towards the centre
-};
-
-Plane plane_of(const Part& part, std::uint32_t triangle) {
-  const Triangle& t = part.triangles[triangle];
-  const Eigen::Vector3d a = part.positions_m[t[0]].cast<double>();
-  const Eigen::Vector3d normal =
-      (part.positions_m[t[1]].cast<double>() - a).cross(part.positions_m[t[2]].cast<double>() - a);
-  const Eigen::Vector3d m = normal / normal.dot(a);
-  return {m.cast<float>(), (-m.normalized()).cast<float>()};
-}
-
 /// A point of the local scene, which has geometric normals only.
 void set_surface_from_centre(const Eigen::Vector3f& normal, const SurfaceTable& surface, const Ray& ray,
                              float distance_m, std::optional<SurfacePoint>& out) {
@@ -48,7 +33,7 @@ void Geometry::nearest_from_centre(std::span<const Ray> rays,
                                    std::span<std::optional<SurfacePoint>> hits) const {
   if (!directions_) return nearest(rays, hits);
   std::uint32_t before = DirectionTable::nothing;
-  Plane plane;  // of that triangle
+  Eigen::Vector3f plane_per_m, normal;  // of that triangle
   LeftOver left_over;
   const auto trace_left_over = [&] {
     std::array<std::optional<SurfacePoint>, left_over_size> found;
@@ -67,13 +52,16 @@ void Geometry::nearest_from_centre(std::span<const Ray> rays,
     }
     ++rays_traced;
     hits[i].reset();
-    if (triangle != DirectionTable::nothing && triangle != before)
-      plane = plane_of(*parts_.front(), triangle);
+    if (triangle != DirectionTable::nothing && triangle != before) {
+      const CentreTriangle& seen = directions_->triangles[triangle];
+      plane_per_m = seen.plane_per_m;
+      normal = plane_per_m * -seen.plane_distance_m;  // towards the centre
+    }
     before = triangle;
     if (triangle == DirectionTable::nothing) continue;
-    const float distance_m = 1.0F / plane.m.dot(rays[i].direction);
+    const float distance_m = 1.0F / plane_per_m.dot(rays[i].direction);
     if (distance_m > 0.0F && distance_m <= rays[i].far_m)
-      set_surface_from_centre(plane.normal, surfaces_.front(), rays[i], distance_m, hits[i]);
+      set_surface_from_centre(normal, surfaces_.front(), rays[i], distance_m, hits[i]);
   }
   if (left_over.count > 0) trace_left_over();
 }

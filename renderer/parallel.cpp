@@ -1,5 +1,7 @@
 #include "renderer/parallel.h"
 
+#include <xmmintrin.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,9 +13,35 @@
 #include "stimuli/support/parallel.h"
 
 namespace seamline {
+namespace {
+
+/// Gives the calling thread its floating-point mode back.
+class FloatingPointMode {
+ public:
+  FloatingPointMode() = default;
+  ~FloatingPointMode() { _mm_setcsr(before_); }
+  FloatingPointMode(const FloatingPointMode&) = delete;
+  FloatingPointMode& operator=(const FloatingPointMode&) = delete;
+
+ private:
+  unsigned before_ = _mm_getcsr();
+};
+
+void run_here(int count, const std::function<void(int)>& work) {
+  const FloatingPointMode mode;
+  flush_denormals_to_zero();
+  for (int index = 0; index < count; ++index) {
+    work(index);
+    if (interrupted()) throw Interrupted{};
+  }
+}
+
+}  // namespace
 
 void parallel_for(int count, int threads, const std::function<void(int)>& work,
                   const std::function<void(int)>& tick) {
+  // Another thread would start on another core, whose caches hold nothing yet.
+  if (threads <= 1 && !tick) return run_here(count, work);
   std::atomic<int> finished = 0;
   std::atomic<bool> stop = false;
   std::future<void> ended = std::async(std::launch::async, [&] {

@@ -5,6 +5,7 @@
 
 #include "renderer/adaptive_mesh.h"
 #include "renderer/geometry.h"
+#include "renderer/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline {
@@ -94,7 +95,8 @@ TEST(DirectionTable, RespectsTheEndOfTheRay) {
 
 TEST(DirectionTable, AnswersNearlyAllRaysItself) {
   const DepthMesh mesh = build_depth_mesh(test::room_map(512), {});
-  const auto table = make_direction_table(mesh.vertices_m, mesh.triangles);
+  const auto table = make_direction_table(mesh.vertices_m, mesh.triangles,
+                                          triangle_neighbours(mesh.vertices_m.size(), mesh.triangles));
   ASSERT_TRUE(table.has_value());
   std::mt19937_64 random(3);
   int not_found = 0;
@@ -110,9 +112,13 @@ TEST(DirectionTable, AnswersNearlyAllRaysItself) {
 TEST(DirectionTable, RefusesWhatIsNoTriangulationOfDirections) {
   const std::vector<Eigen::Vector3f> vertices = {{-1, -1, -2}, {1, -1, -2}, {0, 1, -2},
                                                  {-1, -1, -3}, {1, -1, -3}, {0, 1, -3}};
-  EXPECT_TRUE(make_direction_table(vertices, std::vector<Triangle>{{0, 1, 2}}).has_value());
-  EXPECT_FALSE(make_direction_table(vertices, std::vector<Triangle>{{0, 2, 1}}).has_value());
-  EXPECT_FALSE(make_direction_table(vertices, std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}).has_value());
+  const auto has_table = [&](const std::vector<Triangle>& triangles) {
+    return make_direction_table(vertices, triangles, triangle_neighbours(vertices.size(), triangles))
+        .has_value();
+  };
+  EXPECT_TRUE(has_table({{0, 1, 2}}));
+  EXPECT_FALSE(has_table({{0, 2, 1}}));
+  EXPECT_FALSE(has_table({{0, 1, 2}, {3, 4, 5}}));
 }
 
 }  // namespace
