@@ -37,7 +37,6 @@ struct Benchmark {
   std::string_view name;     ///< as `--only` takes it
   std::string_view explain;  ///< one sentence: what is measured against what
   std::function<std::vector<Measurement>(const BenchOptions&)> run;
-  bool only_when_named = false;  ///< takes minutes: left out unless `--only` asks for it
 };
 
 /// All of them, in the order they are run in.

@@ -64,7 +64,7 @@ void run_bench(const CommandLine& line) {
         "Rays a second are of one thread, builds of {}; instruction set {}. Every number is of this run.\n",
         line.options.threads, RayDevice::instruction_set());
   for (const Benchmark& benchmark : benchmarks()) {
-    if (line.only.empty() ? benchmark.only_when_named : line.only != benchmark.name) continue;
+    if (!line.only.empty() && line.only != benchmark.name) continue;
     if (!line.json) print_heading(benchmark);
     for (const Measurement& measurement : benchmark.run(line.options)) {
       if (line.json)
