@@ -31,9 +31,10 @@ FilterStrength ratio_strength_of(const Light& light) {
 }
 
 /// Of the error asked for, what the photograph may have. What is left is for the noise that stimuli add: next
-/// to nothing, except where bounce light has to be traced for each of them.
+/// to nothing, except where bounce light has to be traced for each of them. Of 0.8, 0.85, 0.9 and 0.94 there,
+/// 0.9 needs the fewest rays for the paper's set: a better photograph costs more and saves stimuli nothing.
 double photograph_share(const EstimateOptions& options) {
-  return options.depth_bounces ? 0.8 : 0.985;
+  return options.depth_bounces ? 0.9 : 0.985;
 }
 
 class FastEstimator : public SceneEstimator {
