@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/scene_file.h"
+#include "renderer/triangle_neighbours.h"
 
 namespace seamline {
 
@@ -22,13 +23,13 @@ class alignas(64) CentreTriangle {
   Eigen::Vector3f plane_per_m;
   float plane_distance_m;  ///< of the plane from the centre
 
-  /// Over edge 0, 1 or 2; or `DirectionTable::nothing`.
+  /// Over edge 0, 1 or 2; or `no_neighbour`.
   [[nodiscard]] std::uint32_t neighbour(int edge) const {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(edge == 0   ? x[3]
                                                             : edge == 1 ? y[3]
                                                                         : z[3]) &
                                mask;
-    return bits == mask ? 0xffffffff : bits;
+    return bits == mask ? no_neighbour : bits;
   }
   void set_neighbour(int edge, std::uint32_t triangle) {
     (edge == 0 ? x : edge == 1 ? y : z)[3] = std::bit_cast<float>(one | (triangle & mask));
@@ -50,7 +51,7 @@ struct DirectionTable {
   std::vector<std::uint32_t> triangle_of_cell;  ///< or `nothing`: surely no triangle
   std::vector<CentreTriangle> triangles;
 
-  static constexpr std::uint32_t nothing = 0xffffffff;
+  static constexpr std::uint32_t nothing = no_neighbour;
   static constexpr std::uint32_t not_found = 0xfffffffe;  ///< the walk came to a hole, or took too long
   /// Only full meshes have more; the table would cost more memory than it is worth.
   static constexpr std::size_t most_triangles = std::size_t{1} << 21;
