@@ -91,18 +91,9 @@ FitOptions options_of(const FitArguments& arguments) {
   return options;
 }
 
-std::vector<LevelCounts> counts_of(const FitArguments& arguments) {
-  std::vector<LevelCounts> counts = read_level_counts(arguments.file);
-  try {
-    require_valid(counts, axis_of(arguments));
-  } catch (const InputError& error) {
-    throw InputError(arguments.file + ": " + error.what());
-  }
-  return counts;
-}
-
 void run_fit(const FitArguments& arguments) {
-  const FitReport report = make_fit_report(counts_of(arguments), options_of(arguments), arguments.request);
+  const FitReport report = make_fit_report(read_level_counts(arguments.file, axis_of(arguments)),
+                                           options_of(arguments), arguments.request);
   std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
 }
 

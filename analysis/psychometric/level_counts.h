@@ -14,10 +14,12 @@ struct LevelCounts {
   std::int64_t trials = 0;
 };
 
-/// Reads a CSV file with a header line that names the columns `level`, `correct` and `trials`, in any order;
-/// other columns are ignored. Throws InputError naming file and line when a value is missing, is not a
-/// number, is not whole where it must be, or when more answers are correct than were given.
-[[nodiscard]] std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file);
+/// Reads a CSV file (stimuli/support/csv_read.h) whose header line names the columns `level`, `correct` and
+/// `trials`, in any order; other columns are ignored. Throws InputError naming file and line when a value is
+/// missing, is not a number, is not positive on a log2 axis, is not whole or is more than 1e12 where it
+/// counts, or when more answers are correct than were given.
+[[nodiscard]] std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file,
+                                                         Axis axis = Axis::linear);
 
 /// Equal levels added up, rising, levels without a trial left out.
 [[nodiscard]] std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts);

@@ -20,6 +20,7 @@ inline constexpr std::int64_t largest_text_file_bytes =
     256 * mebibyte;  ///< manifest, records, timings, SVG figure
 inline constexpr std::int64_t largest_csv_bytes = 64 * mebibyte;
 inline constexpr std::int64_t largest_csv_rows = 1'000'000;
+inline constexpr std::int64_t largest_csv_columns = 10'000;
 inline constexpr std::int64_t largest_picture_file_bytes = 4096 * mebibyte;
 inline constexpr std::int64_t largest_scene_file_bytes =
     4095 * mebibyte;  ///< glTF, and its buffers together; GLB's own lengths have 32 bits

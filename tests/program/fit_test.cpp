@@ -82,10 +82,42 @@ TEST(Fit, WrongInputIsOneSentence) {
   complains(file_with("word", "level,correct,trials\n64,x,4\n") + " --alternatives 3",
             {"line 2: correct", "'x'"});
   complains(file_with("zero", "level,correct,trials\n0,1,4\n") + " --alternatives 3",
-            {"level", "positive", "linear"});
+            {"line 2: level", "positive", "linear"});
   complains(file_with("lapse", falling) + " --alternatives 3 --lapse 5", {"--lapse", "free:MAX"});
   complains(file_with("percent", falling) + " --alternatives 3 --percent 100",
             {"--percent", "between 0 and 100"});
+}
+
+TEST(Fit, WhatCannotBeMeantIsNotRead) {
+  const auto complains = [](const std::string& name, const std::string& text, const std::string& part) {
+    const Outcome outcome = run_seamline("fit " + file_with(name, text) + " --alternatives 3");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr(part));
+  };
+  complains("comma", "level,correct,trials\n\"64,5\",58,60\n",
+            "line 2: level: wanted a number with a decimal");
+  complains("bare-comma", "level,correct,trials\n64,5,58,60\n", "line 2: wanted 3 values");
+  complains("twice", "level,correct,trials,level\n64,58,60,9\n", "line 1: wanted a header that names");
+  complains("more", "level,correct,trials\n\n64,0,2e12\n",
+            "line 3: trials: wanted a whole number from 0 to 1e12");
+  complains("tabs", "level\tcorrect\ttrials\n64\t5\t60\n", "line 1: wanted commas or semicolons");
+}
+
+TEST(Fit, ATableInOtherWordsIsTheSameData) {
+  const Outcome plain = run_seamline("fit " + file_with("plain", falling) + " --alternatives 3 --json");
+  ASSERT_EQ(plain.status, 0) << plain.output;
+  std::string semicolons = falling, quoted = "note,level,correct,trials\r\n";
+  for (char& c : semicolons)
+    if (c == ',') c = ';';
+  for (std::size_t at = falling.find('\n') + 1; at < falling.size();) {
+    const std::size_t end = falling.find('\n', at);
+    quoted += "\"Smith, \"\"J.\"\"\nagain\"," + falling.substr(at, end - at) + "\r\n";
+    at = end + 1;
+  }
+  for (const std::string& text : {semicolons, quoted}) {
+    const Outcome same = run_seamline("fit " + file_with("same-data", text) + " --alternatives 3 --json");
+    EXPECT_EQ(same.output, plain.output);
+  }
 }
 
 }  // namespace
