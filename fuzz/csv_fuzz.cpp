@@ -2,6 +2,8 @@
 // CSV.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "analysis/psychometric/level_counts.h"
 #include "fuzz/fuzz_target.h"
 #include "stimuli/support/csv_read.h"
@@ -34,7 +36,7 @@ void read_any_table(const std::string& text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text = fuzz::text_of(data, size);
+  const std::string text(fuzz::text_of(data, size));
   const std::filesystem::path file = fuzz::file_of("counts.csv", text);
   fuzz::only_input_errors([&] {
     const std::vector<LevelCounts> counts = read_level_counts(file, Axis::log2);
