@@ -1,34 +1,18 @@
 // The whole isolated set at one 8-bit step.
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 #include "renderer/bench.h"
 #include "renderer/render_set.h"
 #include "renderer/set_errors.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double one_step = 0.0039;
-
-/// A folder that goes when the measurement ends, however it ends.
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / fmt::format("seamline-bench-{}", ::getpid());
-  TemporaryFolder() { fs::create_directories(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
 
 double peak_memory_mb() {
   rusage usage{};
@@ -48,9 +32,9 @@ std::vector<Measurement> bench_set(const BenchOptions& options) {
     request.error = 8 * one_step;
   }
   const TemporaryFolder folder;
-  request.set_folder = folder.path;
+  request.set_folder = folder.path();
   const RenderSummary summary = render_set(study, request);
-  const SetErrors errors = read_set_errors(folder.path);
+  const SetErrors errors = read_set_errors(folder.path());
   const auto part = [](const char* what, double seconds) {
     return Measurement{.what = what, .unit = "s", .found = seconds};
   };

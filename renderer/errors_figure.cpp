@@ -1,18 +1,14 @@
 #include "renderer/errors_figure.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
-#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/gnuplot.h"
 
 namespace seamline {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int width_px = 900, height_px = 520;
 
@@ -111,12 +107,7 @@ std::optional<std::string> errors_figure(const SetErrors& errors) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  // A folder of its own: shards may end at once.
-  const fs::path folder = fs::temp_directory_path() / fmt::format("seamline-errors-{}", ::getpid());
-  fs::create_directories(folder);
-  draw_svg(folder / "errors.svg", width_px, height_px, text);
-  std::string svg = read_file(folder / "errors.svg");
-  fs::remove_all(folder);
+  const std::string svg = drawn_svg(width_px, height_px, text);
   return svg.substr(std::min(svg.find("<svg"), svg.size()));
 }
 

@@ -5,9 +5,7 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <thread>
 
 #include "stimuli/support/error.h"
 
@@ -15,17 +13,21 @@ namespace seamline {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int attempts = 50;  ///< somebody may be writing the file this very moment
-constexpr auto between_attempts = std::chrono::milliseconds(10);
+/// Bytes of the file that locks are taken on; it need not be so long.
+constexpr off_t part_byte = 1000;  ///< everybody who renders shares it
+constexpr off_t gate_byte = 1001;  ///< one newcomer at a time reads the inputs, or changes them
 
 enum class Lock { taken, busy, not_supported };
 
-Lock lock_file(int descriptor, short type) {
+Lock lock_byte(int descriptor, off_t byte, short type, int how = F_OFD_SETLK) {
   struct flock lock = {};
   lock.l_type = type;
   lock.l_whence = SEEK_SET;
-  if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return Lock::taken;
-  return errno == EAGAIN || errno == EACCES ? Lock::busy : Lock::not_supported;
+  lock.l_start = byte;
+  lock.l_len = 1;
+  while (::fcntl(descriptor, how, &lock) != 0)
+    if (errno != EINTR) return errno == EAGAIN || errno == EACCES ? Lock::busy : Lock::not_supported;
+  return Lock::taken;
 }
 
 std::string text_of(int descriptor) {
@@ -48,25 +50,22 @@ SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
     if (descriptor_ >= 0) ::close(descriptor_);
     return input_error({.file = path.string(), .wanted = "a place that can be written to", .found = found});
   };
-  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  // A link in a set that somebody sent must not lead what is written here to another file.
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw unwritable();
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    const Lock shared = lock_file(descriptor_, F_RDLCK);
-    if (shared == Lock::not_supported) return;
-    if (shared == Lock::taken && text_of(descriptor_) == inputs) return;
-    // A shared lock becomes an exclusive one only when nobody else holds one: then the set is ours to change.
-    if (shared == Lock::taken && lock_file(descriptor_, F_WRLCK) == Lock::taken) {
-      if (!write_text(descriptor_, inputs)) throw unwritable();
-      static_cast<void>(lock_file(descriptor_, F_RDLCK));
-      return;
+  if (lock_byte(descriptor_, gate_byte, F_WRLCK, F_OFD_SETLKW) == Lock::not_supported) return;
+  if (text_of(descriptor_) != inputs) {
+    // Exclusive only when nobody else has a part: then the set is ours to change.
+    if (lock_byte(descriptor_, part_byte, F_WRLCK) != Lock::taken) {
+      ::close(descriptor_);
+      throw input_error({.file = set_folder.string(),
+                         .wanted = "a set that nobody is rendering with other settings or inputs",
+                         .found = "another `seamline render` at work on it"});
     }
-    lock_file(descriptor_, F_UNLCK);  // two newcomers would keep each other waiting
-    std::this_thread::sleep_for(between_attempts);
+    if (!write_text(descriptor_, inputs)) throw unwritable();
   }
-  ::close(descriptor_);
-  throw input_error({.file = set_folder.string(),
-                     .wanted = "a set that nobody is rendering with other settings or inputs",
-                     .found = "another `seamline render` at work on it"});
+  lock_byte(descriptor_, part_byte, F_RDLCK);
+  lock_byte(descriptor_, gate_byte, F_UNLCK);
 }
 
 SetClaim::~SetClaim() {

@@ -14,6 +14,7 @@
 #include "analysis/report/thresholds_json.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/gnuplot.h"
+#include "stimuli/support/temporary_folder.h"
 
 namespace seamline {
 
@@ -33,15 +34,18 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   prepare_output_folder(folder);
   prepare_output_folder(figures_folder);
   const std::vector<Figure> figures = draw_figures(analysis, numbers, figures_folder);
-  const StimulusSamples samples = sample_stimuli(analysis, folder);
+  const StimulusSamples samples = sample_stimuli(analysis, TemporaryFolder().path());
   const std::vector<CsvTable> tables = all_tables(analysis, numbers);
-  for (const CsvTable& table : tables) write_file_atomically(folder / (table.name + ".csv"), csv_text(table));
-  write_file_atomically(folder / "data_dictionary.csv", csv_text(report_dictionary(tables)));
-  write_file_atomically(folder / "thresholds.json", thresholds_json(analysis));
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file_atomically(folder / name, text, Readers::owner);  // it is what people answered
+  };
+  for (const CsvTable& table : tables) write(table.name + ".csv", csv_text(table));
+  write("data_dictionary.csv", csv_text(report_dictionary(tables)));
+  write("thresholds.json", thresholds_json(analysis));
   const MethodsText methods = methods_text(analysis, numbers);
-  write_file_atomically(folder / "report.json", report_json(analysis, methods, tables));
-  write_file_atomically(folder / "methods.txt", plain_text(methods));
-  write_file_atomically(folder / "report.html", report_html(analysis, numbers, figures, samples));
+  write("report.json", report_json(analysis, methods, tables));
+  write("methods.txt", plain_text(methods));
+  write("report.html", report_html(analysis, numbers, figures, samples));
   return {.table = table_text(analysis),
           .checks = checks_text(analysis),
           .sections = numbers_text(numbers),

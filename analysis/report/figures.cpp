@@ -86,7 +86,8 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
           76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px);
   for (const ArtifactScores& scores : analysis.data.artifacts)
     script += object_panel(analysis, scores.artifact);
-  draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n");
+  draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n",
+           Readers::owner);
   return figure;
 }
 
@@ -117,7 +118,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
       "notitle{2}\n",
       gnuplot_text(source_text(analysis)), ink, plots);
-  draw_svg(figure.svg, 900, 540, script);
+  draw_svg(figure.svg, 900, 540, script, Readers::owner);
   return figure;
 }
 

@@ -46,7 +46,7 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
                        multiplot(analysis);
   for (std::size_t i = 0; i < guessing.curves.size(); ++i)
     script += panel_script(analysis, i, grid.panels[i]);
-  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n");
+  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }
 

@@ -117,7 +117,7 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
   for (std::size_t i = 0; i < numbers.choices.size(); ++i)
     if (numbers.choices[i].pooled)
       script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, widths);
-  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n");
+  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }
 

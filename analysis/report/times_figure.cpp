@@ -53,7 +53,7 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
         "1:3 with linespoints lc rgb '{2}' lw 2 pt {3} ps 0.75 title '{1} choices'",
         plots.empty() ? "plot " : ", \\\n     ", word(which), style.colour, style.point);
   }
-  draw_svg(figure.svg, 900, 480, script + plots + "\n");
+  draw_svg(figure.svg, 900, 480, script + plots + "\n", Readers::owner);
   return figure;
 }
 

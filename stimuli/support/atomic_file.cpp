@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,15 +23,6 @@ InputError unwritable(const fs::path& path, int error_number) {
                       .found = std::strerror(error_number)});
 }
 
-void sync_file(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw unwritable(path, errno);
-  const int failed = ::fsync(descriptor);
-  const int error_number = errno;
-  ::close(descriptor);
-  if (failed != 0) throw unwritable(path, error_number);
-}
-
 /// So that the new name outlives a power cut too. Some file systems cannot do it and say EINVAL.
 void sync_folder(const fs::path& folder, const fs::path& shown) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -41,40 +33,63 @@ void sync_folder(const fs::path& folder, const fs::path& shown) {
   if (failed != 0 && error_number != EINVAL && error_number != ENOTSUP) throw unwritable(shown, error_number);
 }
 
-void write_all(const fs::path& path, const fs::path& shown, std::string_view bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw unwritable(shown, errno);
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error_number = errno;
-      ::close(descriptor);
-      throw unwritable(shown, error_number);
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
+/// An open file with a name that no other program can have: process ids are not enough, every container has
+/// a process 1.
+struct TemporaryFile {
+  fs::path path;
+  int descriptor = -1;
+};
+
+std::uint64_t random_bits(const fs::path& shown) {
+  std::uint64_t bits = 0;
+  while (::getrandom(&bits, sizeof bits, 0) != static_cast<ssize_t>(sizeof bits))
+    if (errno != EINTR) throw unwritable(shown, errno);
+  return bits;
+}
+
+/// Beside `target`; hidden, with its extension.
+TemporaryFile begin_temporary(const fs::path& target, const fs::path& shown, Readers readers) {
+  constexpr std::size_t longest_stem = 100, longest_extension = 20;  // a name has room for 255 bytes
+  const std::string stem = target.stem().string().substr(0, longest_stem);
+  const std::string extension = target.extension().string().substr(0, longest_extension);
+  const mode_t mode = readers == Readers::owner ? 0600 : 0666;
+  for (;;) {
+    const fs::path path =
+        target.parent_path() / fmt::format(".{}.{:016x}{}", stem, random_bits(shown), extension);
+    // Made here and now, or not at all: neither a file nor a link that somebody laid there is opened.
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (descriptor >= 0) return {.path = path, .descriptor = descriptor};
+    if (errno != EEXIST) throw unwritable(shown, errno);
   }
-  if (::close(descriptor) != 0) throw unwritable(shown, errno);
+}
+
+/// Writes, flushes and closes.
+void write_all(const TemporaryFile& file, const fs::path& shown, std::string_view bytes) {
+  int error_number = 0;
+  while (!bytes.empty() && error_number == 0) {
+    const ssize_t written = ::write(file.descriptor, bytes.data(), bytes.size());
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error_number = errno;
+  }
+  if (error_number == 0 && ::fsync(file.descriptor) != 0) error_number = errno;
+  if (::close(file.descriptor) != 0 && error_number == 0) error_number = errno;
+  if (error_number != 0) throw unwritable(shown, error_number);
 }
 
 }  // namespace
 
-void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path temporary = path.parent_path() / ("." + path.stem().string() + "." +
-                                                   std::to_string(::getpid()) + path.extension().string());
+void write_file_atomically(const fs::path& path, std::string_view bytes, Readers readers) {
+  const TemporaryFile temporary = begin_temporary(path, path, readers);
   try {
-    write(temporary);
-    sync_file(temporary);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) throw unwritable(path, errno);
+    write_all(temporary, path, bytes);
+    if (::rename(temporary.path.c_str(), path.c_str()) != 0) throw unwritable(path, errno);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    ::unlink(temporary.path.c_str());
     throw;
   }
   sync_folder(path.parent_path(), path);
-}
-
-void write_file_atomically(const fs::path& path, std::string_view bytes) {
-  write_file_atomically(path, [&](const fs::path& temporary) { write_all(temporary, path, bytes); });
 }
 
 std::string read_file(const fs::path& path, std::int64_t most_bytes) {
@@ -101,9 +116,9 @@ void prepare_output_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw unwritable(folder, error.value());
-  const fs::path probe = folder / (".writable." + std::to_string(::getpid()));
-  write_all(probe, folder, "");
-  ::unlink(probe.c_str());
+  const TemporaryFile probe = begin_temporary(folder / "writable", folder, Readers::owner);
+  ::close(probe.descriptor);
+  ::unlink(probe.path.c_str());
 }
 
 }  // namespace seamline

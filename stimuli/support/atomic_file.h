@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -11,15 +10,15 @@ namespace seamline {
 
 // The only place that writes files (tests/program/manners_test.cpp keeps it, and lists the exceptions).
 
-/// Writes a file so that a reader sees either the old bytes or all of the new ones, also after a power cut:
-/// temporary name beside the target, flush to disk, rename, flush of the folder. Throws InputError naming the
-/// path when it cannot be written; the temporary file is removed then.
-void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+/// Who may read a file that is made: whom the umask lets, or its owner alone (0600), because it holds what
+/// people answered.
+enum class Readers { everybody, owner };
 
-/// The same for writers that need a path of their own (image libraries): `write` is given the temporary path,
-/// which keeps the target's extension.
-void write_file_atomically(const std::filesystem::path& path,
-                           const std::function<void(const std::filesystem::path& temporary)>& write);
+/// Writes a file so that a reader sees either the old bytes or all of the new ones, also after a power cut:
+/// temporary name beside the target that nobody else can have, flush to disk, rename, flush of the folder.
+/// Throws InputError naming the path when it cannot be written; the temporary file is removed then.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
+                           Readers readers = Readers::everybody);
 
 /// All bytes of a file. Throws InputError when it cannot be read, or has more than `most_bytes`: never takes
 /// much more memory than that, whatever the path leads to.

@@ -11,10 +11,9 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <system_error>
-#include <vector>
 
-#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/temporary_folder.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
@@ -31,15 +30,16 @@ InputError no_gnuplot() {
                       .found = "none on the PATH"});
 }
 
-/// Exit status of `gnuplot ARGUMENT` with its errors in `messages`.
+/// Exit status of `gnuplot ARGUMENT` with its errors in `messages`. A user's own settings (`-d`: none) would
+/// make other bytes of the same figure.
 int run_gnuplot(const std::string& argument, const fs::path& messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0644);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_EXCL,
+                                   0600);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  std::string program = "gnuplot", script = argument;
-  std::array<char*, 3> arguments = {program.data(), script.data(), nullptr};
+  std::string program = "gnuplot", no_settings = "-d", script = argument;
+  std::array<char*, 4> arguments = {program.data(), no_settings.data(), script.data(), nullptr};
   pid_t child = 0;
   const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -58,19 +58,33 @@ std::string quoted(const std::string& text) {
   return safe + "'";
 }
 
-/// Files that are gone at the end, however it comes.
-struct Removed {
-  std::vector<fs::path> files;
-  ~Removed() {
-    std::error_code error;
-    for (const fs::path& file : files) fs::remove(file, error);
-  }
-};
-
-bool is_whole_svg(const fs::path& file) {
-  const std::string text = fs::exists(file) ? read_file(file) : std::string();
+bool is_whole_svg(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n");
   return end != std::string::npos && text.substr(0, end + 1).ends_with("</svg>");
+}
+
+/// As a file of its own: it writes `name`, or the file that its caller names.
+std::string whole_script(const std::string& name, int width_px, int height_px, const std::string& script) {
+  return fmt::format(
+      "set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
+      "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
+      width_px, height_px, name, script);
+}
+
+/// `shown` is what a complaint names.
+std::string svg_of(const std::string& script, const std::string& shown) {
+  const TemporaryFolder folder;
+  const fs::path script_file = folder / "script", caller = folder / "call", svg = folder / "svg",
+                 messages = folder / "messages";
+  write_file_atomically(script_file, script);
+  write_file_atomically(caller,
+                        fmt::format("call {} {}\n", quoted(script_file.string()), quoted(svg.string())));
+  if (run_gnuplot(caller.string(), messages) != 0)
+    throw std::runtime_error("gnuplot failed on " + shown + ": " + read_file(messages));
+  std::string text = fs::exists(svg) ? read_file(svg) : std::string();
+  if (!is_whole_svg(text))  // gnuplot does not notice a disk that is full
+    throw input_error({.file = shown, .wanted = "room for a figure", .found = "a full disk"});
+  return text;
 }
 
 }  // namespace
@@ -97,35 +111,22 @@ void require_gnuplot() {
   throw no_gnuplot();
 }
 
-void draw_svg(const fs::path& svg, int width_px, int height_px, const std::string& script) {
-  const fs::path script_file = fs::path(svg).replace_extension(".gnuplot");
-  // Of this process alone: two programs may draw into one folder.
-  const auto passing = [&](const char* what) {
-    return svg.parent_path() / fmt::format(".{}.{}.{}", svg.stem().string(), getpid(), what);
-  };
-  const fs::path messages = passing("messages"), caller = passing("call");
-  // Run from the figure's folder, so that the script names no folder and can be moved with the report.
-  write_file_atomically(
-      script_file,
-      fmt::format("set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
-                  "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
-                  width_px, height_px, svg.filename().string(), script));
-  const Removed at_the_end{{messages, caller}};
-  write_file_atomically(svg, [&](const fs::path& temporary) {
-    write_file_atomically(
-        caller, fmt::format("call {} {}\n", quoted(script_file.string()), quoted(temporary.string())));
-    const int status = run_gnuplot(caller.string(), messages);
-    if (status != 0)
-      throw std::runtime_error("gnuplot failed on " + script_file.string() + ": " + read_file(messages));
-    if (!is_whole_svg(temporary))  // gnuplot does not notice a disk that is full
-      throw input_error({.file = svg.string(), .wanted = "room for a figure", .found = "a full disk"});
-  });
+std::string drawn_svg(int width_px, int height_px, const std::string& script) {
+  return svg_of(whole_script("figure.svg", width_px, height_px, script), "a figure");
+}
+
+void draw_svg(const fs::path& svg, int width_px, int height_px, const std::string& script, Readers readers) {
+  // The script that is kept names no folder and can be moved with the report.
+  const std::string whole = whole_script(svg.filename().string(), width_px, height_px, script);
+  write_file_atomically(fs::path(svg).replace_extension(".gnuplot"), whole, readers);
+  write_file_atomically(svg, svg_of(whole, svg.string()), readers);
 }
 
 std::string gnuplot_text(const std::string& text) {
   std::string safe;
   for (char c : text) {
-    if (c == '\\' || c == '"' || c == '`' || c == '\n') c = c == '"' ? '\'' : ' ';
+    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';  // a NUL ends gnuplot's line
+    if (c == '\\' || c == '"' || c == '`' || control) c = c == '"' ? '\'' : ' ';
     if (std::string_view("^_@&~{}").find(c) != std::string_view::npos) safe += "\\\\";
     safe += c;
   }

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "stimuli/support/atomic_file.h"
+
 namespace seamline {
 
 // The only place that knows gnuplot: it runs as a child process on a script file.
@@ -18,10 +20,16 @@ inline constexpr const char* plot_ink = "#333334";  ///< axes and text
 /// Throws InputError, naming the Debian package, when there is no gnuplot on the PATH.
 void require_gnuplot();
 
-/// Runs a script that writes `svg` (the script is kept beside it as `.gnuplot`, so that a figure can be
-/// restyled by hand). `script` must not set terminal or output. Throws InputError when gnuplot is missing,
-/// std::runtime_error with what it said when it fails.
-void draw_svg(const std::filesystem::path& svg, int width_px, int height_px, const std::string& script);
+/// What a script draws, as SVG. `script` must not set terminal or output. gnuplot sees nothing but a
+/// temporary folder that only we can write to, because a script of gnuplot may run any command. Throws
+/// InputError when gnuplot is missing or there is no room, std::runtime_error with what it said when it
+/// fails.
+[[nodiscard]] std::string drawn_svg(int width_px, int height_px, const std::string& script);
+
+/// The same into a file; the script is kept beside it as `.gnuplot`, so that a figure can be restyled by
+/// hand.
+void draw_svg(const std::filesystem::path& svg, int width_px, int height_px, const std::string& script,
+              Readers readers = Readers::everybody);
 
 /// Text between double quotes of a gnuplot script, with gnuplot's own escapes and enhanced-text markup made
 /// harmless.

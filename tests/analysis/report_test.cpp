@@ -131,6 +131,9 @@ TEST(Report, IsOneEscapedPageWithFiguresThatSayWhoAnswered) {
   for (const Figure& figure : figures)
     EXPECT_THAT(inline_svg(figure), HasSubstr("5 simulated observers (threshold)")) << figure.name;
   EXPECT_FALSE(std::filesystem::exists("x"));
+  for (const Figure& figure : figures)
+    EXPECT_EQ(std::filesystem::status(figure.svg).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
 TEST(Samples, AreCutAroundTheObjectAndInsideThePicture) {

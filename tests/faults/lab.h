@@ -68,6 +68,7 @@ void rerun_analyze(Lab& lab, const std::filesystem::path& report, Tally& tally);
 [[nodiscard]] Tally change_pictures(Lab& lab);
 [[nodiscard]] Tally renders_at_once(Lab& lab);
 [[nodiscard]] Tally shards_at_once(Lab& lab);
+[[nodiscard]] Tally containers_at_once(Lab& lab);
 [[nodiscard]] Tally other_settings_at_once(Lab& lab);
 [[nodiscard]] Tally studies_at_once(Lab& lab);
 [[nodiscard]] Tally clock_set_back(Lab& lab);

@@ -12,6 +12,15 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+/// The file itself, or every file in a folder and below it.
+std::vector<fs::path> files_in(const fs::path& part) {
+  if (!fs::is_directory(part)) return {part};
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(part))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  return files;
+}
+
 TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   const fs::path folder = test::fresh_folder("demo");
   const test::Outcome outcome = test::run_seamline("demo --spp 2 --out " + (folder / "out").string());
@@ -43,6 +52,14 @@ TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   ASSERT_EQ(test::run_seamline("analyze " + log + " --out " + (folder / "again").string()).status, 0);
   EXPECT_EQ(test::read_text(folder / "again" / "thresholds.json"),
             test::read_text(folder / "out" / "report" / "thresholds.json"));
+  // What people answered is for the owner of the study, whatever the umask.
+  int files = 0;
+  for (const fs::path& part : {folder / "again", folder / "out" / "report", fs::path(log)})
+    for (const fs::path& file : files_in(part)) {
+      EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write) << file;
+      ++files;
+    }
+  EXPECT_GE(files, 30);
   // More observers join the same log; those who are done are left alone.
   EXPECT_EQ(test::run_seamline("study " + set + " --log " + log + " --observer threshold --count 22 --seed 1")
                 .status,

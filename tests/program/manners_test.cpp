@@ -24,7 +24,7 @@ std::map<std::string, std::string> sources() {
     text << std::ifstream(path, std::ios::binary).rdbuf();
     found[fs::relative(path, root).generic_string()] = text.str();
   };
-  for (const char* folder : {"stimuli", "scenes", "renderer", "study", "analysis"})
+  for (const char* folder : {"stimuli", "scenes", "renderer", "study", "analysis", "stability"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) take(entry.path());
   for (const auto& entry : fs::directory_iterator(root)) take(entry.path());
   return found;
@@ -51,9 +51,46 @@ TEST(Manners, OneFunctionWritesFiles) {
   // A recovered log takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
             (std::set<std::string>{"stimuli/support/atomic_file.cpp", "study/log_recovery.cpp"}));
-  // Libraries that open files for writing by themselves get a temporary name from it.
+  // Libraries that could open files for writing by themselves give their bytes to it.
   for (const std::string& file : files_with(R"(ImageOutput::create|WriteGltfSceneToFile|set output)"))
     EXPECT_NE(sources().at(file).find("write_file_atomically"), std::string::npos) << file;
+}
+
+TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
+  // A folder among the system's temporary files that was not made by mkdtemp may be another user's, with what
+  // they laid into it.
+  const std::set<std::string> maker = {"stimuli/support/temporary_folder.cpp"};
+  EXPECT_EQ(
+      files_with(R"(temp_directory_path|\bmkdtemp\(|"TMPDIR"|"/(var/)?tmp|\btmpnam\(|\btempnam\(|P_tmpdir)"),
+      maker);
+  // The process id names nothing: it is 1 in every container.
+  EXPECT_EQ(files_with(R"(\bgetpid\()"), std::set<std::string>());
+  // What runs other programs, and with what: gnuplot on a script in a folder of its own.
+  EXPECT_EQ(files_with(R"(\bposix_spawnp?\(|\bexec[lv][pe]*\(|\bpopen\(|\bsystem\()"),
+            std::set<std::string>{"stimuli/support/gnuplot.cpp"});
+  EXPECT_NE(sources().at("stimuli/support/gnuplot.cpp").find("const TemporaryFolder folder;"),
+            std::string::npos);
+}
+
+TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
+  // A set may have come from somebody else, with links out of its folder: whoever opens what a manifest names
+  // asks set_file_path. Its own two files know better, and so does what writes a set.
+  const std::set<std::string> known = {"renderer/set_pictures.cpp", "stimuli/set_files.cpp"};
+  EXPECT_EQ(files_with(R"((folder|set)[a-z_]*(\(\))? / [a-z_.>()-]+(\.|->)(image|reference|object_ids)\b)"),
+            std::set<std::string>{"renderer/set_pictures.cpp"});
+  for (const std::string& file : files_with(R"(\bread_bytes_image\()")) {
+    const std::string& text = sources().at(file);
+    const bool confined = text.find("set_file_path") != std::string::npos ||
+                          text.find("path_below") != std::string::npos || known.contains(file) ||
+                          file.starts_with("stimuli/support/");
+    EXPECT_TRUE(confined) << file;
+  }
+}
+
+TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
+  // Beside the path that was given there may be a link's folder (study/log_place.h).
+  EXPECT_EQ(files_with(R"("-(wal|shm|journal|lock)") "),
+            (std::set<std::string>{"demo.cpp", "study/log_place.cpp"}));
 }
 
 TEST(Manners, SqlIsNeverPutTogetherFromValues) {

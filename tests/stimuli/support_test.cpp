@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/colour.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/gnuplot.h"
 #include "stimuli/support/hash.h"
 #include "stimuli/support/image.h"
 #include "stimuli/support/progress.h"
@@ -34,14 +38,73 @@ TEST(Hash, Sha256OfPublishedMessages) {  // FIPS 180-2, appendix B
 
 TEST_F(AtomicFile, FailedWriteLeavesTheOldFileAndNothingElse) {
   write_file_atomically(folder_ / "a.txt", "old");
-  EXPECT_THROW(write_file_atomically(folder_ / "a.txt",
-                                     [](const fs::path& temporary) {
-                                       std::ofstream(temporary) << "half";
-                                       throw InputError("stopped");
-                                     }),
-               InputError);
+  fs::create_directory(folder_ / "b.txt");  // which no file can replace
+  EXPECT_THROW(write_file_atomically(folder_ / "b.txt", "new"), InputError);
   EXPECT_EQ(read_file(folder_ / "a.txt"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2);
+}
+
+/// Many at once in one process have one process id, as every container's first process has (tests/faults
+/// tries those).
+TEST_F(AtomicFile, ManyWritersOfOneFileDoNotDisturbOneAnother) {
+  constexpr int writers = 8, times = 40;
+  const std::string whole(100000, 'x');
+  std::atomic<int> failures = 0;
+  std::vector<std::thread> threads;
+  for (int writer = 0; writer < writers; ++writer)
+    threads.emplace_back([&] {
+      for (int i = 0; i < times; ++i) try {
+          write_file_atomically(folder_ / "shared.bin", whole);
+          prepare_output_folder(folder_.path());
+          failures += read_file(folder_ / "shared.bin") == whole ? 0 : 1;
+        } catch (const InputError&) {
+          ++failures;
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failures, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
+}
+
+TEST_F(AtomicFile, ALinkAtTheTargetIsReplacedAndNotFollowed) {
+  write_file_atomically(folder_ / "own", "kept");
+  fs::create_symlink("own", folder_ / "link");
+  write_file_atomically(folder_ / "link", "new");
+  EXPECT_EQ(read_file(folder_ / "own"), "kept");
+  EXPECT_EQ(read_file(folder_ / "link"), "new");
+  EXPECT_FALSE(fs::is_symlink(folder_ / "link"));
+}
+
+TEST_F(AtomicFile, AFileForItsOwnerIsReadByNobodyElse) {
+  write_file_atomically(folder_ / "answers.csv", "a", Readers::owner);
+  EXPECT_EQ(fs::status(folder_ / "answers.csv").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(AtomicFile, ALongNameHasRoomForItsTemporaryOne) {
+  const std::string longest(255, 'n');
+  write_file_atomically(folder_ / longest, "a");
+  EXPECT_EQ(read_file(folder_ / longest), "a");
+}
+
+TEST(TemporaryFolders, AreNewTheOwnersAloneAndGoneAtTheEnd) {
+  fs::path first, beside;
+  {
+    const TemporaryFolder one, other;
+    EXPECT_NE(one.path(), other.path());
+    first = one.path();
+    EXPECT_EQ(fs::status(first).permissions(), fs::perms::owner_all);
+    const TemporaryFolder near_file(one / "log.sqlite");
+    beside = near_file.path();
+    EXPECT_EQ(beside.parent_path(), first);
+    EXPECT_EQ(fs::status(beside).permissions(), fs::perms::owner_all);
+  }
+  EXPECT_FALSE(fs::exists(first));
+  EXPECT_THROW(TemporaryFolder(first / "no such folder" / "file"), InputError);
+}
+
+TEST(Gnuplot, ControlCharactersOfATextAreBlank) {
+  EXPECT_EQ(gnuplot_text(std::string("a\0b\x1b[1m\x7f", 8)), "a b [1m ");
 }
 
 TEST_F(AtomicFile, HashOfAFileIsTheHashOfItsBytes) {
