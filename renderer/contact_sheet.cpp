@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stimuli/manifest.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/image.h"
 
 namespace seamline {
@@ -139,12 +140,14 @@ ByteImage sheet_of(const std::filesystem::path& set_folder,
   int top = label_px;
   for (const auto& [key, row] : rows) {
     const ManifestStimulus& coarsest = *row.rbegin()->second;
-    const ByteImage reference = read_bytes_image(set_folder / coarsest.reference);
-    const Box window = artifact_window(read_bytes_image(set_folder / coarsest.image), reference);
+    const ByteImage reference = read_bytes_image(set_file_path(set_folder, coarsest.reference));
+    const Box window =
+        artifact_window(read_bytes_image(set_file_path(set_folder, coarsest.image)), reference);
     column = 0;
     for (const int width_px : widths) {
       if (const auto found = row.find(width_px); found != row.end())
-        place(read_bytes_image(set_folder / found->second->image), window, sheet, left_of(column), top);
+        place(read_bytes_image(set_file_path(set_folder, found->second->image)), window, sheet,
+              left_of(column), top);
       ++column;
     }
     place(reference, window, sheet, left_of(column), top);

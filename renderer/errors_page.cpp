@@ -7,6 +7,7 @@
 #include "renderer/errors_figure.h"
 #include "renderer/set_errors.h"
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/confined_path.h"
 #include "stimuli/support/html.h"
 #include "stimuli/support/progress.h"
 
@@ -113,7 +114,7 @@ std::string worst_tiles(const fs::path& set_folder, const SetErrors& errors) {
   std::string text;
   for (const auto& [artifact, row] : worst) {
     const fs::path picture = set_folder / ("worst-tile-" + row->id + ".png");
-    if (!fs::exists(picture)) continue;
+    if (!lies_below(picture, set_folder)) continue;  // there is none, or a link to what is not of the set
     text += fmt::format(
         "<figure><img alt=\"worst tile of {0}\" src=\"data:image/png;base64,{1}\"><figcaption>{2}: the worst "
         "tile of {0}. Left as rendered, middle the path reference with {3} samples a pixel, right their "

@@ -53,9 +53,12 @@ std::string scene_inputs(const SceneDefinition& scene) {
   return text;
 }
 
-bool has_hash(const fs::path& file, const std::string& expected) {
+/// Of a file of the set itself: one that a link leads out of it is made anew, in its place.
+bool has_hash(const fs::path& set_folder, const std::string& name, const std::string& expected) {
   std::error_code error;
-  return fs::is_regular_file(file, error) && sha256_of_file(file) == expected;
+  const fs::path file = set_folder / name;
+  return is_written_below(name) && fs::is_regular_file(file, error) && lies_below(file, set_folder) &&
+         sha256_of_file(file) == expected;
 }
 
 /// A record whose inputs agree; a record that cannot be read counts as unfinished work.
@@ -131,7 +134,7 @@ std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, cons
   if (!json) return std::nullopt;
   try {
     const ManifestStimulus record = stimulus_record_from_text(json->dump(), path.string());
-    if (has_hash(set_folder_ / record.image, record.sha256)) return record;
+    if (has_hash(set_folder_, record.image, record.sha256)) return record;
   } catch (const InputError&) {
     // a damaged record is unfinished work
   }
@@ -158,8 +161,8 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
   } catch (const Json::exception&) {
     return std::nullopt;  // a damaged record is unfinished work
   }
-  const bool whole = has_hash(set_folder_ / reference.image, reference.image_sha256) &&
-                     has_hash(set_folder_ / reference.object_ids, reference.object_ids_sha256);
+  const bool whole = has_hash(set_folder_, reference.image, reference.image_sha256) &&
+                     has_hash(set_folder_, reference.object_ids, reference.object_ids_sha256);
   return whole ? std::optional(reference) : std::nullopt;
 }
 

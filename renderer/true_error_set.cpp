@@ -12,6 +12,7 @@
 #include "renderer/true_error.h"
 #include "renderer/worst_tile.h"
 #include "stimuli/manifest.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
 
@@ -116,7 +117,7 @@ class Measuring {
   }
 
   void measure(const ManifestStimulus& record, double exposure_ev, const StimulusLayers& reference) {
-    const ByteImage shown = read_bytes_image(request_.set_folder / record.image);
+    const ByteImage shown = read_bytes_image(set_file_path(request_.set_folder, record.image));
     const TrueError error = true_error(
         shown, {compose_half(reference, 0).picture, compose_half(reference, 1).picture}, exposure_ev);
     const TrueErrorRecord result{.rmse = error.rmse(),

@@ -1,6 +1,7 @@
 #include "stimuli/manifest.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "stimuli/json_fields.h"
 #include "stimuli/support/atomic_file.h"
@@ -49,14 +50,30 @@ Artifact read_artifact(const JsonFields& fields) {
   return *artifact;
 }
 
+/// A scene or an object, as study files name them: it stands in logs, reports and figures.
+std::string read_name(const JsonFields& fields, const char* key) {
+  const auto name = fields.get<std::string>(key);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  if (name.empty() || name.find_first_not_of(letters) != std::string::npos)
+    throw fields.complaint(key, "lower-case letters, digits and _", "another name");
+  return name;
+}
+
+int read_depth_width(const JsonFields& condition) {
+  const int width_px = condition.number("depth_width_px", 2, widest_depth_px);
+  if (width_px % 2 != 0)
+    throw condition.complaint("depth_width_px", "an even number", std::to_string(width_px));
+  return width_px;
+}
+
 Stimulus read_stimulus(const JsonFields& fields) {
   const JsonFields condition = fields.object("condition");
   Stimulus stimulus{
-      .scene = fields.get<std::string>("scene"),
+      .scene = read_name(fields, "scene"),
       .artifact = read_artifact(fields),
-      .object = fields.get<std::string>("object"),
+      .object = read_name(fields, "object"),
       .object_index = fields.number("object_index", 1, 3),
-      .condition = {.depth_width_px = condition.number("depth_width_px", 2, widest_depth_px),
+      .condition = {.depth_width_px = read_depth_width(condition),
                     .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
   return stimulus;
 }
@@ -158,14 +175,17 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
   for (const Json& item : fields.array("references")) {
     const JsonFields reference(item, path.string(),
                                "references[" + std::to_string(manifest.references.size()) + "].");
-    manifest.references.push_back({reference.get<std::string>("scene"), reference.file_below("image"),
-                                   reference.file_below("object_ids"),
-                                   reference.get<std::string>("image_sha256"),
-                                   reference.get<std::string>("object_ids_sha256")});
+    manifest.references.push_back(
+        {read_name(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
+         reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256")});
   }
-  for (const Json& item : fields.array("stimuli"))
-    manifest.stimuli.push_back(read_record(
-        JsonFields(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].")));
+  std::set<std::string> ids;
+  for (const Json& item : fields.array("stimuli")) {
+    const JsonFields record(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].");
+    manifest.stimuli.push_back(read_record(record));
+    if (!ids.insert(manifest.stimuli.back().id).second)
+      throw record.complaint("id", "an id that no other stimulus has", manifest.stimuli.back().id);
+  }
   return manifest;
 }
 

@@ -36,9 +36,12 @@ std::vector<SetFile> set_files(const Manifest& manifest) {
   return files;
 }
 
+fs::path set_file_path(const fs::path& set_folder, const std::string& name) {
+  return path_below(set_folder, name, {.file = (set_folder / "manifest.json").string(), .field = "files"});
+}
+
 void check_set_file(const fs::path& set_folder, const SetFile& wanted) {
-  const fs::path path = path_below(set_folder, wanted.file,
-                                   {.file = (set_folder / "manifest.json").string(), .field = "files"});
+  const fs::path path = set_file_path(set_folder, wanted.file);
   check_exists(path);
   if (const std::string found = sha256_of_file(path); found != wanted.sha256)
     throw input_error({.file = path.string(),
@@ -49,7 +52,7 @@ void check_set_file(const fs::path& set_folder, const SetFile& wanted) {
 }
 
 void check_set_files_exist(const fs::path& set_folder, const Manifest& manifest) {
-  for (const SetFile& wanted : set_files(manifest)) check_exists(set_folder / wanted.file);
+  for (const SetFile& wanted : set_files(manifest)) check_exists(set_file_path(set_folder, wanted.file));
 }
 
 void check_set_files(const fs::path& set_folder, const Manifest& manifest) {

@@ -16,6 +16,11 @@ struct SetFile {
 /// Every picture of a set: references, their click maps, stimuli; each file once.
 [[nodiscard]] std::vector<SetFile> set_files(const Manifest& manifest);
 
+/// Where a file is that the manifest names. Everything that opens one asks here: throws InputError when a
+/// link leads out of the set's folder, because a set may have come from somebody else.
+[[nodiscard]] std::filesystem::path set_file_path(const std::filesystem::path& set_folder,
+                                                  const std::string& name);
+
 /// Throws InputError unless the file is there and has the bytes that the set was rendered with.
 void check_set_file(const std::filesystem::path& set_folder, const SetFile& wanted);
 

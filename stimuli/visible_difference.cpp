@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stimuli/flip.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/parallel.h"
 
@@ -36,7 +37,8 @@ std::map<std::string, FlipPicture> read_references(const fs::path& folder, const
   std::map<std::string, FlipPicture> references;
   for (const ManifestStimulus& stimulus : manifest.stimuli)
     if (!references.contains(stimulus.reference))
-      references[stimulus.reference] = flip_picture(read_picture(folder / stimulus.reference, manifest), ppd);
+      references[stimulus.reference] =
+          flip_picture(read_picture(set_file_path(folder, stimulus.reference), manifest), ppd);
   return references;
 }
 
@@ -64,7 +66,7 @@ VisibleDifferences visible_differences(const fs::path& set_folder, const Manifes
   std::vector<double> pooled(manifest.stimuli.size());
   run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
     const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
-    const ByteImage image = read_picture(set_folder / stimulus.image, manifest);
+    const ByteImage image = read_picture(set_file_path(set_folder, stimulus.image), manifest);
     const Image flip =
         flip_difference(references.at(stimulus.reference), flip_picture(image, pixels_per_degree));
     pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, pixels_per_degree);

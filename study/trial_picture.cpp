@@ -27,7 +27,7 @@ const ManifestReference& reference_of(const StudySet& set, const PlannedTrial& t
 /// Only what the set was rendered with is shown to anybody.
 ByteImage load(const StudySet& set, const SetFile& file, int channels) {
   check_set_file(set.folder, file);
-  const fs::path path = set.folder / file.file;
+  const fs::path path = set_file_path(set.folder, file.file);
   ByteImage image = read_bytes_image(path);
   const auto shape = [](int width, int height, int depth) {
     return fmt::format("{} x {} pixels with {} channels", width, height, depth);

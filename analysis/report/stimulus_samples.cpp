@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "stimuli/manifest.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/atomic_file.h"
-#include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/parallel.h"
 
@@ -42,11 +42,6 @@ SampleImage sample(const std::filesystem::path& file, const Rectangle& area, con
   return image;
 }
 
-/// Where a file of the set is.
-std::filesystem::path in_set(const std::filesystem::path& set, const std::string& name) {
-  return path_below(set, name, {.file = (set / "manifest.json").string(), .field = "stimuli"});
-}
-
 SampleRow sample_row(const std::filesystem::path& set, std::vector<const ManifestStimulus*> stimuli,
                      const std::filesystem::path& scratch) {
   const std::filesystem::path png =
@@ -56,11 +51,11 @@ SampleRow sample_row(const std::filesystem::path& set, std::vector<const Manifes
   });
   const Stimulus& first = stimuli.front()->stimulus;
   const Rectangle area =
-      crop_around(read_bytes_image(in_set(set, stimuli.front()->object_ids)), first.object_index);
+      crop_around(read_bytes_image(set_file_path(set, stimuli.front()->object_ids)), first.object_index);
   SampleRow row{.artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}};
-  row.images.push_back(sample(in_set(set, stimuli.front()->reference), area, png, "reference"));
+  row.images.push_back(sample(set_file_path(set, stimuli.front()->reference), area, png, "reference"));
   for (const ManifestStimulus* stimulus : stimuli) {
-    row.images.push_back(sample(in_set(set, stimulus->image), area, png,
+    row.images.push_back(sample(set_file_path(set, stimulus->image), area, png,
                                 std::to_string(stimulus->stimulus.condition.depth_width_px)));
     row.images.back().stimulus_id = stimulus->id;
   }

@@ -37,6 +37,8 @@ Manifest example() {
   stimulus.tiny_denominators = {3, 4};
   stimulus.sha256 = "3";
   manifest.stimuli = {stimulus, stimulus};
+  manifest.stimuli[1].stimulus.condition.depth_width_px = 1024;
+  manifest.stimuli[1].id = stimulus_id(manifest.stimuli[1].stimulus);
   manifest.stimuli[1].rmse.reset();
   return manifest;
 }
