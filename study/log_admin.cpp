@@ -7,8 +7,8 @@
 #include <map>
 
 #include "study/log_database.h"
+#include "study/log_place.h"
 #include "study/now.h"
-#include "study/session_claims.h"
 
 namespace seamline {
 namespace fs = std::filesystem;

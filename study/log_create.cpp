@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "study/log_database.h"
+#include "study/log_place.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -15,7 +16,7 @@ namespace {
 
 /// Makes an empty file where there is none, so that exactly one program knows that it began the log.
 bool begin_file(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0 && errno == EEXIST) return false;
   if (descriptor < 0)
     throw input_error({.file = path.string(),
@@ -28,12 +29,13 @@ bool begin_file(const fs::path& path) {
 /// Removes what was begun, unless another program has made a log of it meanwhile.
 void remove_blank_file(const fs::path& path) {
   try {
-    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, log_patience_ms);
+    SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
     if (!is_blank(database)) return;
   } catch (const SQLite::Exception&) {
     return;  // not known to be blank: better a useless file than a lost log
   }
-  for (const char* suffix : {"", "-journal"}) ::unlink((path.string() + suffix).c_str());
+  ::unlink(path.c_str());
+  ::unlink(journal_file(path).c_str());
 }
 
 void create_tables(SQLite::Database& database, const std::function<void(SQLite::Database&)>& fill) {
@@ -61,7 +63,7 @@ void use_write_ahead_log(SQLite::Database& database, const fs::path& path) {
 }
 
 SQLite::Database open_or_create(const fs::path& path, const std::function<void(SQLite::Database&)>& fill) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, log_patience_ms);
+  SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
   make_durable(database);
   if (is_blank(database)) create_tables(database, fill);
   check_log_format(database, path);

@@ -4,6 +4,12 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "stimuli/support/limits.h"
+#include "stimuli/support/temporary_folder.h"
+#include "study/log_place.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -18,65 +24,96 @@ InputError damaged(const fs::path& path, std::string found) {
   return input_error({.file = path.string(), .wanted = "an undamaged log " + saving, .found = found});
 }
 
-fs::path beside(const fs::path& path, const char* suffix) {
-  return path.string() + suffix;
-}
-
-/// Whether every table and index of the schema is there as it is written. Others beside them do no harm.
-bool has_schema(SQLite::Database& database) {
-  SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  model.exec(log_schema_sql());
-  SQLite::Statement wanted(model, "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
-  SQLite::Statement found(database, "SELECT count(*) FROM sqlite_schema WHERE name = ? AND sql = ?");
-  while (wanted.executeStep()) {
-    found.tryReset();
-    SQLite::bind(found, wanted.getColumn(0).getString(), wanted.getColumn(1).getString());
-    found.executeStep();
-    if (found.getColumn(0).getInt() != 1) return false;
-  }
-  return true;
+/// In a few words what of a schema is not ours; empty: it is ours exactly. Names in it are somebody else's
+/// and are not repeated.
+std::string other_than_ours(SQLite::Database& database) {
+  const std::multiset<SchemaEntry> found = schema_of(database);
+  std::vector<SchemaEntry> missing, foreign;
+  std::set_difference(log_schema().begin(), log_schema().end(), found.begin(), found.end(),
+                      std::back_inserter(missing));
+  std::set_difference(found.begin(), found.end(), log_schema().begin(), log_schema().end(),
+                      std::back_inserter(foreign));
+  if (!missing.empty()) return "other tables";
+  if (foreign.empty()) return "";
+  for (const char* kind : {"trigger", "view", "index"})
+    for (const SchemaEntry& entry : foreign)
+      if (std::get<0>(entry) == kind) return fmt::format("also something that is not: a {}", kind);
+  return "also something that is not: a table";
 }
 
 SQLite::Database open_for_writing(const fs::path& path, int wait_ms, bool alone) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, wait_ms);
+  SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE, wait_ms);
   if (alone) database.exec("PRAGMA locking_mode = EXCLUSIVE");  // before the first read
   check_log_format(database, path);
   make_durable(database);
   return database;
 }
 
-/// A path as SQLite reads it in a URI.
-std::string uri_of(const fs::path& path) {
-  std::string uri = "file:";
-  for (const char letter : fs::absolute(path).string())
-    uri += letter == '?' || letter == '#' || letter == '%'
-               ? fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(letter)))
-               : std::string(1, letter);
-  return uri;
+/// Reading a log in WAL mode needs the -shm file beside it, even when nobody writes. Where none can be made
+/// (an archive, a read-only disk, somebody else's folder) a copy is read, with all that waits in its
+/// write-ahead log. The copy's name is gone when this returns; the open file goes with the database.
+SQLite::Database open_copy_for_reading(const fs::path& path) {
+  const TemporaryFolder folder;
+  const fs::path copy = folder / "log.sqlite";
+  copy_log(path, copy);
+  SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
+  check_log_format(database, path);
+  database.exec("PRAGMA locking_mode = EXCLUSIVE");
+  if (database.execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")  // one file, whole
+    throw input_error(
+        {.file = path.string(), .wanted = "a log whose write-ahead log can be read", .found = "another one"});
+  database.exec("PRAGMA query_only = ON");
+  return database;
 }
 
-/// Reading a log in WAL mode needs the -shm file beside it, even when nobody writes. Where none can be made
-/// (an archive, a read-only disk) and no -wal file holds anything, the file itself is the whole log and
-/// cannot change.
 SQLite::Database open_for_reading(const fs::path& path) {
   try {
-    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, log_patience_ms);
+    SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
     database.exec("PRAGMA query_only = ON");
     check_log_format(database, path);
     return database;
   } catch (const SQLite::Exception& error) {
     const int code = error.getErrorCode() & 0xff;
-    std::error_code error_code;
-    const auto pending_bytes = fs::file_size(beside(path, "-wal"), error_code);
-    const bool nothing_pending = error_code || pending_bytes == 0;
-    if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || !nothing_pending) throw;
+    if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY) throw;
   }
-  SQLite::Database database(uri_of(path) + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
-  check_log_format(database, path);
-  return database;
+  return open_copy_for_reading(path);
 }
 
 }  // namespace
+
+SQLite::Database open_warily(const fs::path& path, int flags, int patience_ms) {
+  SQLite::Database database(path.string(), flags, patience_ms);
+  sqlite3* handle = database.getHandle();
+  for (const auto& [option, value] :
+       {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1), std::pair(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0),
+        std::pair(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0), std::pair(SQLITE_DBCONFIG_ENABLE_VIEW, 0)})
+    sqlite3_db_config(handle, option, value, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, limits::largest_log_value_bytes);
+  sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, limits::largest_log_sql_bytes);
+  return database;
+}
+
+fs::path place_of(SQLite::Database& database) {
+  return sqlite3_db_filename(database.getHandle(), "main");
+}
+
+std::multiset<SchemaEntry> schema_of(SQLite::Database& database) {
+  std::multiset<SchemaEntry> entries;
+  SQLite::Statement row(database, "SELECT type, name, tbl_name, coalesce(sql, '') FROM sqlite_schema");
+  while (row.executeStep() && entries.size() <= limits::most_schema_entries)
+    entries.emplace(row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getString(),
+                    row.getColumn(3).getString());
+  return entries;
+}
+
+const std::multiset<SchemaEntry>& log_schema() {
+  static const std::multiset<SchemaEntry> ours = [] {
+    SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    model.exec(log_schema_sql());
+    return schema_of(model);
+  }();
+  return ours;
+}
 
 void check_is_file(const fs::path& path, EmptyFile empty) {
   std::error_code error;
@@ -87,6 +124,7 @@ void check_is_file(const fs::path& path, EmptyFile empty) {
   if (status.type() == fs::file_type::not_found) throw complaint("no such file");
   if (error) throw complaint(error.message());
   if (!fs::is_regular_file(status)) throw complaint("something that is not a file");
+  check_one_place(path);
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (bytes == 0 && empty == EmptyFile::refuse) throw complaint("an empty file");
   if (bytes > 0 && bytes < header_bytes)
@@ -112,11 +150,11 @@ void check_log_format(SQLite::Database& database, const fs::path& path) {
                                   ? "written by an older seamline: go on with that one, or begin "
                                     "a new log; nothing in it was changed"
                                   : "written by a newer seamline: use that one")});
-  if (!has_schema(database))
-    throw input_error(
-        {.file = path.string(),
-         .wanted = fmt::format("the tables of schema version {} {}", log_schema_version, saving),
-         .found = "other tables"});
+  if (const std::string found = other_than_ours(database); !found.empty())
+    throw input_error({.file = path.string(),
+                       .wanted = fmt::format("the tables of schema version {} and nothing else {}",
+                                             log_schema_version, saving),
+                       .found = found});
 }
 
 void check_undamaged(SQLite::Database& database, const fs::path& path) {
@@ -155,6 +193,7 @@ bool is_trouble_outside(const SQLite::Exception& error) {
     case SQLITE_READONLY:
     case SQLITE_IOERR:
     case SQLITE_CORRUPT:
+    case SQLITE_TOOBIG:
     case SQLITE_FULL:
     case SQLITE_CANTOPEN:
     case SQLITE_PROTOCOL:

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "stimuli/support/error.h"
@@ -27,6 +29,14 @@ enum class LogAccess {
   alone  ///< for writing, while no other program has the log open, nor can open it
 };
 
+/// Opens a database that may be of another hand: nothing in its schema is run (triggers, views, functions),
+/// and no value is larger than a log's can be. Throws SQLite::Exception.
+[[nodiscard]] SQLite::Database open_warily(const std::filesystem::path& path, int flags,
+                                           int patience_ms = log_patience_ms);
+
+/// The real path of the file that was opened.
+[[nodiscard]] std::filesystem::path place_of(SQLite::Database& database);
+
 /// Opens a log that exists, made durable. Throws InputError (missing, not SQLite, another program's, another
 /// schema version, no permission, in use).
 [[nodiscard]] SQLite::Database open_log_database(const std::filesystem::path& path, LogAccess access);
@@ -39,14 +49,16 @@ enum class LogAccess {
 
 enum class EmptyFile { refuse, accept };
 
-/// Throws InputError unless the path is a file that can be a log by its kind and size. Never opens it:
+/// Throws InputError unless the path is a file that can be a log by its kind, size and place. Never opens it:
 /// closing it again would drop the locks that other connections of this process have on it (POSIX).
 void check_is_file(const std::filesystem::path& path, EmptyFile empty);
 
 /// Nobody has written anything into the database yet.
 [[nodiscard]] bool is_blank(SQLite::Database& database);
 
-/// Throws InputError unless the database is a log of our schema version with all its tables.
+/// Throws InputError unless the database is a log of our schema version, with all its tables and indexes and
+/// nothing else: what others wrote into a schema (a trigger, a view, an index of an expression) would run
+/// while the log is read or written to.
 void check_log_format(SQLite::Database& database, const std::filesystem::path& path);
 
 /// Throws InputError unless every page can be read, every row keeps its table's rules and no row refers to
@@ -59,6 +71,14 @@ void make_durable(SQLite::Database& database);
 
 /// The tables of schema version `log_schema_version`, as SQL.
 [[nodiscard]] std::string log_schema_sql();
+
+/// One table or index of a schema: its kind, its name and table, and its SQL (empty for those that SQLite
+/// makes by itself).
+using SchemaEntry = std::tuple<std::string, std::string, std::string, std::string>;
+
+/// What a database's schema has, and what a log's has. Runs nothing of it.
+[[nodiscard]] std::multiset<SchemaEntry> schema_of(SQLite::Database& database);
+[[nodiscard]] const std::multiset<SchemaEntry>& log_schema();
 
 /// What went wrong with the file or the disk, as one sentence about the log; none when it is a mistake of
 /// ours.

@@ -2,15 +2,15 @@
 
 #include <fmt/core.h>
 #include <sqlite3.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <optional>
 #include <set>
 
+#include "stimuli/support/temporary_folder.h"
 #include "study/log_database.h"
+#include "study/log_place.h"
 #include "study/log_salvage.h"
 #include "study/log_tables.h"
 #include "study/study_set.h"
@@ -18,28 +18,6 @@
 namespace seamline {
 namespace fs = std::filesystem;
 namespace {
-
-/// A folder beside the new log that is gone at the end.
-class Scratch {
- public:
-  explicit Scratch(const fs::path& out) {
-    std::string name = out.string() + ".recovering-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-      throw input_error(
-          {.file = out.string(), .wanted = "a folder that can be written to", .found = std::strerror(errno)});
-    folder_ = name;
-  }
-  ~Scratch() {
-    std::error_code error;
-    fs::remove_all(folder_, error);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
 
 std::int64_t number(const LogRow& row, std::size_t column) {
   if (column >= row.size()) return -1;
@@ -205,17 +183,23 @@ void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
                      .found = "none"});
 }
 
+/// Nor may a write-ahead log or journal lie there: SQLite would take it for the new log's.
+void check_is_free(const fs::path& out) {
+  for (const fs::path& file : {out, ahead_file(out), journal_file(out)})
+    if (fs::exists(fs::symlink_status(file)))
+      throw input_error({.file = file.string(), .wanted = "a file that does not exist yet", .found = "one"});
+}
+
 }  // namespace
 
 LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::path& set_folder) {
   check_is_file(damaged, EmptyFile::refuse);
-  if (fs::exists(out))
-    throw input_error({.file = out.string(), .wanted = "a file that does not exist yet", .found = "one"});
-  const Scratch scratch(out);
-  const SalvagedLog log = salvage_log(damaged, scratch.folder());
+  check_is_free(out);
+  const TemporaryFolder scratch(out);
+  const SalvagedLog log = salvage_log(damaged, scratch.path());
   const std::optional<StudySet> set = find_set(log, set_folder);
   LogRecovery recovery;
-  const fs::path made = scratch.folder() / "recovered.sqlite";
+  const fs::path made = scratch.path() / "recovered.sqlite";
   with_log_errors(out, [&] {
     SQLite::Database database = open_or_create_log_database(
         made, [&](SQLite::Database& fresh) { Refill(fresh, log, recovery).fill(set); });

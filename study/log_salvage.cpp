@@ -1,6 +1,7 @@
 #include "study/log_salvage.h"
 
 #include <fmt/core.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "stimuli/support/atomic_file.h"
 #include "study/log_database.h"
+#include "study/log_place.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -32,10 +34,19 @@ LogRow row_of(SQLite::Statement& statement) {
   return row;
 }
 
+SQLite::Database open_to_salvage(const fs::path& copy) {
+  SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
+  sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+  database.exec("PRAGMA writable_schema = ON");  // a file that was cut short is read as far as it goes
+  return database;
+}
+
 /// Reads one table of a damaged database.
 class TableReader {
  public:
-  TableReader(SQLite::Database& database, const LogTable& table) : database_(database), table_(table) {
+  /// A table has fewer rows than its file has bytes; pages that lead back to one another seem to have more.
+  TableReader(SQLite::Database& database, const LogTable& table, std::uintmax_t most_rows)
+      : database_(database), table_(table), most_rows_(most_rows) {
     for (const char* column : table.key) key_ += (key_.empty() ? "" : ", ") + std::string(column);
   }
 
@@ -60,7 +71,10 @@ class TableReader {
       for (const char* column : table_.key) order += (order.empty() ? "" : ", ") + (column + direction);
       SQLite::Statement statement(
           database_, fmt::format("SELECT {}, * FROM {} NOT INDEXED ORDER BY {}", key_, table_.name, order));
-      while (statement.executeStep()) keep(row_of(statement));
+      for (std::uintmax_t rows = 0; statement.executeStep(); ++rows) {
+        if (rows == most_rows_) return false;
+        keep(row_of(statement));
+      }
       return true;
     } catch (const SQLite::Exception&) {
       return false;
@@ -116,11 +130,44 @@ class TableReader {
   static constexpr std::int64_t highest_beyond = 64;  ///< keys asked for beyond the highest one found
   SQLite::Database& database_;
   const LogTable& table_;
+  std::uintmax_t most_rows_ = 0;
   std::string key_;
   std::map<LogRow, LogRow> rows_;
   std::optional<SQLite::Statement> one_;
   bool whole_ = false;
 };
+
+/// Puts our words into the place of a schema that is not ours, so that nothing of it is ever run: columns
+/// that are computed, views in the place of tables. Of each of our tables the pages are kept; triggers, and
+/// tables and indexes of others, are no longer known. A schema that cannot be read stays as it is: it is a
+/// damaged one.
+void make_schema_ours(const fs::path& copy) {
+  SQLite::Database database = open_to_salvage(copy);
+  try {
+    if (schema_of(database) == log_schema()) return;
+  } catch (const SQLite::Exception&) {
+    return;
+  }
+  SQLite::Transaction transaction(database);
+  SQLite::Statement rename(
+      database, "UPDATE sqlite_schema SET tbl_name = name, sql = ? WHERE type = 'table' AND name = ?");
+  SQLite::Statement forget(database, "DELETE FROM sqlite_schema WHERE rowid = ?");
+  std::set<std::string> tables, indexes;
+  for (const auto& [type, name, table, sql] : log_schema()) {
+    if (type == "table") run(rename, sql, name);
+    (type == "table" ? tables : indexes).insert(name);
+  }
+  std::vector<std::int64_t> foreign;
+  for (SQLite::Statement row(database, "SELECT rowid, type, name, coalesce(sql, '') FROM sqlite_schema");
+       row.executeStep();) {
+    const std::string type = row.getColumn(1).getString(), name = row.getColumn(2).getString();
+    const bool ours = (type == "table" && tables.contains(name)) ||
+                      (type == "index" && indexes.contains(name) && row.getColumn(3).getString().empty());
+    if (!ours) foreign.push_back(row.getColumn(0).getInt64());
+  }
+  for (const std::int64_t entry : foreign) run(forget, entry);
+  transaction.commit();
+}
 
 /// What one way to read a file finds.
 struct Reading {
@@ -131,11 +178,11 @@ struct Reading {
 Reading read_all(const fs::path& copy) {
   Reading reading;
   try {
-    SQLite::Database database(copy.string(), SQLite::OPEN_READWRITE, log_patience_ms);
-    database.exec("PRAGMA writable_schema = ON");  // a file that was cut short is read as far as it goes
+    make_schema_ours(copy);
+    SQLite::Database database = open_to_salvage(copy);
     reading.whole = true;
     for (const LogTable& table : log_tables()) {
-      TableReader reader(database, table);
+      TableReader reader(database, table, fs::file_size(copy));
       reading.log[table.name] = reader.read();
       reading.whole = reading.whole && reader.whole();
     }
@@ -166,7 +213,8 @@ void renew_schema(const fs::path& copy, const fs::path& scratch) {
     for (SQLite::Statement row(database, "SELECT rootpage FROM sqlite_schema"); row.executeStep();)
       roots.insert(row.getColumn(0).getUInt());
   }
-  std::string bytes = read_file(model), damaged = read_file(copy);
+  std::string bytes = read_file(model),
+              damaged = read_file(copy, static_cast<std::int64_t>(fs::file_size(copy)));
   const std::uint32_t page_bytes = big_endian(bytes, page_size_at, 2);
   const std::uint64_t pages = damaged.size() / page_bytes;
   for (std::size_t i = 0; i < 4; ++i)
@@ -197,8 +245,8 @@ bool is_better(const SalvagedLog& one, const SalvagedLog& other) {
 
 fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_schema) {
   const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_schema ? 1 : 0);
-  fs::copy_file(damaged, copy);
-  if (with_ahead) fs::copy_file(damaged.string() + "-wal", copy.string() + "-wal");
+  copy_log(damaged, copy);
+  if (!with_ahead) fs::remove(ahead_file(copy));
   if (new_schema) renew_schema(copy, scratch);
   return copy;
 }
@@ -226,7 +274,7 @@ const std::vector<LogTable>& log_tables() {
 }
 
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
-  const bool has_ahead = fs::exists(damaged.string() + "-wal");
+  const bool has_ahead = fs::exists(ahead_file(damaged));
   SalvagedLog best;
   for (const bool new_schema : {false, true})
     for (const bool with_ahead : {true, false}) {

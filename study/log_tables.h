@@ -2,6 +2,7 @@
 
 #include "study/file_identity.h"
 #include "study/log_database.h"
+#include "study/log_place.h"
 #include "study/log_writer.h"
 #include "study/now.h"
 #include "study/session_claims.h"
@@ -12,14 +13,16 @@ namespace seamline {
 struct LogWriter::Tables {
   Tables(SQLite::Database opened, const std::filesystem::path& log, int shared_orders)
       : path(log),
+        place(place_of(opened)),
         orders(shared_orders),
-        claims(log),
-        file(file_identity(log)),
-        ahead(file_identity(log.string() + "-wal")),
+        claims(place),
+        file(file_identity(place)),
+        ahead(file_identity(ahead_file(place))),
         database(std::move(opened)) {}
 
-  std::filesystem::path path;
-  int orders = 0;  ///< that people share; 0: everybody has an order of their own
+  std::filesystem::path path;   ///< as it was given, for people
+  std::filesystem::path place;  ///< where the open file is; a link may lead elsewhere by now
+  int orders = 0;               ///< that people share; 0: everybody has an order of their own
   SessionClaims claims;
   std::optional<FileIdentity> file, ahead;  ///< of the log and its write-ahead log, as they were opened
   SQLite::Database database;

@@ -82,7 +82,7 @@ LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)
 LogWriter::~LogWriter() = default;
 
 void LogWriter::Tables::check_still_there() const {
-  if (file_identity(path) == file && file_identity(path.string() + "-wal") == ahead) return;
+  if (file_identity(place) == file && file_identity(ahead_file(place)) == ahead) return;
   throw input_error({.file = path.string(),
                      .wanted = "the log where it was when the session began",
                      .found = "nothing or another file: it was deleted or moved meanwhile"});

@@ -1,12 +1,14 @@
 #include "study/session_claims.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
 #include "stimuli/support/error.h"
+#include "study/log_place.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -32,11 +34,7 @@ bool locked_by_others(int descriptor, std::int64_t participant) {
 
 }  // namespace
 
-fs::path claims_file(const fs::path& log) {
-  return log.string() + "-lock";
-}
-
-SessionClaims::SessionClaims(const fs::path& log) : path_(claims_file(log)) {}
+SessionClaims::SessionClaims(const fs::path& log) : log_(log_place(log)), path_(claims_file(log)) {}
 
 SessionClaims::~SessionClaims() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -44,7 +42,12 @@ SessionClaims::~SessionClaims() {
 
 void SessionClaims::open() {
   if (descriptor_ >= 0) return;
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  const mode_t mode = mode_of_log(log_);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+  if (descriptor_ >= 0)
+    ::fchmod(descriptor_, mode);  // whoever may write to the log may lock it, whatever the umask
+  else if (errno == EEXIST)
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor_ < 0) throw trouble(path_, "a place where the log's lock file can be written", errno);
 }
 
@@ -62,7 +65,7 @@ bool SessionClaims::claimed_elsewhere(std::int64_t participant) {
 }
 
 bool is_claimed(const fs::path& log, std::int64_t participant) {
-  const int descriptor = ::open(claims_file(log).c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = ::open(claims_file(log).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return false;
   const bool claimed = locked_by_others(descriptor, participant);
   ::close(descriptor);

@@ -4,10 +4,10 @@
 
 namespace seamline {
 
-/// Which participants of a log are in a session right now: a lock on one byte of a file beside the log for
-/// each, byte N for participant N. The file is empty and stays so. The locks belong to the open file
-/// (F_OFD_SETLK), so the kernel frees them when the process ends, however it ends, and two programs can run
-/// sessions of one log at once.
+/// Which participants of a log are in a session right now: a lock on one byte of a file beside the log
+/// (`claims_file`) for each, byte N for participant N. The file is empty and stays so. The locks belong to
+/// the open file (F_OFD_SETLK), so the kernel frees them when the process ends, however it ends, and two
+/// programs can run sessions of one log at once.
 class SessionClaims {
  public:
   explicit SessionClaims(const std::filesystem::path& log);
@@ -25,12 +25,9 @@ class SessionClaims {
   [[nodiscard]] bool claimed_elsewhere(std::int64_t participant);
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path log_, path_;
   int descriptor_ = -1;
 };
-
-/// The file of the claims of a log.
-[[nodiscard]] std::filesystem::path claims_file(const std::filesystem::path& log);
 
 /// Whether any program has the participant; for readers. False where there is no file.
 [[nodiscard]] bool is_claimed(const std::filesystem::path& log, std::int64_t participant);

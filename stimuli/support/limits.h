@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 /// How much a file from outside may ask for. Everything here is checked before memory is taken for it;
@@ -37,6 +38,12 @@ inline constexpr std::int64_t largest_picture_expansion = 4096;
 inline constexpr int deepest_text_nesting = 128;              ///< tables and arrays in JSON and TOML
 inline constexpr int deepest_node_tree = 256;                 ///< glTF nodes
 inline constexpr std::int64_t most_text_values = 10'000'000;  ///< in JSON and TOML; some 100 bytes each
+
+// Logs.
+inline constexpr int largest_log_value_bytes =
+    64 << 20;  ///< a text or a row; a study file's text is the largest
+inline constexpr int largest_log_sql_bytes = 1 << 20;  ///< of a statement, or of a table in the file's schema
+inline constexpr std::size_t most_schema_entries = 1000;  ///< looked at; a log has some thirty
 
 // glTF.
 inline constexpr std::int64_t largest_gltf_buffers = 1024;
