@@ -73,7 +73,7 @@ std::optional<Json> read_record(const fs::path& path, const std::string& inputs)
     return std::nullopt;
   }
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("inputs", "") != inputs || !json.contains("record"))
+  if (!json.is_object() || !json.contains("inputs") || json["inputs"] != inputs || !json.contains("record"))
     return std::nullopt;
   return json["record"];
 }

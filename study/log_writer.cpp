@@ -1,5 +1,7 @@
 #include "study/log_writer.h"
 
+#include <fmt/core.h>
+
 #include <cassert>
 
 #include "stimuli/support/assets.h"
@@ -53,6 +55,37 @@ void enter_study(SQLite::Database& database, const StudySet& set) {
                        .found = std::to_string(entered) + " different ones among " + std::to_string(wanted)});
 }
 
+/// Trials name stimuli by their place in the manifest.
+void check_stimuli(SQLite::Database& database, const fs::path& path,
+                   const std::vector<ManifestStimulus>& wanted) {
+  SQLite::Statement row(database, R"sql(
+      SELECT stimulus, stimulus_id, scene, artifact, object, object_index, depth_width_px, yaw_texels, sha256
+      FROM stimuli ORDER BY stimulus)sql");
+  std::size_t same = 0;
+  while (row.executeStep() && same < wanted.size()) {
+    const ManifestStimulus& record = wanted[same];
+    const Stimulus& stimulus = record.stimulus;
+    if (row.getColumn(0).getInt64() != static_cast<std::int64_t>(same) ||
+        row.getColumn(1).getString() != record.id || row.getColumn(2).getString() != stimulus.scene ||
+        row.getColumn(3).getString() != word(stimulus.artifact) ||
+        row.getColumn(4).getString() != stimulus.object ||
+        row.getColumn(5).getInt64() != stimulus.object_index ||
+        row.getColumn(6).getInt64() != stimulus.condition.depth_width_px ||
+        row.getColumn(7).getInt64() != stimulus.condition.yaw_texels ||
+        row.getColumn(8).getString() != record.sha256)
+      break;
+    ++same;
+  }
+  if (same == wanted.size() && row.isDone()) return;
+  throw input_error(
+      {.file = path.string(),
+       .field = "stimuli",
+       .wanted =
+           "the stimuli of the set that the log names (`seamline log LOG --recover OUT --set SET` takes "
+           "them from it)",
+       .found = fmt::format("other ones from place {} on", same)});
+}
+
 /// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
 void claim_log(SQLite::Database& database, const fs::path& path, const StudySet& set) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
@@ -62,6 +95,7 @@ void claim_log(SQLite::Database& database, const fs::path& path, const StudySet&
   check_same(path, "study_hash", row.getColumn(0).getString(), set.manifest.study_hash);
   check_same(path, "set_hash", row.getColumn(1).getString(), set.set_hash);
   row.reset();
+  check_stimuli(database, path, set.manifest.stimuli);
   SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");
   run(moved, set.folder.string());
   transaction.commit();

@@ -43,6 +43,19 @@ TEST(SetLinks, APictureOutsideIsNoFinishedOne) {
   EXPECT_FALSE(records.finished_reference("room", "inputs"));
 }
 
+TEST(SetLinks, ARecordOfAnotherHandIsUnfinishedWork) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "records");
+  for (const char* text :
+       {R"({"inputs": 3, "record": {}})", R"({"inputs": "inputs", "record": 3})",
+        R"({"inputs": "inputs", "record": {"image": 3}})", R"({"inputs": null})", "[]", "3"}) {
+    write_file_atomically(folder / "records" / "a.json", text);
+    write_file_atomically(folder / "records" / "reference-room.json", text);
+    EXPECT_FALSE(SetRecords(folder.path()).finished("a", "inputs")) << text;
+    EXPECT_FALSE(SetRecords(folder.path()).finished_reference("room", "inputs")) << text;
+  }
+}
+
 TEST(SetLinks, ThePageOfErrorsShowsNothingFromOutside) {
   const TemporaryFolder folder;
   const fs::path set = folder / "set";

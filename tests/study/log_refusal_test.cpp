@@ -75,6 +75,27 @@ TEST_F(LogTest, ALogOfAnotherStudyOrSetIsRefusedAndUnharmed) {
   EXPECT_EQ(read_log(path).set_hash, set.set_hash);
 }
 
+TEST_F(LogTest, StimuliThatAreNotThoseOfTheSetAreRefused) {
+  {
+    LogWriter log(path, set);
+    (void)enter(log, {.code = "p1"}, 3);
+  }
+  const std::string whole = read_file(path);
+  for (const char* change :
+       {"UPDATE stimuli SET stimulus = 1000 WHERE stimulus = 5",
+        "INSERT INTO stimuli SELECT 1000, 'more', scene, artifact, object, object_index, "
+        "depth_width_px, yaw_texels, sha256 FROM stimuli WHERE stimulus = 5",
+        "UPDATE stimuli SET depth_width_px = 66 WHERE stimulus = 5"}) {
+    write_file_atomically(path, whole);
+    SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("PRAGMA foreign_keys = OFF; ") + change +
+              "; UPDATE trials SET stimulus = 1000 WHERE stimulus = 5 AND 1000 IN (SELECT stimulus FROM "
+              "stimuli)");
+    EXPECT_THAT(complaint_of([&] { LogWriter log(path, set); }), HasSubstr("wanted the stimuli of the set"))
+        << change;
+  }
+}
+
 TEST_F(LogTest, FilesThatAreNotLogsAreRefused) {
   const auto refused = [&](const char* reason) {
     EXPECT_THAT(complaint_of([&] { (void)read_log(path); }), HasSubstr(reason));
