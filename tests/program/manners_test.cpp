@@ -89,7 +89,7 @@ TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
 
 TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
   // Beside the path that was given there may be a link's folder (study/log_place.h).
-  EXPECT_EQ(files_with(R"("-(wal|shm|journal|lock)") "),
+  EXPECT_EQ(files_with(R"re("-(wal|shm|journal|lock)")re"),
             (std::set<std::string>{"demo.cpp", "study/log_place.cpp"}));
 }
 
