@@ -25,18 +25,19 @@ void run_demo(const std::filesystem::path& out, std::optional<int> spp) {
   const StudyDefinition study = read_study(builtin_study("quick"));
   fmt::print("1/3 stimuli: {} into {}\n", study.file.string(), (out / "set").string());
   std::fflush(stdout);
-  render_set(study, {.set_folder = out / "set", .spp = spp, .contact_sheet = true});
+  renderer::render_set(study, {.set_folder = out / "set", .spp = spp, .contact_sheet = true});
 
   const std::filesystem::path log = out / "log.sqlite";
   for (const char* suffix : {"", "-wal", "-shm", "-lock"})
     std::filesystem::remove(log.string() + suffix);  // simulated: made again
   fmt::print("2/3 sessions: {} simulated observers into {}\n", demo_observers, log.string());
   std::fflush(stdout);
-  run_simulated_study({.set_folder = out / "set", .log = log, .count = demo_observers});
+  study::run_simulated_study({.set_folder = out / "set", .log = log, .count = demo_observers});
 
   fmt::print("3/3 analysis\n\n");
   std::fflush(stdout);
-  const AnalysisSummary summary = analyze_log({.log = log, .report_folder = out / "report"});
+  const analysis::AnalysisSummary summary =
+      analysis::analyze_log({.log = log, .report_folder = out / "report"});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   fmt::print("{}\nThese answers are simulated: they show the chain, not people.\n", summary.table);
   fmt::print("Done in {}. Open the report in a browser: {}\n", duration_text(seconds),

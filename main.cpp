@@ -44,15 +44,15 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "seamline " + seamline::program_version());
   app.require_subcommand(1);
   seamline::add_demo_command(app);
-  seamline::add_renderer_commands(app);
+  seamline::renderer::add_renderer_commands(app);
 #ifdef SEAMLINE_HAS_WINDOW
-  seamline::add_study_commands(app, seamline::run_participant_in_window);
+  seamline::study::add_study_commands(app, seamline::study::app::run_participant_in_window);
 #else
-  seamline::add_study_commands(app);
+  seamline::study::add_study_commands(app);
 #endif
-  seamline::add_analysis_commands(app);
+  seamline::analysis::add_analysis_commands(app);
   bool any_case_failed = false;
-  seamline::add_stability_command(app, any_case_failed);
+  seamline::stability::add_stability_command(app, any_case_failed);
   seamline::catch_interrupts();
   try {
     const int status = run(app, argc, argv);

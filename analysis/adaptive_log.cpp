@@ -2,7 +2,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 void give_reason(CurveThresholds& estimates, const char* reason) {
@@ -30,4 +30,4 @@ void set_aside_adaptive(Analysis& analysis) {
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #pragma once
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Whether widths were placed by the answers (`procedure = "quest_plus"`). A study that is not known counts
 /// as one of constant stimuli.
@@ -18,4 +18,4 @@ inline constexpr const char* adaptive_note =
     "means of objects are over different people at different widths and only describe the answers. "
     "'seamline log LOG --tracks' prints the thresholds that the posteriors give.";
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "stimuli/support/error.h"
 #include "study/observer.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -78,13 +78,13 @@ void add_checks(Analysis& analysis) {
       correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
                            analysis.data, analysis.resampling);
   analysis.opinion = opinion_scores(analysis.scores.score);
-  analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = highest_rating});
+  analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = study::highest_rating});
   add_notes_on_screening(analysis);
   analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
 }
 
 /// The options, with the log's catch trials beside those that were given.
-AnalysisOptions with_catch_trials(AnalysisOptions options, const LogContents& log) {
+AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogContents& log) {
   for (const ReferenceAnswer& answer : reference_answers(log)) options.references.push_back(answer);
   for (const CatchAnswer& answer : attention_answers(log)) options.catches.push_back(answer);
   return options;
@@ -92,7 +92,7 @@ AnalysisOptions with_catch_trials(AnalysisOptions options, const LogContents& lo
 
 }  // namespace
 
-Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
+Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingRequest& resampling,
                  const AnalysisOptions& options) {
   Analysis analysis;
   analysis.log = std::move(log);
@@ -122,7 +122,7 @@ Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& r
         (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
     add_checks(analysis);
   }
-  if (study && common_observer(analysis.people) == word(ObserverKind::threshold))
+  if (study && common_observer(analysis.people) == word(study::ObserverKind::threshold))
     analysis.planted = planted_values(study->observer, analysis.data);
   return analysis;
 }
@@ -143,13 +143,13 @@ PlantedValues planted_values(const ObserverDefinition& observer, const Noticeabi
     if (!observer.midpoint_width_px.contains(scores.artifact)) continue;
     std::vector<double> expected;
     for (int width_px : scores.width_px)
-      expected.push_back(expected_noticeability(observer, scores.artifact, width_px));
+      expected.push_back(study::expected_noticeability(observer, scores.artifact, width_px));
     planted[scores.artifact] = thresholds_of_means(log2_widths(scores.width_px), expected);
   }
   return planted;
 }
 
-std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<std::string>& notes) {
+std::optional<StudyDefinition> study_of_log(const study::LogContents& log, std::vector<std::string>& notes) {
   if (log.study_text.empty()) {
     notes.emplace_back(
         "The log keeps no study text: planted values are not known, and widths are taken as not placed by "
@@ -168,4 +168,4 @@ std::optional<StudyDefinition> study_of_log(const LogContents& log, std::vector<
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -16,7 +16,7 @@
 #include "stimuli/study_definition.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What the threshold observers of a log were made of, as the same functionals of their expected means at the
 /// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
@@ -32,7 +32,7 @@ struct AnalysisOptions {
 
 /// Everything that is computed from a log; what tables, figures and report are written from.
 struct Analysis {
-  LogContents log;
+  study::LogContents log;
   bool include_pilot = false;
   ResamplingRequest resampling;
   AnalysisOptions options;
@@ -53,8 +53,8 @@ struct Analysis {
 };
 
 /// Computes everything. Throws InputError when no participant can be used.
-[[nodiscard]] Analysis analyze(LogContents log, bool include_pilot, const ResamplingRequest& resampling,
-                               const AnalysisOptions& options = {});
+[[nodiscard]] Analysis analyze(study::LogContents log, bool include_pilot,
+                               const ResamplingRequest& resampling, const AnalysisOptions& options = {});
 
 /// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
 /// observers": goes on every figure and table.
@@ -64,7 +64,7 @@ struct Analysis {
 [[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);
 
 /// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.
-[[nodiscard]] std::optional<StudyDefinition> study_of_log(const LogContents& log,
+[[nodiscard]] std::optional<StudyDefinition> study_of_log(const study::LogContents& log,
                                                           std::vector<std::string>& notes);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Texels per degree along the equator of an equirectangular depth map W px wide: W / 360.
 [[nodiscard]] constexpr double texels_per_degree(double width_px) {
@@ -22,4 +22,4 @@ namespace seamline {
   return width_px / std::numbers::pi * std::tan(field_of_view_deg / 2 * std::numbers::pi / 180);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,12 +5,12 @@
 #include "analysis/screening.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The answers of a log to reference trials, for the correction for guessing.
-[[nodiscard]] std::vector<ReferenceAnswer> reference_answers(const LogContents& log);
+[[nodiscard]] std::vector<ReferenceAnswer> reference_answers(const study::LogContents& log);
 
 /// The answers of a log to attention trials, for screening.
-[[nodiscard]] std::vector<CatchAnswer> attention_answers(const LogContents& log);
+[[nodiscard]] std::vector<CatchAnswer> attention_answers(const study::LogContents& log);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

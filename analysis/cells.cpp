@@ -9,7 +9,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -32,13 +32,13 @@ using PersonTallies = std::map<int, AnswerTally>;                           // p
 using ObjectTallies = std::map<ObjectKey, std::map<int, PersonTallies>>;    // object -> width -> person
 using PersonMeans = std::map<int, std::vector<std::pair<double, double>>>;  // person -> objects' means
 
-ObjectTallies tally_answers(const LogContents& log, const std::vector<ParticipantUse>& people) {
+ObjectTallies tally_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
   std::map<std::string, int> person_of;
   for (int person = 0; person < static_cast<int>(people.size()); ++person)
     person_of[people[static_cast<std::size_t>(person)].record.code] = person;
 
   ObjectTallies tallies;
-  for (const Answer& answer : log.answers) {
+  for (const study::Answer& answer : log.answers) {
     const auto found = person_of.find(answer.participant);
     if (found == person_of.end())
       throw input_error({.file = log.file.string(),
@@ -138,7 +138,7 @@ CellMean mean_over_participants(const std::vector<double>& values) {
   return {.width_px = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
 }
 
-NoticeabilityData average_answers(const LogContents& log, const std::vector<ParticipantUse>& people) {
+NoticeabilityData average_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
   const ObjectTallies tallies = tally_answers(log, people);
   if (tallies.empty())
     throw input_error({.file = log.file.string(),
@@ -161,4 +161,4 @@ NoticeabilityData average_answers(const LogContents& log, const std::vector<Part
   return data;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "stimuli/artifact.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Mean noticeability (0 to 4) of a group of participants at one width. Each participant counts once: their
 /// answers to one object are averaged first, then their objects.
@@ -46,10 +46,10 @@ struct NoticeabilityData {
 
 /// Averages the answers of the participants marked `Use::used`. Throws InputError when none of them has
 /// answered, and when an answer names a participant that the log does not list.
-[[nodiscard]] NoticeabilityData average_answers(const LogContents& log,
+[[nodiscard]] NoticeabilityData average_answers(const study::LogContents& log,
                                                 const std::vector<ParticipantUse>& people);
 
 /// Mean, standard error and n of one value a participant. `values` must not be empty.
 [[nodiscard]] CellMean mean_over_participants(const std::vector<double>& values);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -13,7 +13,7 @@
 #include "stimuli/support/random.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -99,8 +99,8 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
     curve.missing = fmt::format(
         "No psychometric function of '{}' is fitted: it was tested at one width only.", word(artifact));
   if (!curve.missing.empty()) return curve;
-  FitOptions options = options_for_alternatives(objects_per_stimulus);
-  options.direction = Direction::decreasing;
+  FitOptions options = options_for_alternatives(study::objects_per_stimulus);
+  options.direction = study::Direction::decreasing;
   curve.pooled = fit_pooled_choices(choices, options);
   const PsychometricFit& fit = curve.pooled->fit;
   curve.goodness = goodness_of_fit(fit);
@@ -143,4 +143,4 @@ std::vector<ChoiceCurve> choice_curves(const Analysis& analysis) {
   return curves;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/psychometric/goodness.h"
 #include "analysis/psychometric/pooled_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The fitted share of right choices at a width, with a pointwise 95 % band.
 struct BandPoint {
@@ -44,4 +44,4 @@ inline constexpr int deviance_replicates = 1000;
 /// Same numbers for any number of threads. Adaptive logs have no curves; each says so in `missing`.
 [[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

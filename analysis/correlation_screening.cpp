@@ -6,7 +6,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::vector<CorrelationCheck> screen_by_correlation(const Eigen::MatrixXd& score
   return checks;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

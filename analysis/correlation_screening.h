@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Below both of these ITU-T P.913, in use for video quality, discards a participant. Single forced choices
 /// are noisier than ratings of video: at these values some of the good participants of a study like ours are
@@ -39,4 +39,4 @@ struct CorrelationCheck {
 /// does not vary.
 [[nodiscard]] double pearson_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

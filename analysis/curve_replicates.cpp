@@ -4,7 +4,7 @@
 #include "analysis/logistic_level.h"
 #include "analysis/thresholds.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -40,4 +40,4 @@ CurveIntervals CurveReplicates::intervals(const TailLevels& levels) const {
           .slightly_noticeable_logistic = percentile_interval(slightly_noticeable_logistic_, levels)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

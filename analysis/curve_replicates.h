@@ -6,7 +6,7 @@
 #include "analysis/interval.h"
 #include "analysis/logistic4.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The intervals that replicates of one curve give, one for each thing read off it.
 struct CurveIntervals {
@@ -35,4 +35,4 @@ class CurveReplicates {
   std::vector<WidthInterval> perceptual_logistic_, slightly_noticeable_logistic_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 inline constexpr double above_every_width = infinity;
 inline constexpr double below_every_width = -infinity;
@@ -23,4 +23,4 @@ struct WidthEstimate {
   WidthInterval ci95;
 };
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// 1 far below 0, 0 far above.
 [[nodiscard]] inline double falling_logistic(double z) {
@@ -14,4 +14,4 @@ struct LogisticPolish {
   static constexpr double smallest_move = 1e-7;  ///< octaves and ln scale
 };
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 #include "analysis/interval.h"
 #include "analysis/statistics/distributions.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -50,10 +50,10 @@ double chance(const Eigen::VectorXd& counts, const Guessers& guessers) {
 Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range, const Guessers& guessers) {
   Eigen::VectorXd value(counts_of_cell);
   for (int place = 0; place < counts_of_cell; ++place) {
-    const int right = place / answers_of_trial, chosen = place % answers_of_trial / highest_rating;
+    const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
     const double b = guessers.position[static_cast<std::size_t>(right)];
-    value[place] =
-        right == chosen ? place % highest_rating + 1 : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
+    value[place] = right == chosen ? place % study::highest_rating + 1
+                                   : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
   }
   std::vector<Eigen::RowVectorXd> rows;
   for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
@@ -87,7 +87,7 @@ bool right_above_chance(const GuessTrials& trials, const CellRange& range, const
       for (int place = 0; place < counts_of_cell; ++place) {
         const double n =
             trials.answers(p, static_cast<Eigen::Index>((range.first + w) * counts_of_cell) + place);
-        const int right = place / answers_of_trial, chosen = place % answers_of_trial / highest_rating;
+        const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
         difference += n * ((right == chosen ? 1 : 0) - guessers.position[static_cast<std::size_t>(right)]);
         answers += n;
       }
@@ -202,4 +202,4 @@ GuessCorrection correct_for_guessing(const GuessTrials& trials, const Noticeabil
   return correction;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/resampling.h"
 #include "analysis/thresholds.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The curve of one artifact corrected for guessing, and its thresholds.
 struct CorrectedCurve {
@@ -39,4 +39,4 @@ struct GuessCorrection {
 [[nodiscard]] GuessCorrection correct_for_guessing(const GuessTrials& trials, const NoticeabilityData& data,
                                                    const ResamplingRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

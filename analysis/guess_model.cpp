@@ -6,7 +6,7 @@
 #include "analysis/guess_trials.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -14,12 +14,12 @@ constexpr int position_steps = 500;
 constexpr int seeing_steps = 3000;
 constexpr double position_tolerance = 1e-12;
 
-using Positions = std::array<double, objects_per_stimulus>;
-using Ratings = std::array<double, highest_rating>;
+using Positions = std::array<double, study::objects_per_stimulus>;
+using Ratings = std::array<double, study::highest_rating>;
 
 /// Wrong choices by right and by chosen position, and choices where nothing was right.
 struct GuessChoices {
-  std::array<Positions, objects_per_stimulus> wrong{};  ///< [right][chosen]
+  std::array<Positions, study::objects_per_stimulus> wrong{};  ///< [right][chosen]
   Positions reference{};
 };
 
@@ -54,16 +54,16 @@ bool positions_are_comparable(const GuessChoices& choices) {
 
 /// What right choices (o, r) and wrong ones are made of.
 struct CellCounts {
-  std::array<Ratings, objects_per_stimulus> right{};
+  std::array<Ratings, study::objects_per_stimulus> right{};
   double all_right = 0, all_wrong = 0;
   double wrong_log_likelihood = 0;  ///< sum of n ln(b(c) g(r)) over wrong choices
 };
 
 CellCounts sort_counts(const double* counts, const Guessers& guessers) {
   CellCounts sorted;
-  for (int right = 0; right < objects_per_stimulus; ++right)
-    for (int chosen = 0; chosen < objects_per_stimulus; ++chosen)
-      for (int rating = 0; rating < highest_rating; ++rating) {
+  for (int right = 0; right < study::objects_per_stimulus; ++right)
+    for (int chosen = 0; chosen < study::objects_per_stimulus; ++chosen)
+      for (int rating = 0; rating < study::highest_rating; ++rating) {
         const double n = counts[count_place(right + 1, chosen + 1, rating + 1)];
         const auto c = static_cast<std::size_t>(chosen), r = static_cast<std::size_t>(rating);
         if (chosen == right) {
@@ -80,7 +80,7 @@ CellCounts sort_counts(const double* counts, const Guessers& guessers) {
 /// v(r) = s q(r). The share of wrong choices says s, the right choices beyond chance say q.
 Ratings moment_start(const CellCounts& counts, const Guessers& guessers) {
   const double n = counts.all_right + counts.all_wrong;
-  constexpr double chance = 1.0 / objects_per_stimulus;
+  constexpr double chance = 1.0 / study::objects_per_stimulus;
   Ratings v{};
   const double guessing = std::clamp(counts.all_wrong / n / (1 - chance), 0.0, 0.98);
   double seen = 0;
@@ -137,17 +137,17 @@ Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& 
   for (Eigen::Index begin = 0; begin < cells.size(); begin += counts_of_cell)
     for (int place = 0; place < counts_of_cell; ++place) {
       const auto right = static_cast<std::size_t>(place / answers_of_trial);
-      const auto chosen = static_cast<std::size_t>(place % answers_of_trial / highest_rating);
+      const auto chosen = static_cast<std::size_t>(place % answers_of_trial / study::highest_rating);
       if (right == chosen) continue;
       const double n = cells[begin + place];
       choices.wrong[right][chosen] += n;
-      found.rating[static_cast<std::size_t>(place % highest_rating)] += n;
+      found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;
       found.wrong_answers += n;
     }
   for (int place = 0; place < answers_of_trial; ++place) {
     const double n = references[place];
-    choices.reference[static_cast<std::size_t>(place / highest_rating)] += n;
-    found.rating[static_cast<std::size_t>(place % highest_rating)] += n;
+    choices.reference[static_cast<std::size_t>(place / study::highest_rating)] += n;
+    found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;
     found.reference_answers += n;
   }
   if (!found.known()) return {};
@@ -191,4 +191,4 @@ SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tol
   return cell;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

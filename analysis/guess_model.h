@@ -5,13 +5,13 @@
 
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What guessers do, with the letters of documentation/guess_correction.md: b(c), the probability that a
 /// guess falls on position c, and g(r), the probability that a guesser then rates r.
 struct Guessers {
-  std::array<double, objects_per_stimulus> position = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< b
-  std::array<double, highest_rating> rating = {1, 0, 0, 0};                         ///< g
+  std::array<double, study::objects_per_stimulus> position = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< b
+  std::array<double, study::highest_rating> rating = {1, 0, 0, 0};                         ///< g
   double wrong_answers = 0, reference_answers = 0;  ///< what they were estimated from
   bool position_estimated = false;  ///< false: equal positions are assumed, because the data do not say
 
@@ -31,9 +31,9 @@ struct Guessers {
 ///
 ///     P(right o, rating r) = s q(r) + (1 - s) b(o) g(r),    P(wrong c, rating r) = (1 - s) b(c) g(r)
 struct SeeingCell {
-  double saw = 0;                                       ///< s
-  std::array<double, highest_rating> rating_of_seen{};  ///< q; NaN where s is 0
-  double noticeability = 0;                             ///< s times the mean of q: corrected for guessing
+  double saw = 0;                                              ///< s
+  std::array<double, study::highest_rating> rating_of_seen{};  ///< q; NaN where s is 0
+  double noticeability = 0;  ///< s times the mean of q: corrected for guessing
   double log_likelihood = 0;
   int steps = 0;  ///< of the EM algorithm
   bool converged = false;
@@ -46,4 +46,4 @@ struct SeeingCell {
 [[nodiscard]] SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tolerance = 1e-8,
                                     std::vector<double>* trace = nullptr);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

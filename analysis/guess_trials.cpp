@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -14,23 +14,23 @@ using PersonCell = std::pair<int, int>;
 using ObjectOf = std::tuple<std::string, int, std::string>;  // scene, object_index, object
 
 struct Placed {
-  const Answer* answer = nullptr;
+  const study::Answer* answer = nullptr;
   PersonCell where;
 };
 
 /// The people of a log in its order who are on some curve.
-std::vector<std::string> people_on_curves(const LogContents& log, const NoticeabilityData& data) {
+std::vector<std::string> people_on_curves(const study::LogContents& log, const NoticeabilityData& data) {
   std::set<std::string> on_curve;
   for (const ArtifactScores& scores : data.artifacts)
     on_curve.insert(scores.people.begin(), scores.people.end());
   std::vector<std::string> people;
-  for (const ParticipantRecord& record : log.participants)
+  for (const study::ParticipantRecord& record : log.participants)
     if (on_curve.contains(record.code)) people.push_back(record.code);
   return people;
 }
 
 /// The answers that are on the curves, each with its place.
-std::vector<Placed> placed_answers(const LogContents& log, const NoticeabilityData& data,
+std::vector<Placed> placed_answers(const study::LogContents& log, const NoticeabilityData& data,
                                    const GuessTrials& trials) {
   std::map<std::string, int> person_of;
   for (std::size_t p = 0; p < trials.people.size(); ++p) person_of[trials.people[p]] = static_cast<int>(p);
@@ -42,7 +42,7 @@ std::vector<Placed> placed_answers(const LogContents& log, const NoticeabilityDa
     for (const std::string& code : scores.people) on_curve.insert({scores.artifact, code});
 
   std::vector<Placed> placed;
-  for (const Answer& answer : log.answers)
+  for (const study::Answer& answer : log.answers)
     if (on_curve.contains({answer.artifact, answer.participant}))
       placed.push_back({.answer = &answer,
                         .where = {person_of.at(answer.participant),
@@ -52,7 +52,7 @@ std::vector<Placed> placed_answers(const LogContents& log, const NoticeabilityDa
 
 }  // namespace
 
-GuessTrials count_guess_trials(const LogContents& log, const NoticeabilityData& data,
+GuessTrials count_guess_trials(const study::LogContents& log, const NoticeabilityData& data,
                                const std::vector<ReferenceAnswer>& references) {
   GuessTrials trials;
   trials.people = people_on_curves(log, data);
@@ -87,9 +87,9 @@ GuessTrials count_guess_trials(const LogContents& log, const NoticeabilityData& 
     const auto found = std::find(trials.people.begin(), trials.people.end(), reference.participant);
     if (found == trials.people.end()) continue;
     trials.references(found - trials.people.begin(),
-                      (reference.chosen_index - 1) * highest_rating + reference.rating - 1) += 1;
+                      (reference.chosen_index - 1) * study::highest_rating + reference.rating - 1) += 1;
   }
   return trials;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

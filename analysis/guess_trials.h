@@ -7,7 +7,7 @@
 #include "study/log.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// An answer to a reference trial: nothing was inserted, so there was nothing to see and no right choice.
 struct ReferenceAnswer {
@@ -23,13 +23,13 @@ struct GuessCell {
 };
 
 inline constexpr int answers_of_trial =
-    objects_per_stimulus * highest_rating;  ///< chosen x rating, rating running fastest
+    study::objects_per_stimulus * study::highest_rating;  ///< chosen x rating, rating running fastest
 inline constexpr int counts_of_cell =
-    objects_per_stimulus * answers_of_trial;  ///< right x chosen x rating, rating running fastest
+    study::objects_per_stimulus * answers_of_trial;  ///< right x chosen x rating, rating running fastest
 
 /// Place of an answer within its cell's counts. Indices as in the log, from 1.
 [[nodiscard]] constexpr int count_place(int right_index, int chosen_index, int rating) {
-  return (right_index - 1) * answers_of_trial + (chosen_index - 1) * highest_rating + (rating - 1);
+  return (right_index - 1) * answers_of_trial + (chosen_index - 1) * study::highest_rating + (rating - 1);
 }
 
 /// How often each participant gave each answer, which is all that the guessing model needs. Where objects or
@@ -45,7 +45,7 @@ struct GuessTrials {
 
 /// Counts the answers of the people on the curves of `data` (`average_answers` of the same log). References
 /// of others are left out.
-[[nodiscard]] GuessTrials count_guess_trials(const LogContents& log, const NoticeabilityData& data,
+[[nodiscard]] GuessTrials count_guess_trials(const study::LogContents& log, const NoticeabilityData& data,
                                              const std::vector<ReferenceAnswer>& references);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

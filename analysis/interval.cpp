@@ -6,7 +6,7 @@
 
 #include "analysis/statistics/distributions.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -140,4 +140,4 @@ double quantile(std::vector<double>& values, double probability) {
   return share < 0.5 ? *middle : next;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

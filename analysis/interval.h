@@ -6,7 +6,7 @@
 #include "analysis/isotonic.h"
 #include "analysis/resampling.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The 95 % interval of the largest width where the isotonic curve of mean noticeability equals a level, by
 /// inverting a score test at each width w (the idea of Wilson's interval for a proportion). With the letters
@@ -70,4 +70,4 @@ struct TailLevels {
 /// Reorders.
 [[nodiscard]] double quantile(std::vector<double>& values, double probability);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

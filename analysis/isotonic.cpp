@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -70,4 +70,4 @@ double largest_log2_width_at(double level, std::span<const double> log2_px, std:
   return below_every_width;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

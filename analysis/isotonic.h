@@ -5,7 +5,7 @@
 
 #include "analysis/estimate.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The non-increasing values nearest to the data in weighted least squares, and the blocks they are constant
 /// on.
@@ -32,4 +32,4 @@ struct IsotonicFit {
 [[nodiscard]] double largest_log2_width_at(double level, std::span<const double> log2_px,
                                            std::span<const double> fit);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<KurtosisCount> screen_by_kurtosis(const Eigen::MatrixXd& score) {
   return counts;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// How often a participant's scores were extreme among everybody's, and what ITU-R BT.500 concludes.
 struct KurtosisCount {
@@ -24,4 +24,4 @@ struct KurtosisCount {
 /// person.
 [[nodiscard]] std::vector<KurtosisCount> screen_by_kurtosis(const Eigen::MatrixXd& score);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 
 #include "analysis/falling_logistic.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -237,4 +237,4 @@ Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
   return best;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/estimate.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// y(x) = lower + (upper - lower) / (1 + exp((x - centre) / scale)), x = log2 width. Its inflection point is
 /// the centre.
@@ -90,4 +90,4 @@ class Logistic4Fitter {
       basis_;  ///< (centre, scale) pairs x widths: centred logistics of unit norm, 0 where all but constant
 };
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/logistic_level.h"
 #include "analysis/logistic_through_level.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -76,4 +76,4 @@ WidthInterval logistic_level_interval(double level, const Logistic4Fit& fit,
           .high_log2_px = std::max(interval.high_log2_px, estimate.high_log2_px)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

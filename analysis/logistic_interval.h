@@ -5,7 +5,7 @@
 #include "analysis/logistic4.h"
 #include "analysis/resampling.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The 95 % interval of the width where the least-squares logistic equals a level, by inverting a score test
 /// at each width w: is the best logistic through the level at w (`fit_through_level`) worse than chance
@@ -23,4 +23,4 @@ namespace seamline {
                                                     const std::vector<double>& log2_px,
                                                     const MeanVector& means, int people);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

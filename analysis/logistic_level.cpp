@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::analysis {
 
 WidthInterval logistic_level_range(double level, const Logistic4Fit& fit, std::span<const double> log2_px) {
   if (fit.verdict == Centre::too_few_widths) return {};
@@ -36,4 +36,4 @@ WidthEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
   return estimate;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/estimate.h"
 #include "analysis/logistic4.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The widths at which a fitted four-parameter logistic y(x) (see `Logistic4`) is at `level`: the parametric
 /// counterpart of `largest_log2_width_at`,
@@ -23,4 +23,4 @@ namespace seamline {
 [[nodiscard]] WidthEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
                                                     std::span<const double> log2_px);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

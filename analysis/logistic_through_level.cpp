@@ -7,7 +7,7 @@
 #include "analysis/falling_logistic.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -129,4 +129,4 @@ LogisticThroughLevel fit_through_level(double level, double at_log2_px, const st
           .residual_sum_of_squares = std::max(0.0, best.residual)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

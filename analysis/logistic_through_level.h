@@ -4,7 +4,7 @@
 
 #include "analysis/logistic4.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The least-squares logistic among those that equal a level at a width: what the data look like if that
 /// width were the threshold.
@@ -21,4 +21,4 @@ struct LogisticThroughLevel {
                                                      const Eigen::VectorXd& means, const LogisticBox& box,
                                                      const Logistic4* start = nullptr);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

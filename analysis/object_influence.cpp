@@ -4,23 +4,23 @@
 
 #include "analysis/isotonic.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
-bool shows(const Answer& answer, const ObjectCurve& object) {
+bool shows(const study::Answer& answer, const ObjectCurve& object) {
   return answer.artifact == object.artifact && answer.scene == object.scene &&
          answer.object_index == object.object_index && answer.object == object.object;
 }
 
 /// The artifact's curve without one of its objects; none when nobody answered all that is left.
-std::optional<ArtifactScores> scores_without(const LogContents& log,
+std::optional<ArtifactScores> scores_without(const study::LogContents& log,
                                              const std::vector<ParticipantUse>& people,
                                              const ObjectCurve& object) {
-  LogContents rest;
+  study::LogContents rest;
   rest.file = log.file;
   rest.participants = log.participants;
-  for (const Answer& answer : log.answers)
+  for (const study::Answer& answer : log.answers)
     if (answer.artifact == object.artifact && !shows(answer, object)) rest.answers.push_back(answer);
   NoticeabilityData data = average_answers(rest, people);
   if (data.artifacts.front().people.empty()) return std::nullopt;
@@ -54,7 +54,7 @@ void add_without(const ObjectCurve& object, const ArtifactScores& scores, Object
 
 }  // namespace
 
-std::vector<ObjectInfluence> leave_one_object_out(const LogContents& log,
+std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
                                                   const std::vector<ParticipantUse>& people,
                                                   const NoticeabilityData& data) {
   std::vector<ObjectInfluence> influences;
@@ -73,4 +73,4 @@ std::vector<ObjectInfluence> leave_one_object_out(const LogContents& log,
   return influences;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/thresholds.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The thresholds of an artifact when one of its objects is left out.
 struct WithoutObject {
@@ -27,8 +27,8 @@ struct ObjectInfluence {
 };
 
 /// One entry an artifact, in the order of `data` (`average_answers` of the same log and people).
-[[nodiscard]] std::vector<ObjectInfluence> leave_one_object_out(const LogContents& log,
+[[nodiscard]] std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
                                                                 const std::vector<ParticipantUse>& people,
                                                                 const NoticeabilityData& data);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -76,4 +76,4 @@ SosParameter sos_parameter(const Eigen::MatrixXd& score, const RatingScale& scal
   return sos;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

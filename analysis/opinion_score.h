@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The mean opinion score of one stimulus.
 struct OpinionScore {
@@ -37,4 +37,4 @@ struct SosParameter {
 
 [[nodiscard]] SosParameter sos_parameter(const Eigen::MatrixXd& score, const RatingScale& scale);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,14 +2,15 @@
 
 #include <set>
 
-namespace seamline {
+namespace seamline::analysis {
 
-std::vector<Answer> used_answers(const LogContents& log, const std::vector<ParticipantUse>& people) {
+std::vector<study::Answer> used_answers(const study::LogContents& log,
+                                        const std::vector<ParticipantUse>& people) {
   std::set<std::string> used;
   for (const ParticipantUse& person : people)
     if (person.use == Use::used) used.insert(person.record.code);
-  std::vector<Answer> answers;
-  for (const Answer& answer : log.answers)
+  std::vector<study::Answer> answers;
+  for (const study::Answer& answer : log.answers)
     if (used.contains(answer.participant)) answers.push_back(answer);
   return answers;
 }
@@ -19,4 +20,4 @@ OrdinalStudy ordinal_study(const Analysis& analysis, const ParticipantGroups& gr
   return fit_ordinal_study(used_answers(analysis.log, analysis.people), groups, request);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include "stimuli/artifact.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// One column of Table 1 of "Visual Perception of Real World Depth Map Resolution for Mixed Reality
 /// Rendering": widths in px, none where the paper has a dash.
@@ -28,4 +28,4 @@ inline constexpr std::array<PaperThresholds, 4> paper_table_1 = {{
   return std::nullopt;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,11 +5,11 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
-Use use_of(const ParticipantRecord& record, bool include_pilot) {
+Use use_of(const study::ParticipantRecord& record, bool include_pilot) {
   if (record.excluded) return Use::excluded;
   if (record.pilot && !include_pilot) return Use::pilot;
   return record.completed ? Use::used : Use::incomplete;
@@ -41,16 +41,16 @@ std::string_view word(Use use) {
   return "";
 }
 
-std::vector<ParticipantUse> select_participants(const LogContents& log, bool include_pilot) {
-  std::map<std::string, std::vector<const Answer*>> answers_of;
-  for (const Answer& answer : log.answers) answers_of[answer.participant].push_back(&answer);
+std::vector<ParticipantUse> select_participants(const study::LogContents& log, bool include_pilot) {
+  std::map<std::string, std::vector<const study::Answer*>> answers_of;
+  for (const study::Answer& answer : log.answers) answers_of[answer.participant].push_back(&answer);
 
   std::vector<ParticipantUse> people;
-  for (const ParticipantRecord& record : log.participants) {
-    const std::vector<const Answer*>& answers = answers_of[record.code];
+  for (const study::ParticipantRecord& record : log.participants) {
+    const std::vector<const study::Answer*>& answers = answers_of[record.code];
     std::vector<double> choice_s;
     int right = 0;
-    for (const Answer* answer : answers) {
+    for (const study::Answer* answer : answers) {
       right += answer->correct() ? 1 : 0;
       if (!record.simulated) choice_s.push_back(static_cast<double>(answer->choice_ns) * 1e-9);
     }
@@ -99,4 +99,4 @@ std::string_view common_observer(const std::vector<ParticipantUse>& people) {
   return kind;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What becomes of a participant's answers. Nobody is left out in silence: each has a verdict, and each
 /// verdict is counted.
@@ -20,7 +20,7 @@ enum class Use {
 [[nodiscard]] std::string_view word(Use use);
 
 struct ParticipantUse {
-  ParticipantRecord record;
+  study::ParticipantRecord record;
   Use use = Use::used;
   int answers = 0;
   double correct = 0;  ///< share of right choices among all answers; NaN without answers
@@ -34,11 +34,12 @@ struct ParticipantCounts {
 };
 
 /// Decides for each participant of the log. Excluded comes before pilot, pilot before incomplete.
-[[nodiscard]] std::vector<ParticipantUse> select_participants(const LogContents& log, bool include_pilot);
+[[nodiscard]] std::vector<ParticipantUse> select_participants(const study::LogContents& log,
+                                                              bool include_pilot);
 
 [[nodiscard]] ParticipantCounts count_participants(const std::vector<ParticipantUse>& people);
 
 /// The kind of simulated observer when every used participant is of that one kind, else empty.
 [[nodiscard]] std::string_view common_observer(const std::vector<ParticipantUse>& people);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

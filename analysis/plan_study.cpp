@@ -18,7 +18,7 @@
 #include "study/observer.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 constexpr std::uint64_t plan_salt = 0x706c616e;  // "plan"
@@ -36,12 +36,12 @@ std::map<Artifact, int> objects_of_artifacts(const StudyDefinition& study) {
 CurveThresholds planted_thresholds(const ObserverDefinition& observer, Artifact artifact,
                                    const std::vector<int>& width_px) {
   std::vector<double> means;
-  for (const int width : width_px) means.push_back(expected_noticeability(observer, artifact, width));
+  for (const int width : width_px) means.push_back(study::expected_noticeability(observer, artifact, width));
   return thresholds_of_means(log2_widths(width_px), means);
 }
 
 /// One person's mean noticeability of an artifact's objects at each width.
-Eigen::RowVectorXd answers_of(const Observer& person, Artifact artifact, int objects,
+Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, int objects,
                               const std::vector<int>& width_px, Random& random) {
   Eigen::RowVectorXd means(static_cast<Eigen::Index>(width_px.size()));
   Stimulus stimulus;
@@ -50,8 +50,8 @@ Eigen::RowVectorXd answers_of(const Observer& person, Artifact artifact, int obj
     stimulus.condition.depth_width_px = width_px[w];
     int sum = 0;
     for (int object = 0; object < objects; ++object) {
-      stimulus.object_index = 1 + object % objects_per_stimulus;
-      const Response response = respond(person, stimulus, random);
+      stimulus.object_index = 1 + object % study::objects_per_stimulus;
+      const study::Response response = study::respond(person, stimulus, random);
       if (response.chosen_index == stimulus.object_index) sum += response.rating;
     }
     means[static_cast<Eigen::Index>(w)] = static_cast<double>(sum) / objects;
@@ -86,7 +86,8 @@ std::map<Artifact, Eigen::MatrixXd> simulate_people(const Task& task, int study,
       mix_bits(mix_bits(task.request.seed ^ plan_salt) + static_cast<std::uint64_t>(study));
   for (int person = 0; person < people; ++person) {
     Random random(seed, set * static_cast<std::uint64_t>(people) + static_cast<std::uint64_t>(person));
-    const Observer observer = make_observer(ObserverKind::threshold, task.observer, random);
+    const study::Observer observer =
+        study::make_observer(study::ObserverKind::threshold, task.observer, random);
     for (const auto& [artifact, objects] : task.objects)
       scores[artifact].row(person) = answers_of(observer, artifact, objects, width_px, random);
   }
@@ -212,4 +213,4 @@ Plan plan_study(const PlanRequest& request) {
   return plan;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "stimuli/artifact.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What `seamline plan STUDY.toml` asks for.
 struct PlanRequest {
@@ -75,4 +75,4 @@ struct PlannedDesign {
 /// The table for a terminal, and the designs that meet the wish.
 [[nodiscard]] std::string plan_text(const Plan& plan);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/plan_study.h"
 #include "stimuli/support/markdown_table.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 bool meets(const PlannedInterval& interval, double wanted_octaves) {
@@ -109,4 +109,4 @@ std::string plan_text(const Plan& plan) {
          ".\nFewest answers: " + design_text(plan, *answers) + ".\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

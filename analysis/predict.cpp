@@ -11,7 +11,7 @@
 #include "study/observer.h"
 #include "study/study_set.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 struct CellSums {
@@ -65,7 +65,7 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
     CellSums& cell = sums[record.stimulus.artifact][record.stimulus.condition.depth_width_px];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
-    cell.noticeability += expected_noticeability_of_difference(observer, difference);
+    cell.noticeability += study::expected_noticeability_of_difference(observer, difference);
     ++cell.count;
   }
   std::vector<PredictedArtifact> artifacts;
@@ -105,7 +105,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 }
 
 Prediction predict_thresholds(const PredictionRequest& request) {
-  const StudySet set = load_study_set(request.set_folder);
+  const study::StudySet set = study::load_study_set(request.set_folder);
   Prediction prediction{.observer = set.study.observer, .artifacts = {}};
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);
@@ -144,4 +144,4 @@ std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& arti
   return order;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 #include "stimuli/study_definition.h"
 #include "stimuli/visible_difference.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What `seamline predict SET` asks for.
 struct PredictionRequest {
@@ -59,4 +59,4 @@ struct Prediction {
 /// The artifacts from the most to the least demanding, by PT, then SN; "above at every width" comes first.
 [[nodiscard]] std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

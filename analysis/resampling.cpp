@@ -5,7 +5,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -49,4 +49,4 @@ void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRe
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// How participants are resampled. The same request gives the same bits for any number of threads.
 struct ResamplingRequest {
@@ -30,4 +30,4 @@ struct MeanVector {
 void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRequest& request,
                         const std::function<void(int replicate, const Eigen::VectorXd& mean)>& use);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/interval.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -43,7 +43,7 @@ ResponseTimes response_times(const Analysis& analysis) {
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used && !person.record.simulated) timed.insert(person.record.code);
   std::map<Key, TimeTally> tallies;
-  for (const Answer& answer : analysis.log.answers) {
+  for (const study::Answer& answer : analysis.log.answers) {
     if (!timed.contains(answer.participant)) continue;
     for (int artifact : {-1, static_cast<int>(answer.artifact)})
       for (TimedAnswers which :
@@ -72,4 +72,4 @@ ResponseTimes response_times(const Analysis& analysis) {
   return times;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

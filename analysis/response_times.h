@@ -5,7 +5,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Lower quartile, median and upper quartile over answers, in seconds.
 struct Quartiles {
@@ -38,4 +38,4 @@ struct ResponseTimes {
 /// Quantiles by linear interpolation (type 7); NaN without values.
 [[nodiscard]] Quartiles quartiles(std::vector<double> values);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

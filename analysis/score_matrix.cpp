@@ -4,11 +4,11 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
-ScoredStimulus stimulus_of(const Answer& answer) {
+ScoredStimulus stimulus_of(const study::Answer& answer) {
   return {.artifact = answer.artifact,
           .width_px = answer.depth_width_px,
           .scene = answer.scene,
@@ -18,7 +18,7 @@ ScoredStimulus stimulus_of(const Answer& answer) {
 
 }  // namespace
 
-ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUse>& people) {
+ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
   ScoreMatrix matrix;
   std::map<std::string, Eigen::Index> row_of;
   for (const ParticipantUse& person : people)
@@ -27,7 +27,7 @@ ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUs
       matrix.people.push_back(person.record.code);
     }
   std::map<ScoredStimulus, Eigen::Index> column_of;
-  for (const Answer& answer : log.answers)
+  for (const study::Answer& answer : log.answers)
     if (row_of.contains(answer.participant)) column_of[stimulus_of(answer)] = 0;
   for (auto& [stimulus, column] : column_of) {
     column = static_cast<Eigen::Index>(matrix.stimuli.size());
@@ -43,7 +43,7 @@ ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUs
              columns = static_cast<Eigen::Index>(matrix.stimuli.size());
   Eigen::MatrixXd answers = Eigen::MatrixXd::Zero(rows, columns);
   matrix.score = Eigen::MatrixXd::Zero(rows, columns);
-  for (const Answer& answer : log.answers) {
+  for (const study::Answer& answer : log.answers) {
     const auto row = row_of.find(answer.participant);
     if (row == row_of.end()) continue;
     const Eigen::Index column = column_of.at(stimulus_of(answer));
@@ -56,4 +56,4 @@ ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUs
   return matrix;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/participants.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What one image showed, and under which condition.
 struct ScoredStimulus {
@@ -28,6 +28,7 @@ struct ScoreMatrix {
 };
 
 /// Scores of the participants marked `Use::used`.
-[[nodiscard]] ScoreMatrix score_matrix(const LogContents& log, const std::vector<ParticipantUse>& people);
+[[nodiscard]] ScoreMatrix score_matrix(const study::LogContents& log,
+                                       const std::vector<ParticipantUse>& people);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

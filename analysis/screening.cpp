@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -86,4 +86,4 @@ Screening screen_participants(const ScoreMatrix& scores, const std::vector<Catch
   return screening;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/kurtosis_screening.h"
 #include "analysis/score_matrix.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The ways a participant can be named as one whose answers may not be about the pictures.
 enum class Screen {
@@ -61,4 +61,4 @@ struct Screening {
 [[nodiscard]] Screening screen_participants(const ScoreMatrix& scores,
                                             const std::vector<CatchAnswer>& catches);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

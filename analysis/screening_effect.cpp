@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
-std::vector<ArtifactThresholds> thresholds_of(const LogContents& log,
+std::vector<ArtifactThresholds> thresholds_of(const study::LogContents& log,
                                               const std::vector<ParticipantUse>& people,
                                               const ResamplingRequest& request) {
   if (count_participants(people).used == 0) return {};
@@ -26,7 +26,7 @@ std::vector<ParticipantUse> leave_out(std::vector<ParticipantUse> people,
   return people;
 }
 
-std::vector<ScreenedThresholds> thresholds_with_and_without(const LogContents& log,
+std::vector<ScreenedThresholds> thresholds_with_and_without(const study::LogContents& log,
                                                             const std::vector<ParticipantUse>& people,
                                                             const Screening& screening,
                                                             const ResamplingRequest& request) {
@@ -48,4 +48,4 @@ std::vector<ScreenedThresholds> thresholds_with_and_without(const LogContents& l
   return results;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/screening.h"
 #include "analysis/thresholds.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The thresholds of everybody, or of those whom a screen does not name.
 struct ScreenedThresholds {
@@ -18,11 +18,11 @@ struct ScreenedThresholds {
 /// The thresholds with everybody first, then without those whom each screen names (screens that name nobody
 /// change nothing and have no entry), then, when more than one screen names somebody, without anybody named.
 [[nodiscard]] std::vector<ScreenedThresholds> thresholds_with_and_without(
-    const LogContents& log, const std::vector<ParticipantUse>& people, const Screening& screening,
+    const study::LogContents& log, const std::vector<ParticipantUse>& people, const Screening& screening,
     const ResamplingRequest& request);
 
 /// The participants with those of `codes` who are used marked `Use::screened`.
 [[nodiscard]] std::vector<ParticipantUse> leave_out(std::vector<ParticipantUse> people,
                                                     const std::vector<std::string>& codes);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

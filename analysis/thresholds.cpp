@@ -6,7 +6,7 @@
 #include "analysis/logistic_interval.h"
 #include "analysis/logistic_level.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -88,4 +88,4 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

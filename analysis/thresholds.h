@@ -7,7 +7,7 @@
 #include "analysis/logistic4.h"
 #include "analysis/resampling.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 inline constexpr double perceptual_level =
     0.5;  ///< PT: halfway between not noticeable (0) and slightly noticeable (1)
@@ -49,4 +49,4 @@ struct ArtifactThresholds {
 /// log2 of the tested widths.
 [[nodiscard]] std::vector<double> log2_widths(const std::vector<int>& width_px);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,6 +7,8 @@
 #include "study/observer.h"
 
 namespace seamline {
+using namespace study;
+using namespace analysis;
 namespace {
 
 /// Answers of 20 `threshold` observers.

@@ -7,6 +7,7 @@
 #include "analysis/psychometric/fit_intervals.h"
 
 namespace seamline {
+using namespace analysis;
 namespace {
 
 /// Seven widths of a 3-alternative task, 60 trials each.

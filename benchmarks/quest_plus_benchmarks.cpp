@@ -8,6 +8,7 @@
 #include "study/quest_plus_model.h"
 
 namespace seamline {
+using namespace study;
 namespace {
 
 struct Track {

@@ -10,6 +10,7 @@
 #include "renderer/sampler.h"
 
 namespace seamline {
+using namespace renderer;
 namespace {
 
 void sampler_point(benchmark::State& state) {

@@ -12,6 +12,7 @@
 #include "study/log_database.h"
 
 namespace seamline {
+using namespace study;
 namespace {
 
 constexpr const char* rows = R"sql(

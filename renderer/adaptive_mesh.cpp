@@ -6,7 +6,7 @@
 #include "renderer/adaptive_mesh_bound.h"
 #include "renderer/adaptive_mesh_lattice.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 GridTriangle grid_triangle(const Lattice& lattice, const LatticeTriangle& t) {
@@ -128,4 +128,4 @@ DepthMesh build_adaptive_mesh(const DenseSphere& sphere, double tolerance, int t
   return mesh;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 #include "renderer/dense_sphere.h"
 #include "renderer/depth_mesh.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A right-triangulated irregular network over the dense sphere (in the manner of Evans, Kirkpatrick and
 /// Townsend 2001), refined from coarse to fine until every triangle holds its bound: along the ray of each
@@ -15,4 +15,4 @@ namespace seamline {
 /// density.
 [[nodiscard]] DepthMesh build_adaptive_mesh(const DenseSphere& sphere, double tolerance, int threads);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/dense_sphere.h"
 #include "renderer/depth_mesh.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Makes a mesh of the triangles that `for_each_triangle(part, out)` tells by out(a, b, c), each a
 /// GridVertex, for every part in [0, parts). It is asked twice, for counting and for writing, so that the
@@ -58,4 +58,4 @@ DepthMesh assemble_mesh(const DenseSphere& sphere, int parts, int threads,
   return mesh;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 
 #include "renderer/grid_triangle_cells.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct TriangleBound::Spread {
   double smallest = 1, largest = 1;
@@ -248,4 +248,4 @@ void TriangleBound::scan_inside(const Plane& plane, const Outline& outline, int 
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

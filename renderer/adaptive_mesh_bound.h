@@ -4,7 +4,7 @@
 
 #include "renderer/dense_sphere.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Three vertices of the dense sphere's grid, none a pole, anticlockwise as seen from the centre. Columns are
 /// not wrapped: they lie in [0, width] and less than a quarter turn apart.
@@ -48,4 +48,4 @@ class TriangleBound {
   double smallest_q_, largest_q_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Spreads dense lines 0 .. last over lattice lines 0 .. count, by rounding: fewer than two lattice lines to
@@ -82,4 +82,4 @@ void Lattice::accept(const LatticeTriangle& t) {
       .fetch_or(accepted_bit(t), std::memory_order_relaxed);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

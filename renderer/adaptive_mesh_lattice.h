@@ -5,7 +5,7 @@
 
 #include "renderer/dense_sphere.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct LatticePoint {
   int x = 0;  ///< to the right as seen from the centre; [0, width], where width is 0 again
@@ -91,4 +91,4 @@ class Lattice {
   mutable std::vector<std::uint8_t> flags_;  ///< mutable only because std::atomic_ref cannot be const
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/adaptive_mesh_workers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 VertexNumbering::VertexNumbering(int width, int height)
     : tiles_across_((width + 7) / 8),
@@ -47,4 +47,4 @@ void VertexNumbering::write_positions(const DenseSphere& sphere, Eigen::Vector3f
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

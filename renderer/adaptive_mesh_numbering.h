@@ -5,7 +5,7 @@
 
 #include "renderer/dense_sphere.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Which vertices of the dense sphere a mesh uses, and their compact numbers. A bit for each vertex in tiles
 /// of 8 x 8, so that neighbours are near each other in memory, and a running count for each tile: 1.5 bits a
@@ -37,4 +37,4 @@ class VertexNumbering {
   std::vector<std::uint32_t> marked_before_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Calls work(i) for every i in [0, count) on `threads` threads (0: one for each core), in no particular
 /// order. The work must not throw, and must not depend on the order. Denormals are kept, unlike in
@@ -21,4 +21,4 @@ void for_each_in_parallel(int count, int threads, const Work& work) {
   worker();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,6 +1,6 @@
 #include "renderer/answers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr Answers everything_from_depth{Who::depth, Who::depth, Who::depth, Who::depth, Who::depth};
@@ -65,4 +65,4 @@ Answers asked_by_any(std::span<const Artifact> artifacts, Isolation isolation) {
   return all;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "stimuli/artifact.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Who answers a question that light asks of the real world.
 enum class Who { truth, depth };
@@ -58,4 +58,4 @@ struct Recipe {
 /// What any of the artifacts asks of the depth mesh.
 [[nodiscard]] Answers asked_by_any(std::span<const Artifact> artifacts, Isolation isolation);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace seamline {
+namespace seamline::renderer {
 
 std::optional<bool> is_met(const Measurement& measurement) {
   const double value = measurement.ratio.value_or(measurement.found);
@@ -33,4 +33,4 @@ std::span<const Benchmark> benchmarks() {
   return all;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

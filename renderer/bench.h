@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What was wanted of a measurement's ratio, or of what was found when there is nothing beside it.
 struct Wanted {
@@ -49,4 +49,4 @@ struct Benchmark {
 [[nodiscard]] std::vector<Measurement> bench_picture(const BenchOptions& options);
 [[nodiscard]] std::vector<Measurement> bench_set(const BenchOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

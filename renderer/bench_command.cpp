@@ -10,7 +10,7 @@
 #include "renderer/parallel.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 struct CommandLine {
@@ -99,4 +99,4 @@ void add_bench_command(CLI::App& app) {
   bench->callback([line] { run_bench(*line); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

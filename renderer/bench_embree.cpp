@@ -8,7 +8,7 @@
 
 #include "renderer/embree_handles.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// A packet's arrays and Embree's functions for it, by its size.
@@ -152,4 +152,4 @@ void BareScene::occluded(int packet_size, Coherence coherence, std::span<const R
   trace(as_scene(scene_), false, packet_size, coherence, rays, distance_m);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Embree as one would call it with nothing around it: the same triangles, flags and build quality as
 /// Geometry, rays copied into packets and traced, distances copied out.
@@ -30,4 +30,4 @@ class BareScene {
   void* scene_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

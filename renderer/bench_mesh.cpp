@@ -13,7 +13,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// A local scene and what it took.
@@ -162,4 +162,4 @@ std::vector<Measurement> bench_mesh(const BenchOptions& options) {
   return all;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -13,7 +13,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double wanted_relative_rmse = 0.034;  // of the background's mean radiance
@@ -205,4 +205,4 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
            .wanted = fast.wanted() ? Wanted{Wanted::Kind::at_most, 3} : Wanted{}}};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

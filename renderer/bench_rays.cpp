@@ -5,7 +5,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int tile_px = 4;
@@ -52,4 +52,4 @@ SceneDefinition bench_scene(const std::string& name) {
   throw std::logic_error("the isolated study has no scene " + name);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

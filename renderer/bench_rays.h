@@ -5,7 +5,7 @@
 #include "renderer/truth_pass.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The rays that a path-tracing pass asks of one geometry, in the order in which it asks them: pixel by pixel
 /// in tiles of 4 x 4, so that neighbours follow each other.
@@ -22,4 +22,4 @@ struct RecordedRays {
 /// A built-in scene with its objects, as the isolated study renders it.
 [[nodiscard]] SceneDefinition bench_scene(const std::string& name);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

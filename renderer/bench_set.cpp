@@ -9,7 +9,7 @@
 #include "stimuli/support/assets.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double one_step = 0.0039;
@@ -53,4 +53,4 @@ std::vector<Measurement> bench_set(const BenchOptions& options) {
           memory};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 double now_s(Clock clock) {
@@ -46,4 +46,4 @@ InterleavedTimes time_interleaved(int repeats, Clock clock, std::span<const std:
   return timings;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Seconds of work done in turns, so that what else the machine does falls on all alike.
 struct InterleavedTimes {
@@ -25,4 +25,4 @@ enum class Clock { processor, wall };
 /// Seconds of one run.
 [[nodiscard]] double time_once(Clock clock, const std::function<void()>& work);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

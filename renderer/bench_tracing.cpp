@@ -10,7 +10,7 @@
 #include "renderer/capture.h"
 #include "renderer/depth_mesh.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 int repeats(const BenchOptions& options) {
@@ -212,4 +212,4 @@ std::vector<Measurement> bench_local_scene(const BenchOptions& options) {
   return measurements;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/b_spline.h"
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr float plane_tolerance = 0.01F;  // distance from the tangent plane, relative to the distance
@@ -137,4 +137,4 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
                 TileSet(static_cast<std::size_t>(grid.count()), 1));
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

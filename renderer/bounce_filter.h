@@ -6,7 +6,7 @@
 #include "renderer/scene_sums.h"
 #include "renderer/tiles.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Bounce light of one pixel without its albedo, in both halves of samples: sums and the number of samples
 /// they are over. Filtering sums and numbers apart lets a pixel count for what it saw. All are one array,
@@ -61,4 +61,4 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
   return 2 * ((1 << strength.levels) - 1);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

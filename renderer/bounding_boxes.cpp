@@ -4,7 +4,7 @@
 
 #include "renderer/geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 BoundingBoxes::BoundingBoxes(std::span<const std::shared_ptr<const Part>> parts) {
   std::map<int, Box> of_object;
@@ -27,4 +27,4 @@ BoundingBoxes::BoundingBoxes(std::span<const std::shared_ptr<const Part>> parts)
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 
 #include "renderer/ray.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct Part;
 
@@ -56,4 +56,4 @@ class BoundingBoxes {
   std::vector<Box> boxes_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A pinhole camera at the origin of the renderer's frame (everything is recentred on it), axes of the world.
 struct Camera {
@@ -24,4 +24,4 @@ struct Camera {
   }
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 #include "renderer/geometry.h"
 #include "renderer/sampler.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The camera ray of one sample of a pixel.
 [[nodiscard]] inline Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler) {
@@ -17,4 +17,4 @@ namespace seamline {
   return {Eigen::Vector3f::Zero(), camera.centre_direction(x, y)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Rays go to the tracer in blocks of neighbouring texels, which see the same surfaces.
@@ -75,4 +75,4 @@ DepthMap capture_depth(const Geometry& geometry, int width_px, int yaw_texels, i
   return map;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

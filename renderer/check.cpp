@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Measures = std::array<ObjectMeasures, 3>;
@@ -113,4 +113,4 @@ std::vector<RuleResult> check_scene(const TruthScene& scene) {
   return SceneChecker(scene).check();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/scene_measures.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// One of the paper's rules for its scenes (sections 4.1.1 and 4.1.2), as found in one scene.
 struct RuleResult {
@@ -20,4 +20,4 @@ struct RuleResult {
 /// are left out of areas and silhouettes.
 [[nodiscard]] std::vector<RuleResult> check_scene(const TruthScene& scene);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -9,7 +9,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 void run_check(const std::string& path, const std::string& asset_root) {
@@ -37,4 +37,4 @@ void add_check_command(CLI::App& app) {
   check->callback([path, asset_root] { run_check(*path, *asset_root); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

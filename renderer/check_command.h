@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// `seamline check`.
 void add_check_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/render_command.h"
 #include "renderer/workbench_command.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 void add_renderer_commands(CLI::App& app) {
   add_render_command(app);
@@ -16,4 +16,4 @@ void add_renderer_commands(CLI::App& app) {
   add_bench_command(app);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

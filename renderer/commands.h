@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Adds the subcommands of `renderer/` to the program. Each is parse, load, compute, write.
 void add_renderer_commands(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/pocket_filter.h"
 #include "stimuli/difference.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr float floor_share = 1e-6F;  // of the frame's median: below it the ratio is 1
@@ -190,4 +190,4 @@ LayerImages layer_images(const StimulusLayers& layers) {
   return images;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include "renderer/layers.h"
 #include "stimuli/manifest.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How the change that the object makes in the local scene is put onto the background.
 enum class Compositing {
@@ -45,4 +45,4 @@ struct LayerImages {
 };
 [[nodiscard]] LayerImages layer_images(const StimulusLayers& layers);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -9,7 +9,7 @@
 #include "stimuli/set_files.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26;
@@ -171,4 +171,4 @@ void write_contact_sheets(const std::filesystem::path& set_folder) {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "stimuli/support/gnuplot.h"
 #include "stimuli/support/markdown_table.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double compositing_share = 0.5;  // of the seconds of the samples part
@@ -83,4 +83,4 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   return writer.finish();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,7 +1,7 @@
 #pragma once
 #include "renderer/convergence_subject.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Error against run time for one stimulus. Writes into the folder, part by part as each is finished:
 /// PART.csv and PART.svg (with its gnuplot script), and at the end slopes.csv, data_dictionary.csv and
@@ -9,4 +9,4 @@ namespace seamline {
 /// stopped it; the parts that were finished stay.
 [[nodiscard]] std::string run_convergence(const StudyDefinition& study, const ConvergenceRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

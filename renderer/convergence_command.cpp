@@ -9,7 +9,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 struct ConvergenceOptions {
@@ -93,4 +93,4 @@ void add_convergence_command(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

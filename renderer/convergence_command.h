@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// `seamline convergence`.
 void add_convergence_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

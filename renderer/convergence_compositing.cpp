@@ -6,7 +6,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int largest_spp = 64;
@@ -103,4 +103,4 @@ CompositingResult measure_compositing(const ConvergenceSubject& subject, double 
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/convergence_runs.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// One way to put the object's change of the local scene onto a photograph.
 struct CompositingRow {
@@ -27,4 +27,4 @@ struct CompositingResult {
 /// the photograph is a given long rendering, and errors are taken off the object.
 [[nodiscard]] CompositingResult measure_compositing(const ConvergenceSubject& subject, double budget_s);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

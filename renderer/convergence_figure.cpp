@@ -8,7 +8,7 @@
 #include "renderer/convergence_plot.h"
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double one_step = 1.0 / 255;
@@ -183,4 +183,4 @@ void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text) {
   draw(text, std::vector{error, cost});
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/convergence_tables.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What every figure says besides its data.
 struct FigureText {
@@ -21,4 +21,4 @@ void draw_figure(const MeshResult& result, const FigureText& text);
 /// Error and cost against the width of the depth map.
 void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -11,7 +11,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// The largest first, each once, the study's own among them.
@@ -121,4 +121,4 @@ MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& tr
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

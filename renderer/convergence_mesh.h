@@ -4,7 +4,7 @@
 
 #include "renderer/convergence_subject.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What one tolerance of the adaptive depth mesh costs, and what it changes against full density.
 struct MeshRow {
@@ -40,4 +40,4 @@ struct MeshResult {
 [[nodiscard]] MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& truth,
                                       const std::vector<double>& tolerances);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

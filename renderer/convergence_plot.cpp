@@ -9,7 +9,7 @@
 
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 struct Range {
@@ -187,4 +187,4 @@ std::string panels_script(const std::string& heading, std::span<const PlotPanel>
   return script + "unset multiplot\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// One line of a panel.
 struct PlotLine {
@@ -43,4 +43,4 @@ struct PlotPanel {
 [[nodiscard]] int panels_width_px(std::size_t panels);
 inline constexpr int panels_height_px = 470;
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,7 +1,7 @@
 #include "renderer/convergence_runs.h"
 #include "renderer/stopwatch.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Pixels = std::vector<StimulusSums>;
@@ -98,4 +98,4 @@ Image off_object_mask(const PathRun& run) {
   return mask;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

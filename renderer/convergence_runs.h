@@ -4,7 +4,7 @@
 #include "renderer/composite.h"
 #include "renderer/convergence_subject.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// One rendering of the subject by the `path` estimator, and what it cost.
 struct PathRun {
@@ -62,4 +62,4 @@ class PathRuns {
 /// 1 where the object covers no sample of a pixel, else 0.
 [[nodiscard]] Image off_object_mask(const PathRun& run);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -9,7 +9,7 @@
 #include "renderer/stopwatch.h"
 #include "stimuli/difference.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int smallest_reference_spp = 128, largest_reference_spp = 16384;
@@ -167,4 +167,4 @@ SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s)
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

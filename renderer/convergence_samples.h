@@ -6,7 +6,7 @@
 #include "renderer/convergence_runs.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The stimulus as one estimator renders it at a number of samples a pixel, and what that cost.
 struct Trial {
@@ -49,4 +49,4 @@ struct SampleResult {
 /// a sixteenth of the reference's samples. Pictures do not depend on the budget, only how many there are.
 [[nodiscard]] SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 std::optional<double> log_log_slope(std::span<const double> x, std::span<const double> y) {
   assert(x.size() == y.size());
@@ -30,4 +30,4 @@ std::optional<double> log_log_slope(std::span<const double> x, std::span<const d
   return covariance / variance;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

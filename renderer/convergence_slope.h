@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The exponent p of the power law y = c x^p that fits best: least squares of log y on log x. Points whose x
 /// or y is not a positive finite number have no logarithm and are left out. None when fewer than two
@@ -20,4 +20,4 @@ struct SlopeRow {
   std::string why;  ///< why this slope is expected, or what the found one says
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/parallel.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 Stimulus the_one_stimulus(const StudyDefinition& study, const std::string& only) {
@@ -80,4 +80,4 @@ Geometry subject_geometry(const ConvergenceSubject& subject, const DepthMesh& me
   return {mesh, Rgb::Constant(static_cast<float>(subject.scene.definition.albedo))};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

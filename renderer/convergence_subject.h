@@ -10,7 +10,7 @@
 #include "renderer/stimulus_pass.h"
 #include "stimuli/stimulus.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The parts of `seamline convergence`, each with its own figure and table.
 enum class ConvergencePart { samples, mesh, width, compositing };
@@ -58,4 +58,4 @@ struct ConvergenceSubject {
 /// Ready for rays.
 [[nodiscard]] Geometry subject_geometry(const ConvergenceSubject& subject, const DepthMesh& mesh);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Slope of one value in another over the rows that `use` lets through.
@@ -209,4 +209,4 @@ CsvTable slope_table(const std::vector<SlopeRow>& rows) {
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

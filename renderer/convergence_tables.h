@@ -8,7 +8,7 @@
 #include "renderer/convergence_width.h"
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A part's numbers as they are written down.
 struct PartTables {
@@ -24,4 +24,4 @@ struct PartTables {
 
 [[nodiscard]] CsvTable slope_table(const std::vector<SlopeRow>& rows);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -10,7 +10,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Texels of the panorama in one pixel at the middle of the picture.
@@ -51,4 +51,4 @@ std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const Tru
   return rows;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "renderer/convergence_subject.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What one width of the depth map costs, and how far the stimulus is from the reference.
 struct WidthRow {
@@ -18,4 +18,4 @@ struct WidthRow {
 [[nodiscard]] std::vector<WidthRow> measure_width(const ConvergenceSubject& subject,
                                                   const TruthLayers& truth);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The sphere of directions divided into the square cells of a cube's faces, on which great circles are
 /// straight lines.
@@ -101,4 +101,4 @@ inline Cover cover(const Face& face, const std::array<Eigen::Vector3d, 3>& inwar
 }
 
 }  // namespace cube
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/adaptive_mesh_workers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Where one coordinate of a vertex falls between two texels.
@@ -98,4 +98,4 @@ DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads, 
   return sphere;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

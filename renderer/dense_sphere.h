@@ -6,7 +6,7 @@
 
 #include "renderer/depth_map.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A vertex of the dense sphere. Row -1 is the zenith, row `height` the nadir, where the column means
 /// nothing.
@@ -67,4 +67,4 @@ struct DenseSphere {
 [[nodiscard]] DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads,
                                             int smallest_width = 2048);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr float hole = std::numeric_limits<float>::infinity();
@@ -70,4 +70,4 @@ void write_depth_map(const std::filesystem::path& path, const DepthMap& map) {
   write_exr(path, image);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Equirectangular radial distance in metres from the camera position, world axes. Row 0 is the zenith, texel
 /// centres are at half integers, the centre column looks along -Z, the right half is +X. A hole (sky, no
@@ -41,4 +41,4 @@ void clean_holes(DepthMap& map);
 /// Writes a one-channel 32-bit float EXR, atomically; every hole is written as +infinity.
 void write_depth_map(const std::filesystem::path& path, const DepthMap& map);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

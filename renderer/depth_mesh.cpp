@@ -7,7 +7,7 @@
 #include "renderer/dense_sphere.h"
 #include "renderer/full_mesh.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 DepthMesh build_from_clean_map(const DepthMap& map, const MeshOptions& options) {
@@ -34,4 +34,4 @@ DepthMesh build_depth_mesh(const DepthMap& map, const MeshOptions& options) {
   return build_from_clean_map(cleaned, options);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/depth_map.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct MeshOptions {
   MeshDensity density = MeshDensity::adaptive;
@@ -34,4 +34,4 @@ struct DepthMesh {
 /// read as holes.
 [[nodiscard]] DepthMesh build_depth_mesh(const DepthMap& map, const MeshOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

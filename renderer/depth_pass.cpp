@@ -5,7 +5,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Samples of one pixel: those from `first_rest` to `end_rest` ask about the rest, those from `first_object`
@@ -197,4 +197,4 @@ ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object
   return order;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

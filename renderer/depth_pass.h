@@ -2,7 +2,7 @@
 #include "renderer/scene_sums.h"
 #include "renderer/stimulus_sampler.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What the depth mesh answered in one pixel, summed over the samples of one half.
 struct DepthSums {
@@ -59,4 +59,4 @@ using ObjectOrder = std::vector<std::array<std::vector<OrderSums>, 2>>;
                                     const Geometry& object, const Geometry& depth, std::uint64_t seed,
                                     int threads);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

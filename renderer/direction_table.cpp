@@ -8,7 +8,7 @@
 
 #include "renderer/cube_cells.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr std::uint32_t nothing = DirectionTable::nothing;
@@ -145,4 +145,4 @@ std::uint32_t find_triangle(const DirectionTable& table, const Eigen::Vector3f& 
   return walk(table.triangles, start, direction, most_steps);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

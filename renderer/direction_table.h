@@ -10,7 +10,7 @@
 #include "renderer/scene_file.h"
 #include "renderer/triangle_neighbours.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// One triangle as rays from the centre see it, in one cache line. A register an axis: lanes 0 to 2 are the
 /// unit normals of the planes through the centre and the edges 01, 12, 20, inside where the products with a
@@ -68,4 +68,4 @@ struct DirectionTable {
 [[nodiscard]] std::uint32_t find_triangle(const DirectionTable& table, const Eigen::Vector3f& direction,
                                           std::uint32_t guess);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

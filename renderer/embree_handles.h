@@ -4,7 +4,7 @@
 #include "renderer/geometry.h"
 
 // Inside the files that call Embree only.
-namespace seamline {
+namespace seamline::renderer {
 
 [[nodiscard]] inline RTCDevice embree_device() {
   return static_cast<RTCDevice>(RayDevice::instance().handle());
@@ -14,4 +14,4 @@ namespace seamline {
   return static_cast<RTCScene>(scene);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangle& block, float gain) {
@@ -70,4 +70,4 @@ ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, i
   return estimate;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

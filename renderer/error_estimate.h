@@ -5,7 +5,7 @@
 #include "renderer/tiles.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The error of a picture as estimated from the picture's own two halves of samples, in display units (0 to
 /// 1, after exposure and the sRGB curve), squared.
@@ -39,4 +39,4 @@ struct HalfPictures {
 /// Slope of the sRGB curve; 0 where display white is reached.
 [[nodiscard]] float display_slope(float linear);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int width_px = 900, height_px = 520;
@@ -111,4 +111,4 @@ std::optional<std::string> errors_figure(const SetErrors& errors) {
   return svg.substr(std::min(svg.find("<svg"), svg.size()));
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

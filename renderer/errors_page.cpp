@@ -11,7 +11,7 @@
 #include "stimuli/support/html.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ void write_errors_page(const fs::path& set_folder) {
           table(errors) + worst_tiles(set_folder, errors) + "</body></html>\n");
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace seamline {
+namespace seamline::renderer {
 
 std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,
                                                const EstimateOptions& options) {
@@ -15,4 +15,4 @@ std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene&
   throw std::logic_error("an estimator that is neither path nor fast");
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

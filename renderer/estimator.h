@@ -9,7 +9,7 @@
 #include "renderer/truth_pass.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How much work an estimator may do.
 struct EstimateOptions {
@@ -59,4 +59,4 @@ class SceneEstimator {
 [[nodiscard]] std::unique_ptr<SceneEstimator> make_fast_estimator(const TruthScene& scene,
                                                                   const EstimateOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -140,4 +140,4 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
   return out + table(rows, 4);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "renderer/render_plan.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The plan as text for a person, a block a scene (`--explain`).
 [[nodiscard]] std::string explain(const StudyDefinition& study, const RenderPlan& plan);
@@ -11,4 +11,4 @@ namespace seamline {
 /// What each omission saved in a scene, from what was counted while rendering.
 [[nodiscard]] std::string explain_savings(const std::string& scene, const Savings& savings);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/scene_layers.h"
 #include "renderer/scene_pass.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int first_spp = 16, most_spp = 1 << 14;
@@ -224,4 +224,4 @@ std::unique_ptr<SceneEstimator> make_fast_estimator(const TruthScene& scene, con
   return std::make_unique<FastEstimator>(scene, options);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/stimulus_assembly.h"
 #include "renderer/stimulus_plan.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Gives sampled sums the denominator that filtered ones have, and changes their numerator by what the ratio
@@ -247,4 +247,4 @@ FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* dept
   return StimulusRounds(truth, depth, recipe, options).run();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

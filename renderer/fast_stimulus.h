@@ -6,7 +6,7 @@
 #include "renderer/sampling_rounds.h"
 #include "renderer/scene_layers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct FastStimulusOptions {
   std::uint64_t seed = 1;
@@ -32,4 +32,4 @@ struct FastStimulus {
 [[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth,
                                                 const Recipe& recipe, const FastStimulusOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

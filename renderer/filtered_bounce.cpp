@@ -5,7 +5,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 template <class Work>
@@ -91,4 +91,4 @@ FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& dep
   return object;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

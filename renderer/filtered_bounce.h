@@ -3,7 +3,7 @@
 #include "renderer/depth_pass.h"
 #include "renderer/object_truth.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Bounce light after filtering, row by row; empty where nothing was filtered.
 struct FilteredBounce {
@@ -26,4 +26,4 @@ struct FilteredBounce {
 [[nodiscard]] FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& depth,
                                              const FilterStrength& strength, int threads);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

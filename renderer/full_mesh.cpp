@@ -2,7 +2,7 @@
 
 #include "renderer/adaptive_mesh_assembly.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 DepthMesh build_full_mesh(const DenseSphere& sphere, int threads) {
   // A part is the band between row `lower - 1` and row `lower`; the first and the last are the fans of the
@@ -19,4 +19,4 @@ DepthMesh build_full_mesh(const DenseSphere& sphere, int threads) {
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -16,7 +16,7 @@
 #include "renderer/ray_packet.h"
 #include "renderer/triangle_neighbours.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Adds a mesh of triangles or of quads to a scene, which copies it.
@@ -193,4 +193,4 @@ std::int64_t rays_traced_by_this_thread() {
   return rays_traced;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

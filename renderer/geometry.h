@@ -16,7 +16,7 @@
 #include "renderer/surface_point.h"
 #include "stimuli/support/colour.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A triangle mesh with one diffuse material, in the renderer's frame (metres, centred on the camera).
 struct Part {
@@ -122,4 +122,4 @@ class Geometry {
 /// worker calls it.
 void flush_denormals_to_zero();
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/geometry.h"
 #include "renderer/ray_count.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr std::size_t left_over_size = 8;  ///< a packet
@@ -66,4 +66,4 @@ void Geometry::nearest_from_centre(std::span<const Ray> rays,
   if (left_over.count > 0) trace_left_over();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -11,7 +11,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/limits.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr auto largest_count = static_cast<std::size_t>(3 * limits::largest_scene_triangles);
@@ -191,4 +191,4 @@ std::vector<std::uint32_t> GltfReader::indices(int index, const std::string& fie
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

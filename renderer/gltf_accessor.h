@@ -8,7 +8,7 @@ namespace tinygltf {
 class Model;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Checked reading of glTF accessors: every byte read is proven to lie inside its buffer first.
 class GltfReader {
@@ -33,4 +33,4 @@ class GltfReader {
   std::string file_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -15,7 +15,7 @@
 #include "stimuli/support/limits.h"
 #include "stimuli/support/text_bounds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ tinygltf::Model load_gltf(const fs::path& path) {
   return model;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -9,7 +9,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 int add_accessor(tinygltf::Model& model, const void* data, std::size_t bytes, std::size_t count,
@@ -81,4 +81,4 @@ void write_depth_mesh(const std::filesystem::path& path, const DepthMesh& mesh) 
   write_file_atomically(path, std::move(bytes).str());
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/adaptive_mesh_bound.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 // Which cells of the dense sphere's grid a triangle covers.
 
@@ -50,4 +50,4 @@ void for_each_run(int first, int last, int width, auto visit) {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

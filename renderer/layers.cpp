@@ -1,6 +1,6 @@
 #include "renderer/layers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 template <class Radiance>
@@ -55,4 +55,4 @@ StimulusSums& StimulusSums::operator+=(const StimulusSums& other) {
   return *this;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

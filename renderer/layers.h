@@ -6,7 +6,7 @@
 #include "renderer/transport.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Sums over the sub-pixel samples of one pixel, of radiance in the truth scene, sorted by what the sample
 /// shows: uncovered samples (the object does not cover them) with a surface, uncovered samples with sky,
@@ -74,4 +74,4 @@ struct StimulusLayers {
   std::int64_t rays = 0;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 inline constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 inline constexpr float endless = std::numeric_limits<float>::infinity();
@@ -21,4 +21,4 @@ inline constexpr float endless = std::numeric_limits<float>::infinity();
   return above_horizon(point, to_sun) ? std::max(0.0F, point.normal.dot(to_sun)) : 0.0F;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

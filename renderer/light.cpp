@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// An orthonormal frame about a unit vector (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT
@@ -45,4 +45,4 @@ Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Arr
   return cosine_direction(normal, {point[0], turned < 1.0F ? turned : turned - 1.0F});
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "stimuli/support/colour.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A directional light; hard when the angular radius is 0.
 struct Sun {
@@ -39,4 +39,4 @@ struct Light {
 [[nodiscard]] Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point,
                                                int number, int count);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

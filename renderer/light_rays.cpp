@@ -2,7 +2,7 @@
 
 #include "renderer/leaving_ray.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 void LightRays::add(const SurfacePoint& point, const RealQuestion& real, const Eigen::Vector3f& direction,
                     float far_m, const Arriving& light) {
@@ -30,4 +30,4 @@ void LightRays::resize(std::size_t size) {
   arriving_.resize(size);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/transport.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Rays that ask whether light from outside reaches points, each past two geometries: the virtual object and
 /// the real world, which may be asked from different places. Asked many at once, in packets.
@@ -40,4 +40,4 @@ class LightRays {
   std::vector<std::uint8_t> blocked_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

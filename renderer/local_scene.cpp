@@ -2,7 +2,7 @@
 
 #include "renderer/capture.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
                             const LocalSceneSettings& settings) {
@@ -17,4 +17,4 @@ LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
           {static_cast<std::int64_t>(mesh.triangles.size()), mesh.max_relative_error}};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

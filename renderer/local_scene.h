@@ -4,7 +4,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/stimulus.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The local scene D of a stimulus, ready for rays, and what the manifest says of its mesh.
 struct LocalScene {
@@ -25,4 +25,4 @@ struct LocalSceneSettings {
 [[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
                                           const LocalSceneSettings& settings);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

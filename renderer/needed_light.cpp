@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::renderer {
 
 LightFacts light_facts(const TruthScene& scene) {
   LightFacts facts{.brightest_albedo = scene.definition.albedo,  // of the depth mesh
@@ -49,4 +49,4 @@ Light needed_light(const TruthScene& scene, const Omissions& omissions, std::opt
   return light;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include "renderer/omissions.h"
 #include "renderer/truth_scene.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What decides which light of a scene can matter.
 struct LightFacts {
@@ -32,4 +32,4 @@ struct BounceLimit {
 [[nodiscard]] Light needed_light(const TruthScene& scene, const Omissions& omissions,
                                  std::optional<double> error);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

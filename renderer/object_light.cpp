@@ -4,7 +4,7 @@
 #include "renderer/light_rays.h"
 #include "renderer/omissions.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Adds the light of the rays that nothing blocks, and begins anew.
@@ -51,4 +51,4 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
   trace(object, real, Coherence::scattered, rays, direct);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "renderer/transport.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A sample's point on the virtual object, and where the real world is asked whether it is lit.
 struct ObjectPoint {
@@ -17,4 +17,4 @@ struct ObjectPoint {
 void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,
                       std::span<Rgb> direct);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double most_growth = 1.4;  ///< of the variance: a fifth in standard deviation
@@ -39,4 +39,4 @@ std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusLayer
   return wanted;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

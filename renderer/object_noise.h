@@ -1,7 +1,7 @@
 #pragma once
 #include "renderer/object_truth.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How many samples each block should have of what the depth mesh adds to the light on the object, so that
 /// noise does not give the object away: in every block that shows it, the variance of its light in the
@@ -10,4 +10,4 @@ namespace seamline {
 [[nodiscard]] std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusLayers& stimulus,
                                                  const std::vector<int>& asked_spp, int threads);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

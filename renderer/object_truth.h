@@ -4,7 +4,7 @@
 #include "renderer/scene_sums.h"
 #include "renderer/truth_pass.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What the fast estimator knows of one object before any stimulus with it.
 struct ObjectTruth {
@@ -16,4 +16,4 @@ struct ObjectTruth {
   const ErrorEstimate& error;  ///< of the truth's pictures
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

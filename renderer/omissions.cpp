@@ -4,7 +4,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 Omissions omissions_without(const std::vector<std::string>& names) {
   Omissions omissions;
@@ -42,4 +42,4 @@ OmittedRays operator-(const OmittedRays& a, const OmittedRays& b) {
           a.dark_sky_rays - b.dark_sky_rays};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What the fast estimator leaves out because a scene or stimulus does not need it; each can be turned off
 /// (`--no-omit NAME`) to see that the picture stays what the plan says. renderer/render_plan.h says where
@@ -63,4 +63,4 @@ struct Savings {
   std::int64_t order_bytes = 0;       ///< who is in front on each ray, not kept
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

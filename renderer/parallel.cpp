@@ -12,7 +12,7 @@
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Gives the calling thread its floating-point mode back.
@@ -65,4 +65,4 @@ int default_thread_count() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Runs `work(index)` for every index in [0, count) on `threads` threads, each index once, in any order;
 /// denormals are flushed to zero on every worker. The calling thread meanwhile calls `tick(finished)` about
@@ -14,4 +14,4 @@ void parallel_for(int count, int threads, const std::function<void(int index)>& 
 /// The number of threads to use when the person named none.
 [[nodiscard]] int default_thread_count();
 
-}  // namespace seamline
+}  // namespace seamline::renderer

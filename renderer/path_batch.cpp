@@ -6,7 +6,7 @@
 #include "renderer/leaving_ray.h"
 #include "renderer/omissions.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 void PathBatch::begin(const Worlds& worlds, const Light& light) {
   worlds_ = &worlds;
@@ -177,4 +177,4 @@ void PathBatch::add(std::size_t path, WorldSet set, bool direct, const Rgb& radi
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

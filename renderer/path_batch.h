@@ -5,7 +5,7 @@
 
 #include "renderer/worlds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How one path is traced. Its tail is what comes after the sun at its second surface: to save rays without
 /// bias only every few samples trace it, and then it counts as many times.
@@ -92,4 +92,4 @@ class PathBatch {
   std::vector<std::optional<SurfacePoint>> hits_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

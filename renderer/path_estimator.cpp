@@ -4,7 +4,7 @@
 #include "renderer/sampling_rounds.h"
 #include "renderer/stimulus_pass.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int first_spp = 16, most_spp = 1 << 16;
@@ -78,4 +78,4 @@ std::unique_ptr<SceneEstimator> make_path_estimator(const TruthScene& scene, con
   return std::make_unique<PathEstimator>(scene, options);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

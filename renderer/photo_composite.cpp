@@ -2,7 +2,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 void add_sample(const Geometry& depth, const Geometry& object, const Light& light, const Ray& ray,
@@ -52,4 +52,4 @@ StimulusLayers render_onto_photograph(const Image& photograph, const Geometry& d
   return layers;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 #include "renderer/composite.h"
 #include "renderer/truth_pass.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Composites an object into a photograph of which only a depth mesh is known: everything is answered by the
 /// mesh. A photograph has no sub-pixels, so its share of a pixel is (1 - alpha) B ratio (DESIGN section 3).
@@ -11,4 +11,4 @@ namespace seamline {
                                                     const Geometry& object, const Camera& camera,
                                                     const Light& light, const PassOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/b_spline.h"
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int levels = 2;
@@ -72,4 +72,4 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
   return filtered;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

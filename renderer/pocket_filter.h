@@ -3,7 +3,7 @@
 
 #include "renderer/layers.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Light a sample without and with the object, of one pixel.
 struct FilteredLight {
@@ -19,4 +19,4 @@ struct FilteredLight {
                                                         const std::vector<Guide>& guides, int width_px,
                                                         int height_px, int threads);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

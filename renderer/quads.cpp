@@ -4,7 +4,7 @@
 
 #include "renderer/triangle_neighbours.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Pairs triangles over edges, until no two that are left share one.
@@ -78,4 +78,4 @@ std::vector<Quad> pair_into_quads(std::span<const Eigen::Vector3f> vertices_m,
   return Pairing(vertices_m, triangles, neighbours).make();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 
 #include "renderer/scene_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The triangles 013 and 231: two that share the edge 13, or one, whose last corner is written twice.
 using Quad = std::array<std::uint32_t, 4>;
@@ -21,4 +21,4 @@ using Quad = std::array<std::uint32_t, 4>;
                                                 std::span<const Triangle> triangles,
                                                 std::span<const std::array<std::uint32_t, 3>> neighbours);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct Ray {
   Eigen::Vector3f origin_m;
@@ -10,4 +10,4 @@ struct Ray {
   float far_m = std::numeric_limits<float>::infinity();
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 // Sheets over depth jumps are long and thin: cut by more spatial splits than Embree would make of itself,
 // bounce rays in the local scene are up to 1.7 times as fast, for a quarter more memory; more than this would
@@ -39,4 +39,4 @@ void flush_denormals_to_zero() {
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

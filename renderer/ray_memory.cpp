@@ -4,7 +4,7 @@
 
 #include "renderer/embree_handles.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 std::atomic<std::int64_t> counted_bytes = 0;
@@ -29,4 +29,4 @@ std::int64_t RayMemoryMeter::bytes() const {
   return counted_bytes;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

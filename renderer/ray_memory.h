@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Counts the memory that Embree asks for while the meter lives: bounding volume hierarchies and its copies
 /// of vertices. Only one meter may live at a time, because Embree knows one listener.
@@ -16,4 +16,4 @@ class RayMemoryMeter {
   [[nodiscard]] std::int64_t bytes() const;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/geometry.h"
 
 /// Packets of rays, as Embree wants them: one array for each coordinate. Only `geometry.cpp` includes it.
-namespace seamline {
+namespace seamline::renderer {
 
 /// Rays of a packet: one AVX2 register of each coordinate. Measured on 4, 8 and 16 with `seamline bench
 /// --only tracer`: 16 is two packets of 8 inside Embree and a tenth slower, 4 leaves half of the registers
@@ -88,4 +88,4 @@ void occlude_in_packets(RTCScene scene, std::span<const Ray> rays, Coherence coh
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -17,7 +17,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 struct RenderOptions {
@@ -164,4 +164,4 @@ void add_render_command(CLI::App& app) {
   verify->callback([set] { run_verify(*set); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

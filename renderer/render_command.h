@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// `seamline render` and `seamline verify`.
 void add_render_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/truth_scene.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr const char* no_change = "none";
@@ -203,4 +203,4 @@ std::vector<std::string> sentences(const RenderPlan& plan) {
   return out;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

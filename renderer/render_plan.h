@@ -7,7 +7,7 @@
 #include "renderer/needed_light.h"
 #include "renderer/set_records.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Something that is not computed.
 struct PlannedOmission {
@@ -59,4 +59,4 @@ struct RenderPlan {
 /// A sentence for each omission, for the manifest.
 [[nodiscard]] std::vector<std::string> sentences(const RenderPlan& plan);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -23,7 +23,7 @@
 #include "stimuli/support/memory.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
@@ -247,4 +247,4 @@ RenderSummary render_set(const StudyDefinition& study, const RenderRequest& requ
   return summary;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

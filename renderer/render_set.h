@@ -5,7 +5,7 @@
 
 #include "renderer/set_records.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What `seamline render` was asked for.
 struct RenderRequest {
@@ -37,4 +37,4 @@ struct RenderSummary {
 /// a rerun continues.
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

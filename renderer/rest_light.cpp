@@ -4,7 +4,7 @@
 #include "renderer/light_rays.h"
 #include "renderer/omissions.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Adds the light of the rays that the real world lets through, without and with the object, and begins anew.
@@ -52,4 +52,4 @@ void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, c
   trace(object, real, Coherence::scattered, &Split::bounce, rays, pairs);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "renderer/transport.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A sample's point off the virtual object: which surface receives light (question 1), from which the virtual
 /// object is seen, and of which geometry it is asked, at that geometry's own point, whether sun and sky reach
@@ -22,4 +22,4 @@ struct RestPoint {
 void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
                     std::span<RadiancePair> pairs);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

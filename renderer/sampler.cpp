@@ -2,7 +2,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 std::uint32_t reverse_bits(std::uint32_t x) {
@@ -65,4 +65,4 @@ Eigen::Array2f Sampler::point(int dimension) const {
           unit_float(owen_scramble_reversed(second_dimension_reversed(index), base * 0x85ebca6bU + 2U))};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

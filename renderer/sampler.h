@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Points of one sample of one pixel: Owen-scrambled Sobol' (the first two dimensions, padded: every use of a
 /// `dimension` is its own scrambled and shuffled set), decorrelated between pixels by hashing. Even and odd
@@ -51,4 +51,4 @@ inline constexpr int pixel = 0;
 /// tests.
 [[nodiscard]] std::uint32_t sobol_second_dimension(std::uint32_t index);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

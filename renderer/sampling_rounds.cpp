@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Powers of two and one and a half times them, so that points stay well distributed.
@@ -138,4 +138,4 @@ SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target)
   return RoundPlanner(state, target).plan();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 
 #include "renderer/error_estimate.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// When sampling ends: the error over the image, and three times that in the worst tile (`--error`).
 struct ErrorTarget {
@@ -50,4 +50,4 @@ struct SamplingPlan {
 /// pixel, so that there are few rounds.
 [[nodiscard]] SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -11,7 +11,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/limits.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double lux_per_w_m2 = 683.0;
@@ -233,4 +233,4 @@ SceneFile read_scene_file(const std::filesystem::path& path) {
   return NodeWalker(model, path.string()).walk();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

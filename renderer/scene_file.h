@@ -9,7 +9,7 @@
 
 #include "stimuli/support/colour.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -49,4 +49,4 @@ struct SceneFile {
 /// known, a cycle of nodes.
 [[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -1,6 +1,6 @@
 #include "renderer/scene_geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 SceneGeometry::SceneGeometry(const TruthScene& scene)
     : room(scene.geometry(true, {}, Edges::loose)),
@@ -11,4 +11,4 @@ SceneGeometry::SceneGeometry(const TruthScene& scene)
              scene.geometry(false, {1, 2}, Edges::loose)},
       worlds{&room, &objects, {&others[0], &others[1], &others[2]}, 3} {}
 
-}  // namespace seamline
+}  // namespace seamline::renderer

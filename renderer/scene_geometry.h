@@ -4,7 +4,7 @@
 #include "renderer/truth_scene.h"
 #include "renderer/worlds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The geometries of a scene that its worlds are made of. Pointers in `worlds` look into it: it stays where
 /// it is.
@@ -21,4 +21,4 @@ struct SceneGeometry {
   Worlds worlds;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

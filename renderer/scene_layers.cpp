@@ -2,7 +2,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 const ObjectSums no_object;
@@ -170,4 +170,4 @@ TruthLayers truth_layers(const SceneSums& sums, const Camera& camera, const Rgb&
   return LayerMaker(sums, camera, environment_radiance, object, options).make();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -3,7 +3,7 @@
 #include "renderer/layers.h"
 #include "renderer/scene_sums.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How the sums of a scene become layers.
 struct LayerOptions {
@@ -17,4 +17,4 @@ struct LayerOptions {
                                        const Rgb& environment_radiance, int object,
                                        const LayerOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <numbers>
 #include "renderer/camera_ray.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 Eigen::AlignedBox3f bounds(const std::vector<std::shared_ptr<const Part>>& parts) {
@@ -108,4 +108,4 @@ std::array<ObjectMeasures, 3> measure_objects(const TruthScene& scene) {
   return {ObjectMeter(scene, 1).measure(), ObjectMeter(scene, 2).measure(), ObjectMeter(scene, 3).measure()};
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/truth_scene.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What one object looks like from the study's camera. Areas are counts of pixel centres.
 struct ObjectMeasures {
@@ -29,4 +29,4 @@ struct ObjectMeasures {
 /// grid times pi / 4, right on average over directions.
 [[nodiscard]] double silhouette_complexity(const std::vector<bool>& mask, int width_px, int height_px);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/parallel.h"
 #include "renderer/path_batch.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Hits = std::array<std::optional<SurfacePoint>, rays_a_call>;
@@ -236,4 +236,4 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

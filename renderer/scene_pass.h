@@ -5,7 +5,7 @@
 #include "renderer/scene_geometry.h"
 #include "renderer/scene_sums.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How the joint pass runs.
 struct ScenePassOptions {
@@ -24,4 +24,4 @@ struct ScenePassOptions {
 void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
                  const ScenePassOptions& options, SceneSums& sums);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

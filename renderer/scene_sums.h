@@ -8,7 +8,7 @@
 #include "renderer/tiles.h"
 #include "renderer/worlds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Mean surface that samples saw, as sums.
 struct GuideSums {
@@ -110,4 +110,4 @@ struct SceneSums {
   return tiles;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

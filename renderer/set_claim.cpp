@@ -9,7 +9,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
@@ -72,4 +72,4 @@ SetClaim::~SetClaim() {
   ::close(descriptor_);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// This process' part in rendering a set. Processes that render with the same inputs (shards, or the same
 /// command twice) share a set; one with other inputs would write other pictures under the same names, and is
@@ -21,4 +21,4 @@ class SetClaim {
   int descriptor_ = -1;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/text_bounds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -142,4 +142,4 @@ CsvTable errors_table(const SetErrors& errors) {
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

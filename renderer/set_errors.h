@@ -9,7 +9,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What is known of one stimulus: what it cost and how wrong it is (display units, 0 to 1).
 struct StimulusErrorRow {
@@ -51,4 +51,4 @@ struct SetErrors {
 /// One row a stimulus.
 [[nodiscard]] CsvTable errors_table(const SetErrors& errors);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

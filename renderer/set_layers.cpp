@@ -3,7 +3,7 @@
 #include "renderer/camera_ray.h"
 #include "stimuli/support/atomic_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
@@ -57,4 +57,4 @@ void write_layers(const LayerTarget& target, const TruthScene& scene, const Geom
   write_file_atomically(folder / "inputs", target.inputs);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/truth_scene.h"
 #include "stimuli/stimulus.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Whose layers are written where, and the hash of what they were made from.
 struct LayerTarget {
@@ -34,4 +34,4 @@ void write_layers(const LayerTarget& target, const TruthScene& scene, const Geom
 /// The depth mesh lit from the camera: grey by the angle of its triangles, sky black.
 [[nodiscard]] Image shaded_picture(const Camera& camera, const Geometry& geometry);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/truth_scene.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// The plan for the scenes that the set has.
@@ -49,4 +49,4 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
   return out;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/set_records.h"
 #include "stimuli/manifest.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What a set is rendered from, and what of it is finished.
 struct SetState {
@@ -20,4 +20,4 @@ struct SetState {
 /// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
 [[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

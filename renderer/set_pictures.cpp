@@ -4,7 +4,7 @@
 #include "stimuli/support/hash.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
@@ -52,4 +52,4 @@ ManifestReference write_reference(const fs::path& set_folder, const std::string&
   return record;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/estimator.h"
 #include "stimuli/manifest.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What one picture of a set is made from.
 struct StimulusPicture {
@@ -25,4 +25,4 @@ struct StimulusPicture {
                                                 const std::string& scene, const SceneReference& reference,
                                                 double exposure_ev);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

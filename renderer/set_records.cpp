@@ -13,7 +13,7 @@
 #include "stimuli/support/hash.h"
 #include "stimuli/support/text_bounds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
@@ -174,4 +174,4 @@ void SetRecords::finish_reference(const ManifestReference& reference, const std:
                 {"object_ids_sha256", reference.object_ids_sha256}});
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/omissions.h"
 #include "stimuli/manifest.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How a set is rendered: the study's own settings with what the command line overrides.
 struct RenderSettings {
@@ -53,4 +53,4 @@ class SetRecords {
   std::filesystem::path set_folder_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/set_layers.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 bool SetWork::is_pending(const std::string& scene) const {
   return std::any_of(pending.begin(), pending.end(),
@@ -64,4 +64,4 @@ double total_weight(const SetWork& work, const WorkWeights& weights) {
          static_cast<double>(work.pending.size()) * weights.stimulus;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

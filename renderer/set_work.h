@@ -5,7 +5,7 @@
 
 #include "renderer/render_set.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A stimulus to render, and the hash of what its picture depends on.
 struct PendingStimulus {
@@ -35,4 +35,4 @@ struct WorkWeights {
 [[nodiscard]] WorkWeights work_weights(Estimator estimator);
 [[nodiscard]] double total_weight(const SetWork& work, const WorkWeights& weights);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/filtered_bounce.h"
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 class Assembly {
@@ -204,4 +204,4 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
   return out;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/depth_pass.h"
 #include "renderer/object_truth.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What a stimulus is put together from.
 struct StimulusParts {
@@ -28,4 +28,4 @@ struct DepthFilters {
 [[nodiscard]] StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters,
                                                int threads, std::optional<std::size_t> only_half = {});
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/parallel.h"
 #include "renderer/stimulus_sampler.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Renders a pixel by the path estimator: every answer traced for every sample, except where the truth's own
@@ -161,4 +161,4 @@ StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& ge
   return layers;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

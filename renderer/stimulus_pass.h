@@ -2,7 +2,7 @@
 #include "renderer/answers.h"
 #include "renderer/truth_pass.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Renders what one stimulus needs besides its truth: for each question the answering geometry is asked at
 /// its own point. `depth` may be null when the recipe asks nothing of the depth mesh. `truth` must have been
@@ -12,4 +12,4 @@ namespace seamline {
                                              const Geometry* depth, const TruthLayers& truth,
                                              const Recipe& recipe, const PassOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// A tile's bias is known to a fifteenth of its unfiltered noise (the product of two halves' changes, over a
@@ -120,4 +120,4 @@ StimulusPlan plan_stimulus(const StimulusState& state) {
   return StimulusPlanner(state).plan();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

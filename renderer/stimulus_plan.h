@@ -4,7 +4,7 @@
 
 #include "renderer/sampling_rounds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A stimulus' error as it is, and as it would be if no light of the depth mesh were filtered (none: nothing
 /// is filtered, or it has not been looked at).
@@ -36,4 +36,4 @@ struct StimulusPlan {
 /// allowed, samples gain little: what a round adds at least doubles from one to the next.
 [[nodiscard]] StimulusPlan plan_stimulus(const StimulusState& state);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/path_batch.h"
 #include "renderer/rest_light.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Adds light on the rest: its direct part, its bounce part, or both.
@@ -216,4 +216,4 @@ void StimulusSampler::add_one_path(const StimulusSample& sample, DepthPart& out)
   out.object.bounce += light.bounce;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/truth_pass.h"
 #include "renderer/worlds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What the camera ray of one sample meets.
 struct StimulusSample {
@@ -97,4 +97,4 @@ class StimulusSampler {
   LightSampling sampling_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

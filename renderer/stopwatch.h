@@ -1,7 +1,7 @@
 #pragma once
 #include <chrono>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Wall time since it was made.
 class Stopwatch {
@@ -14,4 +14,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/geometry.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr float relative_offset = 1e-5F;
@@ -65,4 +65,4 @@ Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& dire
   return point.position_m + point.geometric_normal * (side * relative_offset * scale);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 #include "renderer/scene_file.h"
 #include "stimuli/support/colour.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 struct Part;
 
@@ -54,4 +54,4 @@ struct SurfaceHit {
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,
                  std::optional<SurfacePoint>& out);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The picture cut into squares.
 template <int side>
@@ -78,4 +78,4 @@ using TileSet = std::vector<char>;
   return out;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

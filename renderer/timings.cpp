@@ -5,7 +5,7 @@
 
 #include "stimuli/support/atomic_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -32,4 +32,4 @@ void Timings::write(double total_seconds) const {
   write_file_atomically(path_, json.dump(1) + "\n");
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// `SET/timings.json`: how long each piece of a set took, on which machine, and a stimulus' estimated error
 /// in its worst tile. Not part of the manifest, because it differs from run to run.
@@ -36,4 +36,4 @@ class Timings {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::renderer

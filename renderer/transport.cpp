@@ -3,7 +3,7 @@
 #include "renderer/leaving_ray.h"
 #include "renderer/omissions.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Whether a ray that only looks for the sky is left out, because there is no light in it.
@@ -194,4 +194,4 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   return out;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

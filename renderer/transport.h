@@ -3,7 +3,7 @@
 #include "renderer/light.h"
 #include "renderer/sampler.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// Radiance leaving a point, by how the light came to it.
 struct Split {
@@ -54,4 +54,4 @@ struct RealQuestion {
                                    const Geometry& object, const SurfacePoint& point, const Light& light,
                                    const Sampler& sampler);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

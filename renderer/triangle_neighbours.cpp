@@ -1,6 +1,6 @@
 #include "renderer/triangle_neighbours.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 std::vector<std::array<std::uint32_t, 3>> triangle_neighbours(std::size_t vertex_count,
                                                               std::span<const Triangle> triangles) {
@@ -28,4 +28,4 @@ std::vector<std::array<std::uint32_t, 3>> triangle_neighbours(std::size_t vertex
   return neighbours;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/scene_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 inline constexpr std::uint32_t no_neighbour = 0xffffffff;
 
@@ -15,4 +15,4 @@ inline constexpr std::uint32_t no_neighbour = 0xffffffff;
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangle_neighbours(
     std::size_t vertex_count, std::span<const Triangle> triangles);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

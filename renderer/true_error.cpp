@@ -7,7 +7,7 @@
 #include "renderer/error_estimate.h"
 #include "renderer/tiles.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Means over the tiles of `product(x, y)`, a sum over channels; `values(x, y)` is how many values it has.
@@ -105,4 +105,4 @@ TrueError true_linear_error(const Image& picture, const ReferenceHalves& referen
       [&](int x, int y) { return mask.at(x, y) > 0.5F ? 3 : 0; });
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// An unbiased reference that is noisy itself: the same picture from two independent halves of its samples,
 /// linear radiance (`compose_half` of the `path` estimator's layers).
@@ -35,4 +35,4 @@ struct TrueError {
 [[nodiscard]] TrueError true_linear_error(const Image& picture, const ReferenceHalves& reference,
                                           const Image& mask);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

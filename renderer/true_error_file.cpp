@@ -4,7 +4,7 @@
 #include "renderer/true_error_set.h"
 #include "stimuli/support/atomic_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -49,4 +49,4 @@ void write_true_errors(const std::filesystem::path& set_folder, const TrueErrors
   write_file_atomically(set_folder / file_name, json.dump(1) + "\n");
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

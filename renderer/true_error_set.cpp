@@ -16,7 +16,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr std::uint64_t reference_seed_offset = 1000;  // the reference shares no sample with the picture
@@ -156,4 +156,4 @@ void measure_true_errors(const StudyDefinition& study, const TrueErrorRequest& r
   Measuring(study, request).run();
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

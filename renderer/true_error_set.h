@@ -6,7 +6,7 @@
 
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// What `seamline render --true-error` was asked for.
 struct TrueErrorRequest {
@@ -38,4 +38,4 @@ void measure_true_errors(const StudyDefinition& study, const TrueErrorRequest& r
 [[nodiscard]] TrueErrors read_true_errors(const std::filesystem::path& set_folder);
 void write_true_errors(const std::filesystem::path& set_folder, const TrueErrors& errors);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include "renderer/parallel.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Adds one sample of the truth to its pixel's sums.
@@ -111,4 +111,4 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
   return reference;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/layers.h"
 #include "renderer/truth_scene.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// How a pass over all pixels runs.
 struct PassOptions {
@@ -38,4 +38,4 @@ struct SceneReference {
 /// The click map alone.
 [[nodiscard]] ByteImage click_map(const TruthScene& scene);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
@@ -149,4 +149,4 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   return scene;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

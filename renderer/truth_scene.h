@@ -9,7 +9,7 @@
 #include "renderer/light.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The truth: background and objects in the renderer's frame, the camera and the light. Read in double
 /// precision and recentred on the camera before going to float, so that scenes far from their file's origin
@@ -49,4 +49,4 @@ struct TruthScene {
 /// position + Ry(yaw) Rx(pitch) Rz(roll) (scale * vertex).
 [[nodiscard]] Eigen::Affine3d object_placement(const ObjectDefinition& object);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 #include "renderer/camera_ray.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry& everything) {
   std::array<std::int64_t, 4> count{};
@@ -27,4 +27,4 @@ void require_visible_objects(const StudyDefinition& study, const TruthScene& sce
                          .found = "none"});
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -16,7 +16,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -246,4 +246,4 @@ void add_workbench_commands(CLI::App& app) {
   add_composite(app);
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// The building blocks on the user's own files: `seamline capture`, `seamline mesh`, `seamline composite`.
 void add_workbench_commands(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

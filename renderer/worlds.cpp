@@ -1,6 +1,6 @@
 #include "renderer/worlds.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 WorldSet Worlds::reached_past_room(const Ray& ray, WorldSet set) const {
   if (!objects->occluded(ray)) return set;
@@ -13,4 +13,4 @@ WorldSet Worlds::reached_past_room(const Ray& ray, WorldSet set) const {
   return reached;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

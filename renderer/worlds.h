@@ -7,7 +7,7 @@
 #include "renderer/sampler.h"
 #include "renderer/transport.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A set of worlds, bit v for world v.
 using WorldSet = std::uint8_t;
@@ -61,4 +61,4 @@ struct Worlds {
 /// Light in each world.
 using WorldLight = std::array<Split, 4>;
 
-}  // namespace seamline
+}  // namespace seamline::renderer

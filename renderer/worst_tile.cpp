@@ -4,7 +4,7 @@
 
 #include "renderer/tiles.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int enlarged = 8, gap_px = 4, caption_px = 24, text_px = 13;
@@ -62,4 +62,4 @@ ByteImage worst_tile_picture(const ByteImage& shown, const ByteImage& reference,
   return sheet;
 }
 
-}  // namespace seamline
+}  // namespace seamline::renderer

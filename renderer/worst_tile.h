@@ -3,7 +3,7 @@
 
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::renderer {
 
 /// A 32 x 32 tile of a picture, the same tile of its reference, and eight times their difference about mid
 /// grey, side by side and each enlarged eight times, with a line of text under them. Both pictures are 8-bit
@@ -11,4 +11,4 @@ namespace seamline {
 [[nodiscard]] ByteImage worst_tile_picture(const ByteImage& shown, const ByteImage& reference, int tile,
                                            const std::string& caption);
 
-}  // namespace seamline
+}  // namespace seamline::renderer

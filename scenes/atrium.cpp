@@ -5,7 +5,7 @@
 #include "scenes/backgrounds.h"
 #include "scenes/solids.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -204,4 +204,4 @@ SceneContents make_atrium() {
   return court;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -1,7 +1,7 @@
 #pragma once
 #include "scenes/glb_file.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// A room open to the left, where a low sun comes in: floor, walls, ceiling, and furniture of cuboids.
 [[nodiscard]] SceneContents make_bedroom();
@@ -16,4 +16,4 @@ namespace seamline {
 /// to an error are measured against other renderers.
 [[nodiscard]] SceneContents make_furnished_room();
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -3,7 +3,7 @@
 #include "scenes/clay.h"
 #include "scenes/objects.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -149,4 +149,4 @@ Sculpture sculpt_beast() {
   return s;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

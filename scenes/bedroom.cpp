@@ -3,7 +3,7 @@
 #include "scenes/backgrounds.h"
 #include "scenes/solids.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -100,4 +100,4 @@ SceneContents make_bedroom() {
   return room;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -6,7 +6,7 @@
 #include "scenes/objects.h"
 #include "scenes/polygonise.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 std::invalid_argument unknown(std::string_view name) {
@@ -44,4 +44,4 @@ TriangleMesh builtin_object(std::string_view name, const ModelOptions& options) 
   throw unknown(name);
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -5,7 +5,7 @@
 
 #include "scenes/glb_file.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 inline constexpr std::array<std::string_view, 4> builtin_scene_names = {"bedroom", "gazebo", "atrium",
                                                                         "furnished_room"};
@@ -26,4 +26,4 @@ struct ModelOptions {
 /// any other name.
 [[nodiscard]] TriangleMesh builtin_object(std::string_view name, const ModelOptions& options = {});
 
-}  // namespace seamline
+}  // namespace seamline::scenes

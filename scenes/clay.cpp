@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
@@ -119,4 +119,4 @@ Eigen::Quaterniond upright_to(const Vector3d& direction) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), direction.normalized());
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -5,7 +5,7 @@
 
 #include "scenes/field.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// A point on the spine of a limb, and the limb's radius there.
 struct Knot {
@@ -74,4 +74,4 @@ void add_crest(Sculpture& sculpture, const Crest& crest);
 /// Points and radii on the Catmull-Rom curve through `knots`, `steps` a span, ends included.
 [[nodiscard]] std::vector<Knot> smooth_curve(const std::vector<Knot>& knots, int steps);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

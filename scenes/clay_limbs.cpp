@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
@@ -154,4 +154,4 @@ void add_crest(Sculpture& sculpture, const Crest& crest) {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -4,7 +4,7 @@
 #include "scenes/clay.h"
 #include "scenes/objects.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -187,4 +187,4 @@ Sculpture sculpt_creature() {
   return s;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

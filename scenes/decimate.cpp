@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <queue>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Matrix3d = Eigen::Matrix3d;
@@ -181,4 +181,4 @@ TriangleMesh decimated(const TriangleMesh& mesh, std::size_t triangles) {
   return largest_piece(kept);
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -3,7 +3,7 @@
 #include "scenes/clay.h"
 #include "scenes/objects.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -164,4 +164,4 @@ Sculpture sculpt_dragon() {
   return s;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

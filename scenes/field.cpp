@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::scenes {
 
 double smooth_min(double a, double b, double blend_m) {
   if (blend_m <= 0) return std::min(a, b);
@@ -30,4 +30,4 @@ LocalField near_box(const Sculpture& sculpture, const Eigen::AlignedBox3d& box, 
   return local;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

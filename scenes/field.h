@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// A signed distance in metres, or an estimate of it that is right near the surface: negative inside.
 using Distance = std::function<double(const Eigen::Vector3d& point_m)>;
@@ -41,4 +41,4 @@ struct LocalField {
 /// Polynomial smooth minimum: exactly min(a, b) where |a - b| >= blend_m.
 [[nodiscard]] double smooth_min(double a, double b, double blend_m);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -6,7 +6,7 @@
 #include "scenes/furniture.h"
 #include "scenes/solids.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -148,4 +148,4 @@ SceneContents make_furnished_room() {
   return f.room;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

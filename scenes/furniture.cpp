@@ -5,7 +5,7 @@
 
 #include "scenes/solids.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -212,4 +212,4 @@ TriangleMesh make_curtain(double width_m, double height_m) {
   return mesh;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -2,7 +2,7 @@
 #include "scenes/mesh.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// Pieces of furniture, each one closed or nearly closed mesh that stands on y = 0, centred on x = z = 0, its
 /// front towards +Z. Metres.
@@ -34,4 +34,4 @@ namespace seamline {
 /// A curtain in folds that hangs along x, its lower edge at y = 0.
 [[nodiscard]] TriangleMesh make_curtain(double width_m, double height_m);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -5,7 +5,7 @@
 #include "scenes/backgrounds.h"
 #include "scenes/solids.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -147,4 +147,4 @@ SceneContents make_gazebo() {
   return garden;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -9,6 +9,7 @@
 
 int main(int argc, char** argv) {
   using namespace seamline;
+  using namespace seamline::scenes;
   if (argc != 2) {
     std::cerr << "usage: generate_scenes OUTDIR\n";
     return 1;

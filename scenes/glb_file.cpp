@@ -11,7 +11,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace fs = std::filesystem;
 namespace {
 
@@ -218,4 +218,4 @@ SceneContents read_glb(const fs::path& path) {
   return contents;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -7,7 +7,7 @@
 
 #include "scenes/mesh.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// One named piece of a scene. The name is what rules about surfaces count by ("floor", "bed", "wall_left").
 struct ScenePart {
@@ -50,4 +50,4 @@ void write_glb(const std::filesystem::path& path, const SceneContents& contents)
 /// Reads back what `write_glb` wrote: nodes with meshes by name, first camera, first sun. For tests.
 [[nodiscard]] SceneContents read_glb(const std::filesystem::path& path);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
@@ -80,4 +80,4 @@ void for_each_parallel(int count, int threads, const std::function<void(int)>& w
   for (std::thread& helper : helpers) helper.join();
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -8,7 +8,7 @@
 
 #include "scenes/field.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// A body-centred cubic lattice of field values: the corners and the centres of cubes. Points are numbered
 /// 2 * cube for a cube's lowest corner, 2 * cube + 1 for its centre.
@@ -41,4 +41,4 @@ inline constexpr int lattice_block = 8;
 /// Calls `work(i)` for i in [0, count) on several threads, each index once.
 void for_each_parallel(int count, int threads, const std::function<void(int)>& work);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

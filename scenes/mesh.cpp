@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -91,4 +91,4 @@ TriangleMesh stood_on_ground(const TriangleMesh& mesh) {
   return transformed(mesh, Eigen::Affine3d(Eigen::Translation3d(shift)));
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// Triangles over shared vertices. Metres, +Y up; triangles are counter-clockwise seen from outside.
 struct TriangleMesh {
@@ -32,4 +32,4 @@ void append(TriangleMesh& whole, const TriangleMesh& part);
 /// Moved so that its lowest vertex is at y = 0 and its box is centred on x = z = 0.
 [[nodiscard]] TriangleMesh stood_on_ground(const TriangleMesh& mesh);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -2,7 +2,7 @@
 #include "scenes/field.h"
 #include "scenes/mesh.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// Newell's teapot, 1 m from handle to spout (along x), `steps` quads along each side of a patch. Its surface
 /// is open where Newell's is: between lid and rim and at the spout's mouth.
@@ -25,4 +25,4 @@ namespace seamline {
 /// A long coiling dragon with horns and crest, in the manner of the Stanford dragon. Head towards +X.
 [[nodiscard]] Sculpture sculpt_dragon();
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -7,7 +7,7 @@
 #include "scenes/decimate.h"
 #include "scenes/lattice.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Array3i = Eigen::Array3i;
@@ -165,4 +165,4 @@ TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& opt
   return mesh;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -2,7 +2,7 @@
 #include "scenes/field.h"
 #include "scenes/mesh.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 struct PolygoniseOptions {
   double cell_m =
@@ -17,4 +17,4 @@ struct PolygoniseOptions {
 /// normals from the field's gradient; the largest piece is kept.
 [[nodiscard]] TriangleMesh polygonise(const Sculpture& sculpture, const PolygoniseOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector2d = Eigen::Vector2d;
@@ -97,4 +97,4 @@ TriangleMesh beam(const Vector3d& from_m, const Vector3d& to_m, double width_m, 
   return transformed(straight, frame);
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

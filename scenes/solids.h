@@ -4,7 +4,7 @@
 
 #include "scenes/mesh.h"
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// An upright cuboid, each face flat-shaded with its own four vertices.
 [[nodiscard]] TriangleMesh box(const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m);
@@ -35,4 +35,4 @@ struct ProfilePoint {
 /// A flat polygon fan (convex), counter-clockwise seen from its front.
 [[nodiscard]] TriangleMesh polygon(const std::vector<Eigen::Vector3d>& corners_m);
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -3,7 +3,7 @@
 #include "scenes/clay.h"
 #include "scenes/objects.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -249,4 +249,4 @@ Sculpture sculpt_statue() {
   return s;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -5,7 +5,7 @@
 #include "scenes/objects.h"
 #include "scenes/teapot_patches.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -97,4 +97,4 @@ TriangleMesh make_teapot(int steps) {
   return stood_on_ground(transformed(mesh, to_y_up));
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -1,6 +1,6 @@
 #include "scenes/teapot_patches.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -95,4 +95,4 @@ std::vector<BezierPatch> newell_teapot() {
   return patches;
 }
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace seamline {
+namespace seamline::scenes {
 
 /// Sixteen control points of a bicubic Bezier patch, rows along v, in Newell's units with z up.
 using BezierPatch = std::array<Eigen::Vector3d, 16>;
@@ -12,4 +12,4 @@ using BezierPatch = std::array<Eigen::Vector3d, 16>;
 /// sides.
 [[nodiscard]] std::vector<BezierPatch> newell_teapot();
 
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -7,9 +7,10 @@
 #include "renderer/full_mesh.h"
 #include "stability/groups.h"
 #include "stability/mesh_check.h"
+#include "stability/namespaces.h"
 #include "stability/worst.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 /// Calls use(sphere, tolerance) for every map.
@@ -151,4 +152,4 @@ StabilityCases bound_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

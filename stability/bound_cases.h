@@ -3,9 +3,10 @@
 
 #include "renderer/adaptive_mesh.h"
 #include "stability/depth_maps.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a dense sphere becomes a mesh within a tolerance; the product's is `build_adaptive_mesh`.
 using BoundRule = std::function<DepthMesh(const DenseSphere& sphere, double tolerance)>;
@@ -33,4 +34,4 @@ struct RandomMaps {
 /// Maps whose mesh with tolerance 0 is not at full density.
 [[nodiscard]] Finding try_tolerance_0(const RandomMaps& maps, const BoundRule& rule = bounded_as_product);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -8,7 +8,7 @@
 #include "stability/groups.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 StabilityCases put_together() {
@@ -48,4 +48,4 @@ StabilityCases chosen_cases(const std::string& only) {
   return chosen;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,7 +4,7 @@
 
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// Every case, in the order of its groups.
 [[nodiscard]] const StabilityCases& stability_catalogue();
@@ -12,4 +12,4 @@ namespace seamline {
 /// The cases whose name or group is `only`; all when it is empty. Throws InputError when there is none.
 [[nodiscard]] StabilityCases chosen_cases(const std::string& only);
 
-}  // namespace seamline
+}  // namespace seamline::stability

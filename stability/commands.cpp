@@ -9,10 +9,11 @@
 #include "renderer/parallel.h"
 #include "stability/catalogue.h"
 #include "stability/convergence_cases.h"
+#include "stability/namespaces.h"
 #include "stability/run_cases.h"
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 struct CommandLine {
@@ -72,4 +73,4 @@ void add_stability_command(CLI::App& app, bool& any_failed) {
   stability->callback([line, &any_failed] { any_failed = !run_stability(*line); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,12 +4,13 @@
 
 #include "renderer/transport.h"
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stability/shapes.h"
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 StabilityCase contact_case(const std::string& name, float gap_m, const std::string& tried) {
@@ -113,4 +114,4 @@ StabilityCases contact_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -2,9 +2,10 @@
 #include <functional>
 
 #include "renderer/geometry.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// Where a ray starts that leaves a surface; the product's is `ray_start`.
 using StartRule = std::function<Eigen::Vector3f(const SurfacePoint& point, const Eigen::Vector3f& direction)>;
@@ -19,4 +20,4 @@ using StartRule = std::function<Eigen::Vector3f(const SurfacePoint& point, const
 /// A ball of albedo 1 under a sky of radiance 1: every path must bring 1.
 [[nodiscard]] Finding try_white_ball();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -8,10 +8,11 @@
 #include "renderer/convergence_plot.h"
 #include "renderer/convergence_slope.h"
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stimuli/support/gnuplot.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 using Points = std::vector<std::pair<double, double>>;
@@ -80,4 +81,4 @@ StabilityCases convergence_cases() {
   return cases;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

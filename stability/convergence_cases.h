@@ -4,7 +4,7 @@
 #include "stability/orders.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// The exponent that was observed against the expected one; the error is their distance.
 [[nodiscard]] Finding try_order(const OrderSeries& series);
@@ -13,4 +13,4 @@ namespace seamline {
 /// Throws InputError without gnuplot or when the file cannot be written.
 void draw_orders(const std::vector<OrderSeries>& series, const std::filesystem::path& svg);
 
-}  // namespace seamline
+}  // namespace seamline::stability

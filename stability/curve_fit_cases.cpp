@@ -9,7 +9,7 @@
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 bool has_warning(const FitReport& report, const std::string& part) {
@@ -199,4 +199,4 @@ StabilityCases curve_fit_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "analysis/psychometric/fit_report.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// Counts at some levels, `trials` each, right with the share that is given, rounded.
 [[nodiscard]] std::vector<LevelCounts> counts_at(const std::vector<double>& levels, std::int64_t trials,
@@ -43,4 +44,4 @@ struct WantedVerdict {
 /// Answers that go up and down with level: the fit must be called a misfit. The p of its deviance.
 [[nodiscard]] Finding try_not_monotone();
 
-}  // namespace seamline
+}  // namespace seamline::stability

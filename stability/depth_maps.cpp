@@ -6,7 +6,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 DepthMap make_depth_map(int width_px, const std::function<double(int column, int row)>& distance_m) {
   DepthMap map{.width_px = width_px, .height_px = width_px / 2, .distance_m = {}};
@@ -67,4 +67,4 @@ DepthMap random_depth_map(int width_px, const RandomMapKind& kind, Random& rando
   return map;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

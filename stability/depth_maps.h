@@ -3,9 +3,10 @@
 
 #include "renderer/dense_sphere.h"
 #include "renderer/depth_mesh.h"
+#include "stability/namespaces.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a depth map becomes a mesh; the product's is `build_depth_mesh`.
 using MeshRule = std::function<DepthMesh(const DepthMap& map, const MeshOptions& options)>;
@@ -29,4 +30,4 @@ struct RandomMapKind {
 /// Smooth walls with bumps, boxes and holes, all by chance.
 [[nodiscard]] DepthMap random_depth_map(int width_px, const RandomMapKind& kind, Random& random);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -12,10 +12,11 @@
 #include "renderer/geometry.h"
 #include "stability/groups.h"
 #include "stability/mesh_check.h"
+#include "stability/namespaces.h"
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -226,4 +227,4 @@ StabilityCases depth_shape_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -2,7 +2,7 @@
 #include "stability/depth_maps.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A sphere of constant distance: largest relative error of the distances that rays find.
 [[nodiscard]] Finding try_constant_sphere(double distance_m, const MeshOptions& options,
@@ -27,4 +27,4 @@ namespace seamline {
 /// Counts rays that disagree.
 [[nodiscard]] Finding try_direction_table();
 
-}  // namespace seamline
+}  // namespace seamline::stability

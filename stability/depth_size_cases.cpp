@@ -9,13 +9,14 @@
 #include "renderer/geometry.h"
 #include "stability/groups.h"
 #include "stability/mesh_check.h"
+#include "stability/namespaces.h"
 #include "stability/worst.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/image.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 /// Largest error of rays in random directions.
@@ -126,4 +127,4 @@ StabilityCases depth_size_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

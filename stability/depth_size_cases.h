@@ -5,7 +5,7 @@
 #include "stability/depth_maps.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a file becomes a depth map; the product's is `read_depth_map`.
 using ReadRule = std::function<DepthMap(const std::filesystem::path& path)>;
@@ -19,4 +19,4 @@ using ReadRule = std::function<DepthMap(const std::filesystem::path& path)>;
 /// A room in a map of 16384 x 8192, adaptive mesh: largest error of random rays.
 [[nodiscard]] Finding try_largest_width(int threads);
 
-}  // namespace seamline
+}  // namespace seamline::stability

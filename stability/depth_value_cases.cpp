@@ -13,7 +13,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int map_width_px = 64, first_column = 20, first_row = 10, patch_px = 4;
@@ -140,4 +140,4 @@ StabilityCases depth_value_cases() {
            .run = [](const StabilityOptions&) { return try_one_texel(); }}};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,9 +1,10 @@
 #pragma once
 #include "renderer/depth_mesh.h"
 #include "stability/depth_maps.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A sphere of 2 m with 4 x 4 texels of another value, through an EXR file and both densities. Counts
 /// vertices that are not at 2 m, rays into the patch that hit something, and texels that were not counted as
@@ -19,4 +20,4 @@ namespace seamline {
 /// Counts what is otherwise.
 [[nodiscard]] Finding try_one_texel(const MeshRule& rule = build_depth_mesh);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,10 +1,11 @@
 // Orders of the picture's error where an edge lies in the wrong place.
 #include "renderer/truth_pass.h"
+#include "stability/namespaces.h"
 #include "stability/orders.h"
 #include "stability/shapes.h"
 #include "stimuli/difference.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int width_px = 80, height_px = 45;
@@ -53,4 +54,4 @@ OrderSeries misplaced_edge_order(bool below_a_pixel) {
       }};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

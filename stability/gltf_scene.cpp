@@ -6,7 +6,7 @@
 
 #include "stimuli/support/atomic_file.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int float_type = 5126, unsigned_type = 5125;
@@ -62,4 +62,4 @@ void write_gltf_scene(const std::filesystem::path& path, const std::vector<PartP
   write_file_atomically(path, std::string_view(gltf.dump()));
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

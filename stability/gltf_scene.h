@@ -5,7 +5,7 @@
 
 #include "stability/shapes.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// Where a scene file's root node puts everything under it.
 struct RootNode {
@@ -18,4 +18,4 @@ struct RootNode {
 void write_gltf_scene(const std::filesystem::path& path, const std::vector<PartPointer>& parts,
                       const RootNode& root);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,7 +1,7 @@
 #pragma once
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 // The parts that the catalogue is put together from, a file each.
 
@@ -22,4 +22,4 @@ namespace seamline {
 [[nodiscard]] StabilityCases quest_plus_cases();
 [[nodiscard]] StabilityCases convergence_cases();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -8,10 +8,11 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stability/curve_fit_cases.h"
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 Interval interval_as_product(const PsychometricFit& fit) {
   return threshold_interval(fit);
@@ -107,4 +108,4 @@ StabilityCases interval_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,9 +4,10 @@
 #include "analysis/psychometric/bootstrap_intervals.h"
 #include "analysis/psychometric/fit_intervals.h"
 #include "analysis/psychometric/psychometric_fit.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a fit's threshold gets its interval; the product's is `threshold_interval`, the profile likelihood.
 using IntervalRule = std::function<Interval(const PsychometricFit& fit)>;
@@ -34,4 +35,4 @@ using BootstrapRule =
 /// largest deviation from the exact values; NaN when one is no number.
 [[nodiscard]] Finding try_extreme_probabilities();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -3,10 +3,11 @@
 #include <functional>
 
 #include "renderer/composite.h"
+#include "stability/namespaces.h"
 #include "stability/orders.h"
 #include "stability/shapes.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int repeats = 256;
@@ -115,4 +116,4 @@ OrderSeries ratio_order() {
           }};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -8,7 +8,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr double touching = -1e-7, containing = -1e-6;  // sines of the angle to an edge
@@ -109,4 +109,4 @@ EdgeCheck check_edges(const DepthMesh& mesh) {
   return check;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

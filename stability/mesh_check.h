@@ -1,8 +1,9 @@
 #pragma once
 #include "renderer/dense_sphere.h"
 #include "renderer/depth_mesh.h"
+#include "stability/namespaces.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// What rays from the centre through all vertices of a dense sphere find on a mesh, by brute force in double
 /// precision, without the code that made the mesh.
@@ -26,4 +27,4 @@ struct EdgeCheck {
 };
 [[nodiscard]] EdgeCheck check_edges(const DepthMesh& mesh);
 
-}  // namespace seamline
+}  // namespace seamline::stability

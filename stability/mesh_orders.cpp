@@ -5,9 +5,10 @@
 #include "renderer/full_mesh.h"
 #include "stability/depth_maps.h"
 #include "stability/mesh_check.h"
+#include "stability/namespaces.h"
 #include "stability/orders.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int cave_width_px = 256;
@@ -64,4 +65,4 @@ OrderSeries mesh_triangles_order() {
           }};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

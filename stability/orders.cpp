@@ -1,6 +1,6 @@
 #include "stability/orders.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 const std::vector<OrderPanel>& order_panels() {
   static const std::vector<OrderPanel> panels = {
@@ -17,4 +17,4 @@ std::vector<OrderSeries> order_series() {
           fitted_threshold_order(), misplaced_edge_order(true), misplaced_edge_order(false)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace seamline {
+namespace seamline::stability {
 
 /// The errors of one of the product's estimators at growing effort must fall at a known order.
 struct OrderSeries {
@@ -43,4 +43,4 @@ struct OrderPanel {
 /// All of them.
 [[nodiscard]] std::vector<OrderSeries> order_series();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -5,7 +5,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 OrdinalData simulated_ordinal_scores(int people, std::uint64_t seed) {
   constexpr std::array<double, 4> cuts = {-2, -0.5, 0.7, 2};
@@ -30,4 +30,4 @@ OrdinalData simulated_ordinal_scores(int people, std::uint64_t seed) {
   return data;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -11,7 +11,7 @@
 #include "stability/shapes.h"
 #include "stability/worst.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 TruthScene well_behind_bars() {
@@ -86,4 +86,4 @@ StabilityCases pocket_cases() {
        .run = [](const StabilityOptions&) { return try_face_behind_sheet(); }}};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -2,7 +2,7 @@
 #include "stability/small_render.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A well behind bars: sheets of a coarse depth map run from every bar to the wall behind, so that the local
 /// scene gets next to no light there; the object hangs before it. Artifacts whose light the depth mesh
@@ -14,4 +14,4 @@ namespace seamline {
 /// must be lit. `from_mesh` false asks from the face itself, as a guess would.
 [[nodiscard]] Finding try_face_behind_sheet(bool from_mesh = true);
 
-}  // namespace seamline
+}  // namespace seamline::stability

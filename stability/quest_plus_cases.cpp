@@ -7,12 +7,13 @@
 #include <numeric>
 
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 #include "study/quest_plus_model.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 const std::vector<int> widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
@@ -230,4 +231,4 @@ StabilityCases quest_plus_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,10 +1,11 @@
 #pragma once
 #include <functional>
 
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 #include "study/quest_plus.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How an answer is learnt from; the product's is `learn`, which keeps logarithms.
 using LearnRule = std::function<void(QuestPlusPosterior& posterior, const QuestPlusTables& tables,
@@ -35,4 +36,4 @@ using LearnRule = std::function<void(QuestPlusPosterior& posterior, const QuestP
 /// Expected entropies after an answer must not exceed the entropy now, along 200 trials: by how much they do.
 [[nodiscard]] Finding try_expected_entropies();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,10 +4,11 @@
 
 #include "renderer/path_batch.h"
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stability/shapes.h"
 #include "stability/worst.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int paths = 500;
@@ -124,4 +125,4 @@ StabilityCases radiosity_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,7 +1,7 @@
 #pragma once
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A closed sphere that emits 1 everywhere.
 struct ClosedSphere {
@@ -16,4 +16,4 @@ struct ClosedSphere {
 /// The same through `PathBatch` (fast estimator).
 [[nodiscard]] Finding try_closed_sphere_fast(const ClosedSphere& sphere);
 
-}  // namespace seamline
+}  // namespace seamline::stability

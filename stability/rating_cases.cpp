@@ -11,11 +11,12 @@
 #include "analysis/thresholds.h"
 #include "stability/curve_fit_cases.h"
 #include "stability/groups.h"
+#include "stability/namespaces.h"
 #include "stability/ordinal_people.h"
 #include "stability/worst.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 const std::vector<int> widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
@@ -245,4 +246,4 @@ StabilityCases rating_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -3,10 +3,11 @@
 
 #include "analysis/cells.h"
 #include "analysis/ordinal/ordinal_fit.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 #include "study/observer.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// Noticeability of simulated `threshold` observers under one artifact, three objects at the seven widths of
 /// the paper, as analysis averages it.
@@ -45,4 +46,4 @@ using OrdinalRule = std::function<OrdinalFit(const OrdinalData& data)>;
 /// Counts what is otherwise.
 [[nodiscard]] Finding try_identical_people();
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -5,7 +5,7 @@
 #include "stability/groups.h"
 #include "stability/worst.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr int side = 4;
@@ -127,4 +127,4 @@ StabilityCases ratio_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

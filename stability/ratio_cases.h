@@ -2,7 +2,7 @@
 #include "stability/small_render.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A 4 x 4 picture, bright but for two pixels whose light without the object is `denominator`: in one of
 /// them the object takes it away, in the other it brings 1e-3. The picture must be the photograph.
@@ -17,4 +17,4 @@ namespace seamline {
 /// All light times 2^-80 to 2^80: the ratios must be the same to the last bit.
 [[nodiscard]] Finding try_exposures(const ComposeRule& rule = compose_as_product);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -10,12 +10,13 @@
 #include <optional>
 
 #include "renderer/geometry.h"
+#include "stability/namespaces.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/markdown_table.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 std::string number(double value) {
@@ -136,4 +137,4 @@ std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

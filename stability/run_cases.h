@@ -4,7 +4,7 @@
 
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A case with what this run found.
 struct CaseOutcome {
@@ -32,4 +32,4 @@ struct CaseOutcome {
 /// The table of documentation/stability.md: a Markdown table a group.
 [[nodiscard]] std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes);
 
-}  // namespace seamline
+}  // namespace seamline::stability

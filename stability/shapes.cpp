@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::stability {
 
 PartPointer shape_of(std::vector<Eigen::Vector3f> positions_m, std::vector<Triangle> triangles,
                      const Matter& matter) {
@@ -99,4 +99,4 @@ Light sun_and_sky(const Eigen::Vector3f& to_sun, float irradiance_w_m2, float sk
   return light;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

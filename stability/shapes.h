@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "renderer/truth_scene.h"
+#include "stability/namespaces.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 // Shapes whose light is known by hand, in the renderer's frame.
 
@@ -49,4 +50,4 @@ struct SmallScene {
 [[nodiscard]] Light sun_and_sky(const Eigen::Vector3f& to_sun, float irradiance_w_m2, float sky_radiance,
                                 int bounces);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -2,8 +2,9 @@
 
 #include "renderer/capture.h"
 #include "renderer/stimulus_pass.h"
+#include "stability/namespaces.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 Composite compose_as_product(const StimulusLayers& layers) {
   return compose(layers);
@@ -35,4 +36,4 @@ int pixels_out_of_range(const Image& image, double most) {
   return count;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,9 +4,10 @@
 #include "renderer/composite.h"
 #include "renderer/depth_mesh.h"
 #include "renderer/truth_pass.h"
+#include "stability/namespaces.h"
 #include "stimuli/artifact.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a finished stimulus is made of its sums; the product's is `compose`.
 using ComposeRule = std::function<Composite(const StimulusLayers&)>;
@@ -34,4 +35,4 @@ struct SmallPicture {
 /// How many pixels are not finite, or below 0, or above `most`.
 [[nodiscard]] int pixels_out_of_range(const Image& image, double most);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -7,7 +7,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 /// A floor, two walls, a pillar; a ball as the object.
@@ -79,4 +79,4 @@ StabilityCases space_scale_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

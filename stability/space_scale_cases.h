@@ -3,9 +3,10 @@
 
 #include "renderer/truth_scene.h"
 #include "stability/gltf_scene.h"
+#include "stability/namespaces.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a scene's files become a scene; the product's is `load_truth_scene`.
 using LoadRule = std::function<TruthScene(const SceneDefinition& definition, int width_px, int height_px)>;
@@ -16,4 +17,4 @@ using LoadRule = std::function<TruthScene(const SceneDefinition& definition, int
 [[nodiscard]] Finding try_root_node(const RootNode& root, int threads,
                                     const LoadRule& load = load_truth_scene);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::stability {
 
 /// How a case may run.
 struct StabilityOptions {
@@ -49,4 +49,4 @@ inline const std::string exact_count = "a count of what must not happen";
           .run = [attempt](const StabilityOptions&) { return attempt(); }};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

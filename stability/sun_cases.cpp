@@ -11,7 +11,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -165,4 +165,4 @@ StabilityCases sun_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -2,7 +2,7 @@
 #include "stability/small_render.h"
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A plane under a sun `irradiance` times as strong as the sky's radiance of 1: the light of a sunlit point
 /// against the sum of both, or the light of a point behind a wall against the sky's alone.
@@ -20,4 +20,4 @@ namespace seamline {
 /// light against albedo E sin(elevation) / pi at many points.
 [[nodiscard]] Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells);
 
-}  // namespace seamline
+}  // namespace seamline::stability

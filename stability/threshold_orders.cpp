@@ -3,11 +3,12 @@
 
 #include "analysis/thresholds.h"
 #include "stability/curve_fit_cases.h"
+#include "stability/namespaces.h"
 #include "stability/orders.h"
 #include "stability/rating_cases.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 double standard_deviation(const std::vector<double>& values) {
@@ -79,4 +80,4 @@ OrderSeries fitted_threshold_order() {
       }};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

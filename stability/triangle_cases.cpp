@@ -13,7 +13,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 SmallScene room() {
@@ -152,4 +152,4 @@ StabilityCases triangle_cases() {
   };
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,7 +1,7 @@
 #pragma once
 #include "stability/stability_case.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// A scene's picture must not change when triangles are added that have no area: three equal corners, three
 /// corners in a line. Counts pixels that do.
@@ -14,4 +14,4 @@ namespace seamline {
 /// So many triangles in one place: rays must hit them where they are. Throws what the product throws.
 [[nodiscard]] Finding try_coincident(int triangles);
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -4,7 +4,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::stability {
 
 /// The larger of two errors; NaN wins over everything, which std::max does not promise.
 [[nodiscard]] inline double worse(double a, double b) {
@@ -16,4 +16,4 @@ namespace seamline {
   return std::abs(found - expected) / std::abs(expected);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -1,6 +1,6 @@
 #include "stimuli/artifact.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 std::string_view word(Artifact artifact) {
   switch (artifact) {
@@ -44,4 +44,4 @@ std::optional<Isolation> isolation_from_word(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Which seam of the composition a stimulus shows, alone (paper section 3.3). A closed set without data:
 /// switches over it have no default branch, so the compiler finds the place where a new one is forgotten.
@@ -38,4 +38,4 @@ enum class Isolation {
 [[nodiscard]] std::string_view word(Isolation isolation);
 [[nodiscard]] std::optional<Isolation> isolation_from_word(std::string_view text);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

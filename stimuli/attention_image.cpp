@@ -7,7 +7,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 /// Two stops brighter, then three quarters of the way to this colour. Brightness alone is not enough, because
@@ -54,4 +54,4 @@ ByteImage attention_image(const ByteImage& reference, const ByteImage& object_id
   return image;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// The picture of an attention trial: the reference with one object's pixels changed so that nobody who looks
 /// can miss it, as if its insertion had gone wrong. Needs no rendering.
@@ -12,4 +12,4 @@ namespace seamline {
 [[nodiscard]] ByteImage attention_image(const ByteImage& reference, const ByteImage& object_ids,
                                         int object_index);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr const char* shipped_text =
@@ -46,4 +46,4 @@ bool is_default_consent(const ConsentDefinition& consent) {
   return words_of(consent.text) == words_of(shipped_text);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// What a participant reads before anything else, and the two answers.
 struct ConsentDefinition {
@@ -19,4 +19,4 @@ struct ConsentDefinition {
 /// not.
 [[nodiscard]] bool is_default_consent(const ConsentDefinition& consent);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

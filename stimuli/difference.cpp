@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 double display_rmse(const Image& a, const Image& b, double exposure_ev, const Image* mask) {
   assert(a.values.size() == b.values.size() && a.channels == b.channels);
@@ -29,4 +29,4 @@ double clipped_share(const Image& linear, double exposure_ev) {
                                : static_cast<double>(clipped) / static_cast<double>(linear.values.size());
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Root mean square difference of two linear pictures in display units (0 to 1, after exposure and the sRGB
 /// curve), over the pixels where `mask` is above 0.5, or over all when `mask` is null. Sizes must agree.
@@ -11,4 +11,4 @@ namespace seamline {
 /// Share of channel values that display white cannot show (linear * 2^exposure_ev above 1).
 [[nodiscard]] double clipped_share(const Image& linear, double exposure_ev);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

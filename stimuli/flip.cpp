@@ -8,7 +8,7 @@
 #include "stimuli/flip_colour.h"
 #include "stimuli/flip_filters.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr double feature_power = 0.5;  // q_f
@@ -120,4 +120,4 @@ double screen_pixels_per_degree(double distance_m, int screen_width_px, double s
   return distance_m * screen_width_px / screen_width_m * std::numbers::pi / 180;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

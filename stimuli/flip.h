@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 // LDR-FLIP, the difference that people see when they flip between two pictures (Andersson, Nilsson,
 // Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
@@ -25,4 +25,4 @@ struct FlipPicture {
 /// distance * width_px / width_m * pi / 180.
 [[nodiscard]] double screen_pixels_per_degree(double distance_m, int screen_width_px, double screen_width_m);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 /// IEC 61966-2-1 primaries and D65 as exact fractions.
@@ -80,4 +80,4 @@ double colour_difference_of_distance(double hyab) {
   return bend_value + (power - bend) / (most - bend) * (1 - bend_value);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

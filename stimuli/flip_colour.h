@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 // The colours of LDR-FLIP (Andersson et al. 2020, sections 4.1 and 4.2). Every triple is of doubles; linear
 // RGB has Rec. 709 primaries, and the white point is that of linear RGB (1, 1, 1).
@@ -27,4 +27,4 @@ namespace seamline {
 /// 0.95; c_max is that power of the distance between pure green and pure blue.
 [[nodiscard]] double colour_difference_of_distance(double hyab);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -115,4 +115,4 @@ Image filtered(const Image& one_channel, const SeparableFilter& filter) {
   return whole;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

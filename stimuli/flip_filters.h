@@ -3,7 +3,7 @@
 
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// A separable filter: the same odd number of weights along x and y.
 struct SeparableFilter {
@@ -33,4 +33,4 @@ struct FeatureFilters {
 /// One channel filtered; beyond the border the picture goes on as its nearest pixel.
 [[nodiscard]] Image filtered(const Image& one_channel, const SeparableFilter& filter);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

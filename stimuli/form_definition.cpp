@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 std::optional<FormFault> fault_of_number(const NumberField& field, const std::string& value) {
@@ -45,4 +45,4 @@ std::optional<FormFault> fault_of(const FormField& field, const std::string& val
   return fault_of_choice(std::get<ChoiceField>(field.kind), value);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// A number within a range, both ends included.
 struct NumberField {
@@ -42,4 +42,4 @@ enum class FormFault { missing, not_a_number, out_of_range, not_an_option };
 /// What is wrong with an answer, if anything. An empty value is no answer.
 [[nodiscard]] std::optional<FormFault> fault_of(const FormField& field, const std::string& value);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

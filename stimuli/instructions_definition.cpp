@@ -1,6 +1,6 @@
 #include "stimuli/instructions_definition.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 std::vector<InstructionPage> default_instructions() {
   return {
@@ -19,4 +19,4 @@ std::vector<InstructionPage> default_instructions() {
        .pictures = {}}};
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// A page of the instructions: text, pictures, or both. A page of one picture alone is for scripts that the
 /// window cannot shape.
@@ -32,4 +32,4 @@ struct CatchDefinition {
   bool operator==(const CatchDefinition&) const = default;
 };
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

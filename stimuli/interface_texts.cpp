@@ -1,6 +1,6 @@
 #include "stimuli/interface_texts.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 const std::vector<PhraseEntry>& every_phrase() {
   static const std::vector<PhraseEntry> table = {
@@ -85,4 +85,4 @@ std::string fill_in(std::string text, const std::vector<std::pair<std::string, s
   return filled;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

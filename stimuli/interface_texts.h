@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Every text of the application that a study file can translate in [texts]. The table in interface_texts.cpp
 /// holds the key and the English text of each; `{word}` in a text is a place that is filled in.
@@ -73,4 +73,4 @@ using InterfaceTexts = std::map<Phrase, std::string>;
 [[nodiscard]] std::string fill_in(std::string text,
                                   const std::vector<std::pair<std::string, std::string>>& values);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

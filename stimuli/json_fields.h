@@ -9,7 +9,7 @@
 #include "stimuli/support/error.h"
 
 // Inside stimuli/ only: JSON does not appear in the headers that others include.
-namespace seamline {
+namespace seamline::inline stimuli {
 
 using Json = nlohmann::ordered_json;
 
@@ -73,4 +73,4 @@ class JsonFields {
   std::string file_, prefix_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -9,7 +9,7 @@
 #include "stimuli/support/hash.h"
 #include "stimuli/support/text_bounds.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr int widest_depth_px = 16384;  ///< as in study files
@@ -220,4 +220,4 @@ std::string set_hash(const std::filesystem::path& set_folder) {
   return sha256_of_file(manifest_path(set_folder));
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

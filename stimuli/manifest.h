@@ -7,7 +7,7 @@
 
 #include "stimuli/stimulus.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 inline constexpr const char* manifest_format = "seamline set";
 inline constexpr int manifest_version = 1;
@@ -76,4 +76,4 @@ void write_manifest(const std::filesystem::path& set_folder, const Manifest& man
 /// SHA-256 of the manifest file's bytes: the set's identity in logs.
 [[nodiscard]] std::string set_hash(const std::filesystem::path& set_folder);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

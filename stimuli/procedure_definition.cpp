@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 std::string text(const ParameterRange& range) {
@@ -35,4 +35,4 @@ std::string canonical_text(const ProcedureDefinition& procedure) {
   return quest_plus != nullptr ? quest_plus_text(*quest_plus) : std::string();
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

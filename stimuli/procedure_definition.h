@@ -5,7 +5,7 @@
 
 #include "stimuli/sigmoid.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Method of constant stimuli: everybody sees every stimulus once, in an order of their own (paper
 /// section 4.2).
@@ -61,4 +61,4 @@ using ProcedureDefinition = std::variant<ConstantDefinition, QuestPlusDefinition
 /// were rendered before there was a choice keep their hash.
 [[nodiscard]] std::string canonical_text(const ProcedureDefinition& procedure);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// What becomes of a participant who comes again before the end.
 enum class ResumePolicy {
@@ -27,4 +27,4 @@ struct SessionDefinition {
   std::string font = {};  ///< a TrueType file beside the study file; empty: the application's own
 };
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -7,7 +7,7 @@
 #include "stimuli/support/hash.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -61,4 +61,4 @@ void check_set_files(const fs::path& set_folder, const Manifest& manifest) {
                [&](int index) { check_set_file(set_folder, files[static_cast<std::size_t>(index)]); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -5,7 +5,7 @@
 
 #include "stimuli/manifest.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// A file that a manifest names, relative to the set's folder, and the SHA-256 of its bytes.
 struct SetFile {
@@ -31,4 +31,4 @@ void check_set_files_exist(const std::filesystem::path& set_folder, const Manife
 /// check_set_file for every picture of the set, on all cores.
 void check_set_files(const std::filesystem::path& set_folder, const Manifest& manifest);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// A sigmoid F on the real line, each shifted so that F(0) = 0.5 (thresholds of different sigmoids then mean
 /// the same).
@@ -11,4 +11,4 @@ enum class Sigmoid {
           ///< ln 2 away
 };
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

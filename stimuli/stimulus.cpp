@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 std::string stimulus_id(const Stimulus& stimulus) {
   const std::string id = fmt::format("{}-{}-{}-{:04}", stimulus.scene, word(stimulus.artifact),
@@ -45,4 +45,4 @@ bool matches_pattern(std::string_view id, std::string_view pattern) {
   return p == pattern.size();
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -5,7 +5,7 @@
 #include "stimuli/artifact.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// What is varied between stimuli of one scene, object and artifact.
 struct Condition {
@@ -35,4 +35,4 @@ struct Stimulus {
 /// Whether an id matches a pattern in which `*` stands for any text; an empty pattern matches everything.
 [[nodiscard]] bool matches_pattern(std::string_view id, std::string_view pattern);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 
 #include "stimuli/support/hash.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 std::string text(const Eigen::Vector3d& v) {
@@ -106,4 +106,4 @@ std::string study_hash(const StudyDefinition& study) {
   return sha256(canonical_text(study));
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

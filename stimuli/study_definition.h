@@ -16,7 +16,7 @@
 #include "stimuli/procedure_definition.h"
 #include "stimuli/session_definition.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// An object put into a scene: which file, and where. Applied to the file's vertices as
 /// position + R(rotation) * (scale * vertex), R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, +Y up.
@@ -124,4 +124,4 @@ struct StudyDefinition {
 /// SHA-256 of `canonical_text`.
 [[nodiscard]] std::string study_hash(const StudyDefinition& study);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

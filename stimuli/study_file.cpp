@@ -12,7 +12,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/toml_table.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr const char* study_format = "seamline study 1";
@@ -115,4 +115,4 @@ StudyDefinition read_study_text(const std::string& text, const std::filesystem::
                           AssetCheck::not_needed);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// What a reader of a study file needs of the files it names.
 enum class AssetCheck {
@@ -24,4 +24,4 @@ enum class AssetCheck {
 [[nodiscard]] StudyDefinition read_study_text(const std::string& text,
                                               const std::filesystem::path& said_to_be);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 
 #include "stimuli/study_file_words.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 ConsentDefinition read_consent(const TomlTable& table) {
@@ -141,4 +141,4 @@ void read_people(const TomlTable& study, StudyDefinition& definition) {
   if (const auto texts = study.table("texts")) definition.texts = read_texts(*texts);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -7,7 +7,7 @@
 
 #include "stimuli/study_file_words.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr int most_values = 1001;              // of one parameter
@@ -106,4 +106,4 @@ ProcedureDefinition read_procedure(const TomlTable& study, const std::vector<int
   return read_quest_plus(*settings, depth_width_px);
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 constexpr double unlimited = 1e9;
@@ -113,4 +113,4 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
   return scene;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

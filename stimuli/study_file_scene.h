@@ -4,10 +4,10 @@
 #include "stimuli/support/assets.h"
 #include "stimuli/toml_table.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Reads one `[[scene]]` with its `[[scene.object]]`, `[scene.sun]` and `[scene.camera]`.
 [[nodiscard]] SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders,
                                          AssetCheck assets);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

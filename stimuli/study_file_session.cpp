@@ -4,7 +4,7 @@
 
 #include "stimuli/study_file_words.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 /// Catch trials of one kind that a session may have; more would be another study.
@@ -48,4 +48,4 @@ CatchDefinition read_catches(const TomlTable& table) {
   return catches;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

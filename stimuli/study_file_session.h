@@ -3,7 +3,7 @@
 #include "stimuli/session_definition.h"
 #include "stimuli/toml_table.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Reads `[session]`. Throws InputError as read_study does.
 [[nodiscard]] SessionDefinition read_session(const TomlTable& session);
@@ -11,4 +11,4 @@ namespace seamline {
 /// Reads `[catch]`.
 [[nodiscard]] CatchDefinition read_catches(const TomlTable& catches);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

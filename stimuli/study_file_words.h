@@ -8,7 +8,7 @@
 
 #include "stimuli/toml_table.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// The words that a key may hold, and what each means.
 template <class Value>
@@ -27,4 +27,4 @@ Value one_of(const TomlTable& table, const char* key, Value fallback, const Word
   throw table.complaint(key, wanted, "\"" + text + "\"");
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -4,7 +4,7 @@
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace fs = std::filesystem;
 std::vector<std::string> session_files(const StudyDefinition& study) {
   std::vector<std::string> files;
@@ -39,4 +39,4 @@ void check_session_files(const StudyDefinition& study, const fs::path* folder) {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

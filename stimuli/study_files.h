@@ -5,7 +5,7 @@
 
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// The files that a session shows besides the stimuli: pictures of the instructions and the font, as the
 /// study file names them, relative to it. A set carries a copy of each beside its copy of the study file.
@@ -18,4 +18,4 @@ void copy_session_files(const StudyDefinition& study, const std::filesystem::pat
 /// be copied beside it, and, where `folder` is given, a file that is there.
 void check_session_files(const StudyDefinition& study, const std::filesystem::path* folder);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -11,7 +11,7 @@
 #include "stimuli/support/text_bounds.h"
 #include "stimuli/toml_library.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 struct TomlTable::Node {
   std::shared_ptr<const toml::table> root;  ///< keeps the file alive
@@ -209,4 +209,4 @@ void TomlTable::finish() const {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -9,7 +9,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// The numbers a key may hold, ends included, and their unit for the sentence of complaint.
 struct Range {
@@ -63,4 +63,4 @@ class TomlTable {
   mutable std::set<std::string> asked_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

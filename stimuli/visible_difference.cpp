@@ -10,7 +10,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ std::string floor_key(const Stimulus& stimulus) {
   return stimulus.scene + "/" + stimulus.object;
 }
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -6,7 +6,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::inline stimuli {
 
 /// Exponent of Quick's (1974) pooling of what is seen at many places: between the sum (1) and the strongest
 /// place alone (infinite). 3 is in the middle of what detection experiments find, 2 to 4.
@@ -46,4 +46,4 @@ using DifferenceFloors = std::map<std::string, double>;
 /// What a floor is known by: "bedroom/statue".
 [[nodiscard]] std::string floor_key(const Stimulus& stimulus);
 
-}  // namespace seamline
+}  // namespace seamline::stimuli

@@ -7,7 +7,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Keeps the draws of catch trials apart from those of the plan, which has the same key.
@@ -82,4 +82,4 @@ std::vector<CatchTrial> catches_of(std::span<const PlannedTrial> planned) {
   return catches;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -7,7 +7,7 @@
 #include "study/plan.h"
 #include "study/trial_sequence.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// The catch trials of a participant among `stimulus_trials` others: one in each of as many equal stretches
 /// of the session as there are catch trials, at a place drawn from the stretch. None is the first trial or
@@ -26,4 +26,4 @@ namespace seamline {
 /// The catch trials of a plan, in their places: the inverse of `interleave`.
 [[nodiscard]] std::vector<CatchTrial> catches_of(std::span<const PlannedTrial> planned);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -15,7 +15,7 @@
 #include "study/simulation.h"
 #include "study/study_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 struct StudyOptions {
@@ -156,4 +156,4 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   log->callback([log_options] { administer(*log_options); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

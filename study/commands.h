@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::study {
 
 /// What `seamline study SET --log LOG --participant CODE [--pilot]
 /// [--allow-scaling] [--frame-times CSV]` asks for.
@@ -33,4 +33,4 @@ using ParticipantRunner = std::function<void(const ParticipantRequest&)>;
 /// Adds the subcommands of `study/` to the program. Each is parse, load, compute, write.
 void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant = refuse_without_window);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-namespace seamline {
+namespace seamline::study {
 
 /// What the pictures of a session were shown on, as the display check found it.
 struct DisplayFacts {
@@ -28,4 +28,4 @@ struct DisplayFacts {
 /// 2 distance tan(0.5 deg) / mm_per_px.
 [[nodiscard]] double pixels_per_degree_of(double mm_per_px, double viewing_distance_mm);
 
-}  // namespace seamline
+}  // namespace seamline::study

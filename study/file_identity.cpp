@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-namespace seamline {
+namespace seamline::study {
 
 std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
   struct stat status = {};
@@ -10,4 +10,4 @@ std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
   return FileIdentity{.device = status.st_dev, .inode = status.st_ino};
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

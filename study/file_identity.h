@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace seamline {
+namespace seamline::study {
 
 /// Which file a path leads to: a file that is deleted and made again, or another one moved there, differs.
 struct FileIdentity {
@@ -15,4 +15,4 @@ struct FileIdentity {
 /// None where there is no file.
 [[nodiscard]] std::optional<FileIdentity> file_identity(const std::filesystem::path& path);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 #include "study/log_values.h"
 #include "study/session_claims.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -149,4 +149,4 @@ LogContents read_log(const fs::path& path) {
   return with_log_errors(path, [&] { return read_tables(database, path); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

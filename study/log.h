@@ -9,7 +9,7 @@
 #include "stimuli/form_definition.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// One answer to one stimulus, as the log holds it.
 struct Answer {
@@ -81,4 +81,4 @@ struct LogContents {
 /// SQLite, is damaged, or is of another schema version.
 [[nodiscard]] LogContents read_log(const std::filesystem::path& path);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -10,7 +10,7 @@
 #include "study/log_place.h"
 #include "study/now.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -126,4 +126,4 @@ void forget_participant(const fs::path& log, const std::string& code) {
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// Who has done what, as lines of text for people: `seamline log LOG --status`.
 [[nodiscard]] std::string status_text(const LogContents& log);
@@ -18,4 +18,4 @@ void exclude_participant(const std::filesystem::path& log, const std::string& co
 /// program has the log open, since that program could bring pages of the participant back.
 void forget_participant(const std::filesystem::path& log, const std::string& code);
 
-}  // namespace seamline
+}  // namespace seamline::study

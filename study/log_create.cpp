@@ -10,7 +10,7 @@
 #include "study/log_database.h"
 #include "study/log_place.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -85,4 +85,4 @@ SQLite::Database open_or_create_log_database(const fs::path& path,
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

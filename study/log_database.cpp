@@ -11,7 +11,7 @@
 #include "stimuli/support/temporary_folder.h"
 #include "study/log_place.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -228,4 +228,4 @@ InputError log_error(const fs::path& path, const SQLite::Exception& error) {
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

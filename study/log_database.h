@@ -12,7 +12,7 @@
 #include "stimuli/support/error.h"
 
 // Inside the log only: SQLite does not appear in the headers that others include.
-namespace seamline {
+namespace seamline::study {
 
 /// The log's format: a SQLite database with this application_id and, in user_version, this schema version.
 /// Raise the version with every change of the tables in log_schema.cpp. Version 2 has kinds of trials,
@@ -106,4 +106,4 @@ void run(SQLite::Statement& statement, const Values&... values) {
   statement.tryReset();
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

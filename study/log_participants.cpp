@@ -5,7 +5,7 @@
 #include "study/log_tables.h"
 #include "study/log_values.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// What a participant is, for the sentence that refuses another.
@@ -166,4 +166,4 @@ OpenSession LogWriter::open_session(const Enrolment& enrolment) {
   return session;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -2,7 +2,7 @@
 #include "stimuli/support/hash.h"
 #include "study/log_tables.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr const char* display_columns =
@@ -128,4 +128,4 @@ void LogWriter::append_events(const OpenSession& session, std::span<const RawEve
   });
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -15,7 +15,7 @@
 #include "study/log_tables.h"
 #include "study/study_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -211,4 +211,4 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
   return recovery;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

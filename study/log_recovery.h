@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::study {
 
 /// What is known to be missing of a participant.
 struct LostAnswers {
@@ -38,4 +38,4 @@ LogRecovery recover_log(const std::filesystem::path& damaged, const std::filesys
 [[nodiscard]] std::string recovery_text(const LogRecovery& recovery, const std::filesystem::path& damaged,
                                         const std::filesystem::path& out);
 
-}  // namespace seamline
+}  // namespace seamline::study

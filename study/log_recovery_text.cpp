@@ -3,7 +3,7 @@
 
 #include "study/log_recovery.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -59,4 +59,4 @@ std::string recovery_text(const LogRecovery& recovery, const fs::path& damaged, 
          "one.\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 #include "study/log_database.h"
 #include "study/log_place.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -286,4 +286,4 @@ SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   return best;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

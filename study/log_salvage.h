@@ -9,7 +9,7 @@
 #include <vector>
 
 // Inside the log only: reading what is left of a damaged one.
-namespace seamline {
+namespace seamline::study {
 
 /// A value of any table.
 using LogValue = std::variant<std::monostate, std::int64_t, double, std::string>;
@@ -33,4 +33,4 @@ using SalvagedLog = std::map<std::string, std::vector<LogRow>>;
 [[nodiscard]] SalvagedLog salvage_log(const std::filesystem::path& damaged,
                                       const std::filesystem::path& scratch);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 #include "study/log_database.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// 'receiver', 'shadow', ...
@@ -185,4 +185,4 @@ std::string log_schema_sql() {
                      log_application_id, log_schema_version);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

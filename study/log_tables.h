@@ -8,7 +8,7 @@
 #include "study/session_claims.h"
 
 // Inside the log only: what a LogWriter holds, and the statements that every answer needs.
-namespace seamline {
+namespace seamline::study {
 
 struct LogWriter::Tables {
   Tables(SQLite::Database opened, const std::filesystem::path& log, int shared_orders)
@@ -60,4 +60,4 @@ struct LogWriter::Tables {
 void enter_study_row(SQLite::Database& database, const StudySet& set);
 std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -7,7 +7,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 InputError out_of_range(const std::filesystem::path& log, const char* table, const SQLite::Column& column,
@@ -60,4 +60,4 @@ TrialKind LogValues::kind(int column) const {
   return *kind;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -8,7 +8,7 @@
 #include "study/trial.h"
 
 // Inside the log only.
-namespace seamline {
+namespace seamline::study {
 
 /// Values of a row, checked again while they are read. The tables' own CHECKs hold for what is written
 /// through them; a file that was damaged or made by another hand may hold anything, and the analysis counts
@@ -33,4 +33,4 @@ class LogValues {
   const char* table_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -7,7 +7,7 @@
 #include "stimuli/support/assets.h"
 #include "study/log_tables.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -184,4 +184,4 @@ void LogWriter::complete(OpenSession& session) {
   session.completed = true;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -14,7 +14,7 @@
 #include "study/study_set.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// Who a simulated participant is.
 struct Simulated {
@@ -155,4 +155,4 @@ class LogWriter {
   std::unique_ptr<Tables> tables_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace seamline {
+namespace seamline::study {
 
 /// Seconds since 1970 by the wall clock, for people who look after a log: nothing is ordered or measured by
 /// it, so it may be set back at any time. A clock before 1970 reads as 1970.
@@ -12,4 +12,4 @@ namespace seamline {
   return std::max<std::int64_t>(0, duration_cast<seconds>(system_clock::now().time_since_epoch()).count());
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

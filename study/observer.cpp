@@ -10,7 +10,7 @@
 #include "study/psychometric_function.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact) {
@@ -184,4 +184,4 @@ double expected_noticeability_of_difference(const ObserverDefinition& definition
   return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 #include "stimuli/support/random.h"
 #include "stimuli/visible_difference.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// The simulated people that `--observer` knows.
 enum class ObserverKind { threshold, image, guesser, perfect };
@@ -82,4 +82,4 @@ struct Response {
 [[nodiscard]] double expected_noticeability_of_difference(const ObserverDefinition& definition,
                                                           double visible_difference);
 
-}  // namespace seamline
+}  // namespace seamline::study

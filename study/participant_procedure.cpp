@@ -6,7 +6,7 @@
 #include "study/catch_plan.h"
 #include "study/plan.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Keeps the draws of adaptive procedures apart from those of the plan and of the renderer.
@@ -110,4 +110,4 @@ int record_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSes
   return thresholds;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 #include "study/study_set.h"
 #include "study/trial_sequence.h"
 
-namespace seamline {
+namespace seamline::study {
 
 // Between the study file's procedure, the log and a session. A session of a person or of a simulated one:
 //
@@ -41,4 +41,4 @@ void plan_due_trial(const TrialSequence& trials, LogWriter& log, OpenSession& pl
 int record_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,
                        std::int64_t now_ns);
 
-}  // namespace seamline
+}  // namespace seamline::study

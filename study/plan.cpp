@@ -5,7 +5,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Keeps the numbers of the plan apart from those of the renderer, which start from the same study seed.
@@ -22,4 +22,4 @@ std::vector<int> plan_order(int stimulus_count, const PlanKey& key) {
   return order;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

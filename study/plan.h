@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace seamline {
+namespace seamline::study {
 
 /// What decides a participant's order. Two participants in the same slot see the same order, so a slot that
 /// an excluded participant frees can be given to another one, and orders stay balanced.
@@ -16,4 +16,4 @@ struct PlanKey {
 /// session never plans again.
 [[nodiscard]] std::vector<int> plan_order(int stimulus_count, const PlanKey& key);
 
-}  // namespace seamline
+}  // namespace seamline::study

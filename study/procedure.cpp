@@ -4,7 +4,7 @@
 
 #include "study/overloaded.h"
 
-namespace seamline {
+namespace seamline::study {
 
 std::optional<int> current_stimulus(const Procedure& procedure) {
   return std::visit(Overloaded{[](const ConstantProcedure& constant) -> std::optional<int> {
@@ -39,4 +39,4 @@ int planned_trials(const Procedure& procedure) {
       procedure);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 #include "study/quest_plus_procedure.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// Method of constant stimuli: a fixed order, whatever is answered (paper section 4.2).
 struct ConstantProcedure {
@@ -32,4 +32,4 @@ using Procedure = std::variant<ConstantProcedure, QuestPlusProcedure>;
 /// How many trials there will be in all, or at most; what a progress bar is measured against.
 [[nodiscard]] int planned_trials(const Procedure& procedure);
 
-}  // namespace seamline
+}  // namespace seamline::study

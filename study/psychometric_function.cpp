@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::study {
 
 double sigmoid_value(Sigmoid sigmoid, double z) {
   switch (sigmoid) {
@@ -27,4 +27,4 @@ double response_probability(const PsychometricFunction& function, double level) 
   return function.guess + (1 - function.guess - function.lapse) * sigmoid_value(function.sigmoid, z);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/sigmoid.h"
 
-namespace seamline {
+namespace seamline::study {
 
 enum class Axis { linear, log2 };
 enum class Direction { increasing, decreasing };
@@ -27,4 +27,4 @@ struct PsychometricFunction {
 /// psi(x). On a log2 axis the level and the threshold are positive.
 [[nodiscard]] double response_probability(const PsychometricFunction& function, double level);
 
-}  // namespace seamline
+}  // namespace seamline::study

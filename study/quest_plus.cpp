@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr int lane_count = 8;  // stimuli that are summed side by side: four registers of SSE2, two of AVX
@@ -121,4 +121,4 @@ std::vector<double> expected_entropies_nats(const QuestPlusTables& tables,
   return expected;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace seamline {
+namespace seamline::study {
 
 // QUEST+ (Watson 2017), whatever the task: stimuli, outcomes and points of a parameter grid are numbered from
 // 0. Watson's letters: x stimulus, o outcome, theta a point of the grid.
@@ -54,4 +54,4 @@ void learn(QuestPlusPosterior& posterior, const QuestPlusTables& tables, int sti
 [[nodiscard]] std::vector<double> expected_entropies_nats(const QuestPlusTables& tables,
                                                           const QuestPlusPosterior& posterior);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -5,7 +5,7 @@
 
 #include "study/quest_plus_model.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Tracks without widths and images, and the track of each stimulus.
@@ -76,4 +76,4 @@ std::string name_of(const TrackDesign& track) {
   return name;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 #include "stimuli/stimulus.h"
 #include "study/quest_plus_grid.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// The stimuli that share a psychometric function. Only what is in the set is in it.
 struct TrackDesign {
@@ -35,4 +35,4 @@ struct QuestPlusDesign {
 /// "receiver" or "receiver bedroom statue".
 [[nodiscard]] std::string name_of(const TrackDesign& track);
 
-}  // namespace seamline
+}  // namespace seamline::study

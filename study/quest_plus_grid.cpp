@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 std::vector<double> evenly(double least, double most, int count) {
@@ -134,4 +134,4 @@ std::string text(const EdgeAlarm& alarm) {
                      alarm.highest ? "highest" : "lowest", alarm.mass);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -7,7 +7,7 @@
 #include "stimuli/procedure_definition.h"
 #include "study/quest_plus.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// The parameters of a psychometric function, in the order in which a grid nests them (the last is
 /// innermost).
@@ -67,4 +67,4 @@ struct EdgeAlarm {
 /// "threshold at the grid's highest value (0.31 of the posterior)".
 [[nodiscard]] std::string text(const EdgeAlarm& alarm);
 
-}  // namespace seamline
+}  // namespace seamline::study

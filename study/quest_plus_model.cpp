@@ -6,7 +6,7 @@
 
 #include "study/psychometric_function.h"
 
-namespace seamline {
+namespace seamline::study {
 
 int outcome_count(const QuestPlusDefinition& definition) {
   switch (definition.outcome) {
@@ -66,4 +66,4 @@ QuestPlusTables make_width_tables(const QuestPlusDefinition& definition, const Q
                                 });
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -5,7 +5,7 @@
 #include "study/quest_plus_grid.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// How many outcomes the definition tells apart: 2 (wrong, right) or 5 (noticeability 0 to 4).
 [[nodiscard]] int outcome_count(const QuestPlusDefinition& definition);
@@ -31,4 +31,4 @@ namespace seamline {
 [[nodiscard]] QuestPlusTables make_width_tables(const QuestPlusDefinition& definition,
                                                 const QuestPlusGrid& grid, const std::vector<int>& width_px);
 
-}  // namespace seamline
+}  // namespace seamline::study

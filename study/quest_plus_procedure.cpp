@@ -7,7 +7,7 @@
 #include "stimuli/support/random.h"
 #include "study/quest_plus_model.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// One of the items, each as likely.
@@ -160,4 +160,4 @@ int most_trials(const QuestPlusProcedure& procedure) {
   return trials;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

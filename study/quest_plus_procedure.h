@@ -8,7 +8,7 @@
 #include "study/quest_plus_design.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 enum class StopReason {
   interval,    ///< of the threshold is narrow enough
@@ -58,4 +58,4 @@ struct QuestPlusProcedure {
 /// How many trials there will be at most.
 [[nodiscard]] int most_trials(const QuestPlusProcedure& procedure);
 
-}  // namespace seamline
+}  // namespace seamline::study

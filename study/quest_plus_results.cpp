@@ -8,7 +8,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 QuestPlusDefinition definition_of(const StudyDefinition& study, const LogContents& log) {
@@ -85,7 +85,7 @@ std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
   for (const TrackEstimate& estimate : estimates) {
     std::string alarms;
     for (const EdgeAlarm& alarm : estimate.alarms)
-      alarms += (alarms.empty() ? "" : "; ") + seamline::text(alarm);
+      alarms += (alarms.empty() ? "" : "; ") + study::text(alarm);
     text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>7.2f}  {:>6.3f}  {}\n",
                         estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
                         estimate.trials, estimate.threshold_px,
@@ -95,4 +95,4 @@ std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

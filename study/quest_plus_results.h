@@ -5,7 +5,7 @@
 #include "study/log.h"
 #include "study/quest_plus_procedure.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// What the posterior of one participant's track says. Widths are means and intervals on the log2 axis,
 /// turned into pixels.
@@ -30,4 +30,4 @@ struct TrackEstimate {
 /// The same as a table of text, a line a track.
 [[nodiscard]] std::string tracks_text(const std::vector<TrackEstimate>& estimates);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -2,7 +2,7 @@
 
 #include "study/overloaded.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Where the next picture begins.
@@ -98,4 +98,4 @@ Session next(Session session, const Event& event) {
       phase);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 #include "study/trial.h"
 #include "study/trial_sequence.h"
 
-namespace seamline {
+namespace seamline::study {
 
 // The phases of a session. Times are monotonic nanoseconds from whatever clock the caller has.
 
@@ -85,4 +85,4 @@ struct Session {
 /// follows an answer that the log has not committed, because only AnswerStored leaves Storing.
 [[nodiscard]] Session next(Session session, const Event& event);
 
-}  // namespace seamline
+}  // namespace seamline::study

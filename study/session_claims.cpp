@@ -10,7 +10,7 @@
 #include "stimuli/support/error.h"
 #include "study/log_place.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -72,4 +72,4 @@ bool is_claimed(const fs::path& log, std::int64_t participant) {
   return claimed;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace seamline {
+namespace seamline::study {
 
 /// Which participants of a log are in a session right now: a lock on one byte of a file beside the log
 /// (`claims_file`) for each, byte N for participant N. The file is empty and stays so. The locks belong to
@@ -32,4 +32,4 @@ class SessionClaims {
 /// Whether any program has the participant; for readers. False where there is no file.
 [[nodiscard]] bool is_claimed(const std::filesystem::path& log, std::int64_t participant);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -13,7 +13,7 @@
 #include "study/session.h"
 #include "study/study_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr std::uint64_t person_salt =
@@ -139,4 +139,4 @@ SimulationSummary run_simulated_study(const SimulationRequest& request) {
   return summary;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

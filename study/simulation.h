@@ -5,7 +5,7 @@
 
 #include "study/observer.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// What `seamline study SET --log LOG --observer KIND --count N --seed S` asks for.
 struct SimulationRequest {
@@ -32,4 +32,4 @@ struct SimulationSummary {
 /// fault; Interrupted after Ctrl-C, with whole participants kept.
 SimulationSummary run_simulated_study(const SimulationRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::study

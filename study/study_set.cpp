@@ -5,7 +5,7 @@
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -39,4 +39,4 @@ StudySet load_study_set(const fs::path& folder) {
   return set;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -5,7 +5,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/study_definition.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// A rendered set, and the study it belongs to: all that a session needs, without the images.
 struct StudySet {
@@ -20,4 +20,4 @@ struct StudySet {
 /// empty, or the study file is not the one that the set was rendered from.
 [[nodiscard]] StudySet load_study_set(const std::filesystem::path& folder);
 
-}  // namespace seamline
+}  // namespace seamline::study

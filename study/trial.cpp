@@ -1,6 +1,6 @@
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 std::string_view word(TrialKind kind) {
   switch (kind) {
@@ -20,4 +20,4 @@ std::optional<TrialKind> trial_kind_from_word(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace seamline {
+namespace seamline::study {
 
 inline constexpr int objects_per_stimulus = 3;
 inline constexpr int highest_rating = 4;
@@ -39,4 +39,4 @@ struct TrialAnswer {
   bool operator==(const TrialAnswer&) const = default;
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

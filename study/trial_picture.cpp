@@ -6,7 +6,7 @@
 #include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -69,4 +69,4 @@ int right_object(const StudySet& set, const PlannedTrial& trial) {
   return trial.kind == TrialKind::reference ? 0 : record_of(set, trial).stimulus.object_index;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -3,7 +3,7 @@
 #include "study/study_set.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// The picture of a trial as it goes to the screen: sRGB codes, 3 channels, the size that the manifest says.
 /// Reads files and nothing else, so threads may load pictures ahead. Throws InputError naming the file when
@@ -17,4 +17,4 @@ namespace seamline {
 /// The object whose choice is right: 1 left, 2 middle, 3 right, 0 when there is none (`reference`).
 [[nodiscard]] int right_object(const StudySet& set, const PlannedTrial& trial);
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// The catch trial that comes before the procedure's next trial, if one does.
@@ -63,4 +63,4 @@ int planned_trials(const TrialSequence& trials) {
   return planned_trials(trials.procedure) + static_cast<int>(trials.catches.size());
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

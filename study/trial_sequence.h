@@ -6,7 +6,7 @@
 #include "study/procedure.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// A catch trial, and its place: it comes once so many `stimulus` trials have been answered.
 struct CatchTrial {
@@ -41,4 +41,4 @@ struct TrialSequence {
 /// How many trials of every kind there will be in all, or at most; what a progress bar is measured against.
 [[nodiscard]] int planned_trials(const TrialSequence& trials);
 
-}  // namespace seamline
+}  // namespace seamline::study

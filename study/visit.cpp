@@ -3,7 +3,7 @@
 #include "study/catch_plan.h"
 #include "study/overloaded.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 Session begin_training(const VisitPlan& plan) {
@@ -247,4 +247,4 @@ std::optional<PlannedTrial> trial_on_screen(const Visit& visit) {
   return session == nullptr ? std::nullopt : current_trial(session->trials);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -9,7 +9,7 @@
 #include "study/display_facts.h"
 #include "study/session.h"
 
-namespace seamline {
+namespace seamline::study {
 
 // A visit is everything a participant meets, from consent to thanks, as a value. `next` is pure: no clock, no
 // window, no log. What must be stored comes out in `Visit::pending`, and nothing goes on until the caller
@@ -152,4 +152,4 @@ struct Visit {
 /// The trial whose picture is, or is about to be, on the screen: of the training, or of the session.
 [[nodiscard]] std::optional<PlannedTrial> trial_on_screen(const Visit& visit);
 
-}  // namespace seamline
+}  // namespace seamline::study

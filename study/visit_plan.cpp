@@ -6,7 +6,7 @@
 #include "study/trial_picture.h"
 #include "study/visit_store.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 std::int64_t nanoseconds(double seconds) {
@@ -83,4 +83,4 @@ VisitPlan make_visit_plan(const StudySet& set) {
   return plan;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -3,7 +3,7 @@
 #include "stimuli/support/error.h"
 #include "study/overloaded.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -190,4 +190,4 @@ std::optional<DisplayFacts> VisitStore::latest_display(const std::string& machin
   return state_->log.latest_display(machine, monitor);
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 #include "study/study_set.h"
 #include "study/visit.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// Who comes, and as what.
 struct Visitor {
@@ -64,4 +64,4 @@ class VisitStore {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -16,7 +16,7 @@
 #include "stimuli/support/gnuplot.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
   require_gnuplot();
@@ -24,7 +24,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   options.field_of_view_deg = request.field_of_view_deg;
   options.exclude_screened = request.exclude_screened;
   const Analysis analysis =
-      analyze(read_log(request.log), request.include_pilot,
+      analyze(study::read_log(request.log), request.include_pilot,
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
 
@@ -53,4 +53,4 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
           .report_html = folder / "report.html"};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

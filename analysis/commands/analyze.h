@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What `seamline analyze LOG.sqlite --out REPORT` asks for.
 struct AnalysisRequest {
@@ -32,4 +32,4 @@ struct AnalysisSummary {
 /// cannot be written; nothing is written before the first three are known.
 [[nodiscard]] AnalysisSummary analyze_log(const AnalysisRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

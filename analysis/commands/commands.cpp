@@ -9,7 +9,7 @@
 #include "analysis/commands/predict_command.h"
 #include "analysis/psychometric/fit_command.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -46,4 +46,4 @@ void add_analysis_commands(CLI::App& app) {
   add_plan_command(app);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

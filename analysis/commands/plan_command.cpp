@@ -8,7 +8,7 @@
 
 #include "analysis/plan_study.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 void plan(PlanRequest request) {
@@ -41,4 +41,4 @@ void add_plan_command(CLI::App& app) {
   command->callback([request] { plan(*request); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

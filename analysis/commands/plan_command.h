@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Adds `seamline plan STUDY.toml`.
 void add_plan_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/commands/predict_text.h"
 #include "analysis/predict.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 struct PredictOptions {
@@ -50,4 +50,4 @@ void add_predict_command(CLI::App& app) {
   command->callback([options] { predict(*options); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Adds `seamline predict SET`.
 void add_predict_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 #include "analysis/report/threshold_rows.h"
 #include "stimuli/support/markdown_table.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 CsvTable threshold_table(const Prediction& prediction) {
@@ -88,4 +88,4 @@ std::string prediction_text(const Prediction& prediction) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -11,7 +11,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -176,4 +176,4 @@ ContrastTable test_contrasts(const ContrastFamily& family, const Eigen::VectorXd
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

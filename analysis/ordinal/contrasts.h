@@ -7,7 +7,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// How p values are adjusted for the number of contrasts in a family. Both hold the chance of any false
 /// "differs" in the family at 5 %.
@@ -78,4 +78,4 @@ struct ContrastTable {
 /// "p < 0.001", "p = 0.023".
 [[nodiscard]] std::string p_text(double p);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,7 @@
 #include "analysis/ordinal/separation.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -123,4 +123,4 @@ void write_estimates(const OrdinalProblem& problem, const Eigen::VectorXd& fixed
       scores);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

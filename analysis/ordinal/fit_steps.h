@@ -5,7 +5,7 @@
 #include "analysis/ordinal/newton.h"
 #include "analysis/ordinal/ordinal_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 // The steps that fits with and without participants share.
 
@@ -31,4 +31,4 @@ void give_up(OrdinalFit& fit, OrdinalVerdict verdict, std::string explanation);
 void write_estimates(const OrdinalProblem& problem, const Eigen::VectorXd& fixed, double log_likelihood,
                      int parameters, OrdinalFit& fit);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

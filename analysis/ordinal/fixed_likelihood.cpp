@@ -6,7 +6,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -71,4 +71,4 @@ Eigen::VectorXd null_parameters(const OrdinalProblem& problem, Link link) {
   return parameters;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/ordinal/newton.h"
 #include "analysis/ordinal/ordinal_data.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Log-likelihood of the cumulative link model without participants, with exact gradient and Hessian in
 /// (cuts, beta) (Agresti 2010, section 5.1):
@@ -19,4 +19,4 @@ namespace seamline {
 /// Cuts that reproduce the shares of the scores, and slopes of 0: where every fit begins.
 [[nodiscard]] Eigen::VectorXd null_parameters(const OrdinalProblem& problem, Link link);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::analysis {
 
 GaussHermite gauss_hermite(int nodes) {
   assert(nodes >= 1 && nodes <= 100);
@@ -29,4 +29,4 @@ GaussHermite gauss_hermite(int nodes) {
   return rule;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -133,4 +133,4 @@ IntervalTerms interval_terms(Link link, double upper, double lower) {
   return {};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The distribution F of the latent variable: P(Y <= k) = F(cut_k - eta).
 enum class Link { logit, probit };
@@ -30,4 +30,4 @@ struct IntervalTerms {
 /// lower.
 [[nodiscard]] IntervalTerms interval_terms(Link link, double upper, double lower);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<ParticipantPart> participant_parts(const OrdinalProblem& problem, Li
   return parts;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

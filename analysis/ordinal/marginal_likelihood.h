@@ -7,7 +7,7 @@
 #include "analysis/ordinal/newton.h"
 #include "analysis/ordinal/ordinal_data.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A participant's part of the marginal log-likelihood.
 struct ParticipantPart {
@@ -40,4 +40,4 @@ struct Quadrature {
                                                              const Quadrature& quadrature,
                                                              const Eigen::VectorXd& parameters, int threads);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/distributions.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -106,4 +106,4 @@ double two_sided_critical(double probability, double degrees_of_freedom) {
                                         : student_with_above(degrees_of_freedom, probability / 2);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The distribution of max_j |T_j| for a multivariate t (normal: infinite degrees of freedom) with a given
 /// correlation, which may be singular: all pairs of k groups span k - 1 dimensions only. It is what
@@ -38,4 +38,4 @@ class MaxAbsT {
 /// The t with P(|T| > t) = probability.
 [[nodiscard]] double two_sided_critical(double probability, double degrees_of_freedom);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

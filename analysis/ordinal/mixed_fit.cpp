@@ -6,7 +6,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -118,4 +118,4 @@ OrdinalFit fit_cumulative_link_mixed(const OrdinalData& data, const OrdinalReque
   return fit;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

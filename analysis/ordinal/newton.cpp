@@ -5,7 +5,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -67,4 +67,4 @@ NewtonResult maximise(const std::function<Evaluation(const Eigen::VectorXd&)>& f
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

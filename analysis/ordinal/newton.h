@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A log-likelihood at one place. An invalid place (cuts out of order) has the value -infinity.
 struct Evaluation {
@@ -27,4 +27,4 @@ struct NewtonResult {
 [[nodiscard]] NewtonResult maximise(const std::function<Evaluation(const Eigen::VectorXd&)>& function,
                                     const Eigen::VectorXd& start, int most_iterations);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -117,4 +117,4 @@ std::vector<std::string> cut_names(const OrdinalProblem& problem) {
   return names;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

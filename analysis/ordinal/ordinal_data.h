@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Scores on an ordered scale with what may explain them, an observation a row. No column of ones: the cuts
 /// between the scores take its place.
@@ -49,4 +49,4 @@ struct OrdinalProblem {
 /// "0|1", "1|2", ... between the used scores.
 [[nodiscard]] std::vector<std::string> cut_names(const OrdinalProblem& problem);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

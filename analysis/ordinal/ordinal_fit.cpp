@@ -4,7 +4,7 @@
 
 #include "analysis/ordinal/fit_steps.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -67,4 +67,4 @@ OrdinalFit fit_cumulative_link(const OrdinalData& data, const OrdinalRequest& re
   return fit;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/ordinal/link.h"
 #include "analysis/ordinal/ordinal_data.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What may be believed of a fit. After the first three nothing is estimated: a fit without a maximum has no
 /// numbers.
@@ -77,4 +77,4 @@ struct OrdinalFit {
 /// check_ordinal_data, and when `data.participant` is empty or `request.nodes` is out of range.
 [[nodiscard]] OrdinalFit fit_cumulative_link_mixed(const OrdinalData& data, const OrdinalRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

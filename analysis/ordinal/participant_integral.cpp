@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -181,4 +181,4 @@ Eigen::MatrixXd ParticipantIntegral::hessian(const GaussHermite& rule) const {
   return hessian;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

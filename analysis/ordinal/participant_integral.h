@@ -6,7 +6,7 @@
 #include "analysis/ordinal/ordinal_data.h"
 #include "analysis/ordinal/row_terms.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// One participant's rows at one place of the parameters, as a function of the standard normal effect v:
 /// h(v) = sum_i log P_i(v) - v^2 / 2.
@@ -49,4 +49,4 @@ class ParticipantIntegral {
   double tau_ = 1;
 };
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace seamline {
+namespace seamline::analysis {
 
 Eigen::MatrixXd jackknife_covariance(const std::vector<ParticipantPart>& parts) {
   if (parts.size() < 3) return {};
@@ -24,4 +24,4 @@ Eigen::MatrixXd jackknife_covariance(const std::vector<ParticipantPart>& parts) 
   return (n - 1) / n * (moved * moved.transpose());
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

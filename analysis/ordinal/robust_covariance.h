@@ -4,7 +4,7 @@
 
 #include "analysis/ordinal/marginal_likelihood.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Covariance of the parameters by the jackknife over participants, each left-out estimate by one Newton step
 /// from the maximum (Bell and McCaffrey 2002: CR3, the cautious one of the cluster-robust estimators):
@@ -17,4 +17,4 @@ namespace seamline {
 /// when H - H_p is not negative definite: the fit hangs on participant p.
 [[nodiscard]] Eigen::MatrixXd jackknife_covariance(const std::vector<ParticipantPart>& parts);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 RowEnds row_ends(const OrdinalProblem& problem, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& x_beta, Eigen::Index row) {
@@ -52,4 +52,4 @@ void add_hessian(const OrdinalProblem& problem, const RowRange& rows, const RowC
   hessian.block(cuts, cuts, columns, columns) += x.transpose() * (x.array().colwise() * ss).matrix();
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 #include "analysis/ordinal/link.h"
 #include "analysis/ordinal/ordinal_data.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The ends of a row's interval on the latent axis, without the participant's effect: cut_k - x beta above,
 /// cut_{k-1} - x beta below; infinite beyond the last cuts. Parameters are (cuts, beta, ...).
@@ -40,4 +40,4 @@ void add_gradient(const OrdinalProblem& problem, const RowRange& rows, const Row
 void add_hessian(const OrdinalProblem& problem, const RowRange& rows, const RowCurvatures& curvatures,
                  Eigen::MatrixXd& hessian);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

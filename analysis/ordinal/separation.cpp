@@ -7,7 +7,7 @@
 #include "analysis/ordinal/row_terms.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -85,4 +85,4 @@ Separation look_for_separation(const OrdinalProblem& problem, Link link, const N
   return result;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

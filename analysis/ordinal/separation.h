@@ -5,7 +5,7 @@
 #include "analysis/ordinal/newton.h"
 #include "analysis/ordinal/ordinal_data.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Whether the fixed effects have a maximum-likelihood estimate. With a row a of A for each finite end of
 /// each observation (d end / d parameters, the sign such that moving along it raises P), there is none when
@@ -27,4 +27,4 @@ struct Separation {
 [[nodiscard]] Separation look_for_separation(const OrdinalProblem& problem, Link link,
                                              const NewtonResult& search);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 #include "analysis/ordinal/study_design.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robu
   return Builder(design, robust).families();
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

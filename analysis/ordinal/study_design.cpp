@@ -10,14 +10,14 @@
 #include "stimuli/support/error.h"
 #include "study/trial.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
 /// An object of an artifact: scene, place (left, middle, right), name.
 using ObjectKey = std::tuple<std::string, int, std::string>;
 
-ObjectKey key_of(const Answer& answer) {
+ObjectKey key_of(const study::Answer& answer) {
   return {answer.scene, answer.object_index, answer.object};
 }
 
@@ -32,8 +32,8 @@ std::string object_name(const ObjectKey& key, const std::set<ObjectKey>& all) {
   if (same_name == 1) return name;
   const std::string scene_and_name = same_scene_and_name == same_name ? name : scene + " " + name;
   if (same_scene_and_name == 1) return scene_and_name;
-  constexpr std::array<std::string_view, objects_per_stimulus> places = {"left", "middle", "right"};
-  const bool known = place >= 1 && place <= objects_per_stimulus;
+  constexpr std::array<std::string_view, study::objects_per_stimulus> places = {"left", "middle", "right"};
+  const bool known = place >= 1 && place <= study::objects_per_stimulus;
   return fmt::format(
       "{} ({})", scene_and_name,
       known ? std::string(places[static_cast<std::size_t>(place - 1)]) : std::to_string(place));
@@ -107,7 +107,7 @@ void write_effect(Eigen::Ref<Eigen::RowVectorXd> columns, std::size_t level, std
 
 }  // namespace
 
-StudyDesign study_design(std::span<const Answer> answers, const ParticipantGroups& groups,
+StudyDesign study_design(std::span<const study::Answer> answers, const ParticipantGroups& groups,
                          double reference_width_px) {
   if (answers.empty())
     throw input_error(
@@ -120,7 +120,7 @@ StudyDesign study_design(std::span<const Answer> answers, const ParticipantGroup
   std::map<Artifact, std::set<ObjectKey>> objects_of;
   std::set<std::string> people;
   int smallest_px = answers.front().depth_width_px, largest_px = smallest_px;
-  for (const Answer& answer : answers) {
+  for (const study::Answer& answer : answers) {
     if (answer.depth_width_px <= 0)
       throw input_error({.field = fmt::format("depth width of stimulus '{}'", answer.stimulus_id),
                          .wanted = "a positive number of pixels",
@@ -150,12 +150,12 @@ StudyDesign study_design(std::span<const Answer> answers, const ParticipantGroup
   plan_columns(design, objects, smallest_px < largest_px);
 
   OrdinalData& data = design.data;
-  data.highest = highest_rating;
+  data.highest = study::highest_rating;
   data.predictors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(answers.size()),
                                           static_cast<Eigen::Index>(data.predictor_names.size()));
   std::map<std::string, int> number_of;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const Answer& answer = answers[i];
+    const study::Answer& answer = answers[i];
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(data.predictors.cols());
     std::size_t a = 0;
     while (design.artifacts[a].artifact != answer.artifact) ++a;
@@ -182,4 +182,4 @@ StudyDesign study_design(std::span<const Answer> answers, const ParticipantGroup
   return design;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

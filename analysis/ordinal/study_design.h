@@ -9,7 +9,7 @@
 #include "stimuli/artifact.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What participants say of themselves, by code: "technical", "other". May be empty.
 using ParticipantGroups = std::map<std::string, std::string>;
@@ -38,12 +38,12 @@ struct StudyDesign {
 
 /// `reference_width_px` 0 takes the geometric centre of the widths tested (512 for 64 to 4096). Throws
 /// InputError when there are no answers or the reference is negative.
-[[nodiscard]] StudyDesign study_design(std::span<const Answer> answers, const ParticipantGroups& groups,
-                                       double reference_width_px);
+[[nodiscard]] StudyDesign study_design(std::span<const study::Answer> answers,
+                                       const ParticipantGroups& groups, double reference_width_px);
 
 /// The questions that the design can answer, in link units. `participants` gives groups their degrees of
 /// freedom (participants less groups), everything else has one less than the participants; infinite when
 /// `robust` is false.
 [[nodiscard]] std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

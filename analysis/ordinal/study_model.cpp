@@ -9,7 +9,7 @@
 #include "stimuli/support/markdown_table.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -59,7 +59,7 @@ std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Ei
 
 }  // namespace
 
-OrdinalStudy fit_ordinal_study(std::span<const Answer> answers, const ParticipantGroups& groups,
+OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const ParticipantGroups& groups,
                                const OrdinalStudyRequest& request) {
   OrdinalStudy study{.design = study_design(answers, groups, request.reference_width_px),
                      .fit = {},
@@ -162,4 +162,4 @@ std::string text_of(const OrdinalStudy& study) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/ordinal/ordinal_fit.h"
 #include "analysis/ordinal/study_design.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 struct OrdinalStudyRequest {
   OrdinalRequest fit = {};
@@ -45,10 +45,11 @@ struct OrdinalStudy {
 
 /// Fits the model to answers and tests its contrasts. The correction is within each question. Throws
 /// InputError as study_design; anything that is wrong with the data as data is a verdict in `fit`.
-[[nodiscard]] OrdinalStudy fit_ordinal_study(std::span<const Answer> answers, const ParticipantGroups& groups,
+[[nodiscard]] OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers,
+                                             const ParticipantGroups& groups,
                                              const OrdinalStudyRequest& request);
 
 /// The study as text for a terminal: verdict, coefficients, a table a question.
 [[nodiscard]] std::string text_of(const OrdinalStudy& study);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

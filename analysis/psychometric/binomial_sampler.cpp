@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::int64_t sample_binomial(std::int64_t trials, double probability, Random& random) {
   if (trials <= 0 || probability <= 0) return 0;
@@ -32,4 +32,4 @@ std::int64_t sample_binomial(std::int64_t trials, double probability, Random& ra
   return static_cast<std::int64_t>(mode);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -158,4 +158,4 @@ BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit, const Bootstr
   return intervals;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/psychometric/profile.h"
 #include "analysis/psychometric/psychometric_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 struct BootstrapRequest {
   int replicates = 2000;
@@ -30,4 +30,4 @@ struct BootstrapIntervals {
 [[nodiscard]] BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit,
                                                      const BootstrapRequest& request);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -71,4 +71,4 @@ CountTerm beta_binomial_term(double k, double n, double p, double q, double eta)
           .expected = p * q > impossible ? n / (p * q) / (1 + (n - 1) * eta * eta) : 0};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

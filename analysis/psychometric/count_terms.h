@@ -1,6 +1,6 @@
 #pragma once
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What one level adds to the log-likelihood, without the binomial coefficient, as a function of the
 /// probability p of a right choice.
@@ -23,4 +23,4 @@ struct CountTerm {
 /// n p q (1 + (n - 1) eta^2). The parametrisation of Schuett et al. (2016).
 [[nodiscard]] CountTerm beta_binomial_term(double k, double n, double p, double q, double eta);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

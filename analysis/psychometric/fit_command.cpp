@@ -9,7 +9,7 @@
 #include "analysis/psychometric/fit_report.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -73,8 +73,8 @@ Priors priors_of(const FitArguments& arguments) {
   return priors;
 }
 
-Axis axis_of(const FitArguments& arguments) {
-  return arguments.axis == word(Axis::linear) ? Axis::linear : Axis::log2;
+study::Axis axis_of(const FitArguments& arguments) {
+  return arguments.axis == word(study::Axis::linear) ? study::Axis::linear : study::Axis::log2;
 }
 
 FitOptions options_of(const FitArguments& arguments) {
@@ -82,8 +82,8 @@ FitOptions options_of(const FitArguments& arguments) {
   for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
     if (arguments.sigmoid == word(sigmoid)) options.sigmoid = sigmoid;
   options.axis = axis_of(arguments);
-  if (arguments.direction == "increasing") options.direction = Direction::increasing;
-  if (arguments.direction == "decreasing") options.direction = Direction::decreasing;
+  if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
+  if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
   options.lapse = rate_of("--lapse", arguments.lapse, 0.1);
   if (!arguments.guess.empty()) options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
   options.priors = priors_of(arguments);
@@ -139,4 +139,4 @@ void add_fit_command(CLI::App& app) {
   command->callback([arguments] { run_fit(*arguments); });
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,9 +4,9 @@ namespace CLI {
 class App;
 }
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Adds `seamline fit DATA.csv`.
 void add_fit_command(CLI::App& app);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include "analysis/psychometric/sigmoid_shape.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -59,4 +59,4 @@ LevelEstimate level_of_share(const PsychometricFit& fit, double share, double cu
   return level_estimate(fit, {.of = SoughtLevel::Of::sigmoid, .share = share}, cut);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 #include "analysis/psychometric/profile.h"
 #include "analysis/psychometric/psychometric_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Profile-likelihood intervals of a fit, in the user's units. An infinite end is open: no value on that side
 /// is excluded. Everything is open when there are fewer than two levels. `cut` is the drop in 2 ln L that
@@ -28,4 +28,4 @@ struct LevelEstimate {
 [[nodiscard]] LevelEstimate level_of_share(const PsychometricFit& fit, double share,
                                            double cut = chi_squared_95);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

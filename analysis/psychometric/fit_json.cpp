@@ -4,7 +4,7 @@
 #include "analysis/psychometric/fit_quantities.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -28,7 +28,7 @@ Json quantity_json(const FitQuantity& quantity) {
   return json;
 }
 
-const char* word(Verdict::Kind kind) {
+const char* kind_word(Verdict::Kind kind) {
   switch (kind) {
     case Verdict::Kind::identified:
       return "identified";
@@ -82,7 +82,7 @@ std::string fit_json(const FitReport& report) {
   json["program_version"] = program_version();
   json["model"] = model_json(report);
   json["verdict"] = report.verdict.text;
-  json["verdict_kind"] = word(report.verdict.kind);
+  json["verdict_kind"] = kind_word(report.verdict.kind);
   json["threshold_range"] = interval(report.verdict.range);
   for (const FitQuantity& quantity : quantities(report)) json[quantity.name] = quantity_json(quantity);
   if (!report.percents.empty()) {
@@ -105,4 +105,4 @@ std::string fit_json(const FitReport& report) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 
 #include "study/psychometric_function.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A guess or lapse rate: known, or estimated within a stated bound.
 struct Rate {
@@ -39,8 +39,8 @@ struct Priors {
 /// study/psychometric_function.h.
 struct FitOptions {
   Sigmoid sigmoid = Sigmoid::normal;
-  Axis axis = Axis::log2;
-  std::optional<Direction> direction = std::nullopt;  ///< none: the likelier of the two
+  study::Axis axis = study::Axis::log2;
+  std::optional<study::Direction> direction = std::nullopt;  ///< none: the likelier of the two
   Rate guess = fixed_rate(0);
   Rate lapse = free_rate(0.1);
   Priors priors = {};
@@ -61,4 +61,4 @@ struct FitOptions {
 /// proper (positive sd, a and b >= 1, a positive threshold on a log2 axis).
 void require_valid(const FitOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

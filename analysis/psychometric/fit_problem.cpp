@@ -10,7 +10,7 @@
 #include "stimuli/support/csv.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -100,10 +100,10 @@ const std::vector<UnitCounts>& counted(const FitProblem& problem, double eta) {
 }  // namespace
 
 FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions& options,
-                        Direction direction) {
+                        study::Direction direction) {
   FitProblem problem{.sigmoid = options.sigmoid,
                      .axis = options.axis,
-                     .sign = direction == Direction::increasing ? 1.0 : -1.0,
+                     .sign = direction == study::Direction::increasing ? 1.0 : -1.0,
                      .levels = {},
                      .rows = {},
                      .lower = {},
@@ -187,7 +187,7 @@ void require_valid(const FitOptions& options) {
   };
   require_sd("prior of the threshold", options.priors.threshold);
   require_sd("prior of the width", options.priors.log2_width);
-  if (options.priors.threshold && options.axis == Axis::log2 && options.priors.threshold->mean <= 0)
+  if (options.priors.threshold && options.axis == study::Axis::log2 && options.priors.threshold->mean <= 0)
     throw input_error({.field = "prior of the threshold",
                        .wanted = "a positive level on a log2 axis",
                        .found = number_text(options.priors.threshold->mean)});
@@ -198,4 +198,4 @@ void require_valid(const FitOptions& options) {
          .found = number_text(options.priors.lapse->a) + "," + number_text(options.priors.lapse->b)});
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

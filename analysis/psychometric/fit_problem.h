@@ -5,7 +5,7 @@
 #include "analysis/psychometric/fit_options.h"
 #include "analysis/psychometric/level_counts.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The parameters that are searched, in unit coordinates t = (a(x) - centre) / range: threshold m, ln of the
 /// scale s, lapse, guess.
@@ -22,7 +22,7 @@ struct UnitCounts {
 /// The data and the model as the search sees them. The tested levels lie from -0.5 to 0.5.
 struct FitProblem {
   Sigmoid sigmoid = Sigmoid::normal;
-  Axis axis = Axis::log2;
+  study::Axis axis = study::Axis::log2;
   double sign = 1;                 ///< +1 increasing, -1 decreasing
   std::vector<UnitCounts> levels;  ///< pooled, rising; never empty
   std::vector<UnitCounts> rows;    ///< as given: the units that overdispersion is about
@@ -44,7 +44,7 @@ inline constexpr double largest_scale = 1000;
 
 /// `counts` is validated, with at least one trial.
 [[nodiscard]] FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions& options,
-                                      Direction direction);
+                                      study::Direction direction);
 
 /// psi and 1 - psi at t.
 struct ResponseProbability {
@@ -65,4 +65,4 @@ struct Objective {
 [[nodiscard]] Objective objective_at(const FitProblem& problem, const Theta& theta, double eta);
 [[nodiscard]] double objective_value(const FitProblem& problem, const Theta& theta, double eta);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

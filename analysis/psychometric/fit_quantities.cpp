@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -29,7 +29,7 @@ FitQuantity threshold(const FitReport& report) {
 
 FitQuantity width(const FitReport& report) {
   FitQuantity quantity{.name = "width",
-                       .unit = report.fit.options.axis == Axis::log2 ? "octaves" : report.request.unit,
+                       .unit = report.fit.options.axis == study::Axis::log2 ? "octaves" : report.request.unit,
                        .estimate = {},
                        .ci95 = report.width_ci95,
                        .bootstrap_ci95 = {},
@@ -100,4 +100,4 @@ std::vector<FitQuantity> percent_quantities(const FitReport& report) {
   return all;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/psychometric/fit_report.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// One line of a report: a number only where the data identify it.
 struct FitQuantity {
@@ -23,4 +23,4 @@ struct FitQuantity {
 /// Levels of percentages correct.
 [[nodiscard]] std::vector<FitQuantity> percent_quantities(const FitReport& report);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -59,8 +59,8 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
   return report;
 }
 
-const char* word(Direction direction) {
-  return direction == Direction::increasing ? "increasing" : "decreasing";
+const char* word(study::Direction direction) {
+  return direction == study::Direction::increasing ? "increasing" : "decreasing";
 }
 
 const char* word(Sigmoid sigmoid) {
@@ -75,8 +75,8 @@ const char* word(Sigmoid sigmoid) {
   return "";
 }
 
-const char* word(Axis axis) {
-  return axis == Axis::log2 ? "log2" : "linear";
+const char* word(study::Axis axis) {
+  return axis == study::Axis::log2 ? "log2" : "linear";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

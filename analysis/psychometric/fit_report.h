@@ -8,7 +8,7 @@
 #include "analysis/psychometric/fit_intervals.h"
 #include "analysis/psychometric/verdict.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What `seamline fit` computes beside the fit.
 struct FitRequest {
@@ -52,8 +52,8 @@ struct FitReport {
 [[nodiscard]] std::string fit_text(const FitReport& report);
 
 /// "increasing", "decreasing"; "norm", "logistic", "gumbel"; "linear", "log2": the words of the command line.
-[[nodiscard]] const char* word(Direction direction);
+[[nodiscard]] const char* word(study::Direction direction);
 [[nodiscard]] const char* word(Sigmoid sigmoid);
-[[nodiscard]] const char* word(Axis axis);
+[[nodiscard]] const char* word(study::Axis axis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

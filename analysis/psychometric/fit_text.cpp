@@ -5,7 +5,7 @@
 #include "analysis/psychometric/fit_quantities.h"
 #include "stimuli/support/markdown_table.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::string fit_text(const FitReport& report) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/psychometric/count_terms.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -69,4 +69,4 @@ double deviance_p(const PsychometricFit& fit, int replicates, std::uint64_t seed
   return (1.0 + at_least) / (1.0 + replicates);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

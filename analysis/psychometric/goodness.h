@@ -4,7 +4,7 @@
 
 #include "analysis/psychometric/psychometric_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A level beside what the fit expects of it.
 struct LevelResidual {
@@ -32,4 +32,4 @@ struct Goodness {
 [[nodiscard]] FitProblem simulated_problem(const PsychometricFit& fit, std::uint64_t seed,
                                            std::uint64_t replicate);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

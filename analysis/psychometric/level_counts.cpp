@@ -10,7 +10,7 @@
 #include "stimuli/support/csv_read.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr const char* positive_level = "a positive number on a log2 axis (a line
 
 }  // namespace
 
-std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file, Axis axis) {
+std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file, study::Axis axis) {
   enum Column : std::size_t { level, correct, trials };
   const std::array<std::string, 3> columns = {"level", "correct", "trials"};
   std::vector<LevelCounts> counts;
@@ -28,7 +28,7 @@ std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file, Ax
     const LevelCounts read{.level = number_at(row, level),
                            .correct = count_at(row, correct, largest_count, largest_count_text),
                            .trials = count_at(row, trials, largest_count, largest_count_text)};
-    if (axis == Axis::log2 && read.level <= 0)
+    if (axis == study::Axis::log2 && read.level <= 0)
       throw complaint_about(row, level, positive_level, number_text(read.level));
     if (read.correct > read.trials)
       throw complaint_about(row, correct, "at most the " + std::to_string(read.trials) + " trials",
@@ -55,11 +55,11 @@ std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts)
   return pooled;
 }
 
-void require_valid(const std::vector<LevelCounts>& counts, Axis axis) {
+void require_valid(const std::vector<LevelCounts>& counts, study::Axis axis) {
   for (const LevelCounts& row : counts) {
     if (!std::isfinite(row.level))
       throw input_error({.field = "level", .wanted = "a finite number", .found = number_text(row.level)});
-    if (axis == Axis::log2 && row.level <= 0)
+    if (axis == study::Axis::log2 && row.level <= 0)
       throw input_error({.field = "level", .wanted = positive_level, .found = number_text(row.level)});
     if (row.trials < 0)
       throw input_error({.field = "trials", .wanted = "0 or more", .found = std::to_string(row.trials)});
@@ -70,12 +70,12 @@ void require_valid(const std::vector<LevelCounts>& counts, Axis axis) {
   }
 }
 
-double axis_value(Axis axis, double level) {
-  return axis == Axis::log2 ? std::log2(level) : level;
+double axis_value(study::Axis axis, double level) {
+  return axis == study::Axis::log2 ? std::log2(level) : level;
 }
 
-double level_of(Axis axis, double value) {
-  return axis == Axis::log2 ? std::exp2(value) : value;
+double level_of(study::Axis axis, double value) {
+  return axis == study::Axis::log2 ? std::exp2(value) : value;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

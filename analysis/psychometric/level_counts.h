@@ -5,7 +5,7 @@
 
 #include "study/psychometric_function.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Answers at one level of a stimulus.
 struct LevelCounts {
@@ -19,17 +19,17 @@ struct LevelCounts {
 /// missing, is not a number, is not positive on a log2 axis, is not whole or is more than 1e12 where it
 /// counts, or when more answers are correct than were given.
 [[nodiscard]] std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file,
-                                                         Axis axis = Axis::linear);
+                                                         study::Axis axis = study::Axis::linear);
 
 /// Equal levels added up, rising, levels without a trial left out.
 [[nodiscard]] std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts);
 
 /// Throws InputError (field `level`, `correct` or `trials`) unless every level is finite, positive on a log2
 /// axis, and 0 <= correct <= trials.
-void require_valid(const std::vector<LevelCounts>& counts, Axis axis);
+void require_valid(const std::vector<LevelCounts>& counts, study::Axis axis);
 
 /// a(x) = x or log2 x, and back.
-[[nodiscard]] double axis_value(Axis axis, double level);
-[[nodiscard]] double level_of(Axis axis, double axis_value);
+[[nodiscard]] double axis_value(study::Axis axis, double level);
+[[nodiscard]] double level_of(study::Axis axis, double axis_value);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -197,4 +197,4 @@ Maximum maximise(const FitProblem& problem, const Held& held, const Theta& coord
   return best;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

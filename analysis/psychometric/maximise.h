@@ -4,7 +4,7 @@
 
 #include "analysis/psychometric/fit_problem.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The level that an interval is about: where F is a share (0.5: the threshold), or where psi is a
 /// probability.
@@ -45,4 +45,4 @@ struct Maximum {
 /// eta in [0, 0.95] that maximises the beta-binomial likelihood at theta.
 [[nodiscard]] double likeliest_eta(const FitProblem& problem, const Theta& theta);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

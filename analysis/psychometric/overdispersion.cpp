@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 
-namespace seamline {
+namespace seamline::analysis {
 
 OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
   OverdispersionEstimate estimate;
@@ -46,4 +46,4 @@ OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
   return estimate;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 #include "analysis/psychometric/profile.h"
 #include "analysis/psychometric/psychometric_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// eta of the beta-binomial (count_terms.h): eta^2 is the correlation between two answers of a row.
 struct OverdispersionEstimate {
@@ -18,4 +18,4 @@ inline constexpr double largest_eta = 0.95;
 /// Estimated with all other parameters, whatever the fit itself assumed.
 [[nodiscard]] OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -80,11 +80,11 @@ double design_effect(const PooledChoices& choices, const PsychometricFit& fit) {
 
 }  // namespace
 
-PooledChoices pooled_choices(const LogContents& log, const std::vector<std::string>& codes,
+PooledChoices pooled_choices(const study::LogContents& log, const std::vector<std::string>& codes,
                              Artifact artifact) {
   std::map<std::string, std::map<int, std::pair<int, int>>> tallies;  // code -> width -> (right, all)
   std::set<int> widths;
-  for (const Answer& answer : log.answers) {
+  for (const study::Answer& answer : log.answers) {
     if (answer.artifact != artifact) continue;
     if (std::find(codes.begin(), codes.end(), answer.participant) == codes.end()) continue;
     auto& [right, all] = tallies[answer.participant][answer.depth_width_px];
@@ -124,4 +124,4 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
   return pooled;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "stimuli/artifact.h"
 #include "study/log.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Choices of several participants at the same levels.
 struct PooledChoices {
@@ -19,8 +19,8 @@ struct PooledChoices {
 
 /// The choices of the named participants under one artifact, all objects together, in the order of `codes`;
 /// participants without an answer are left out.
-[[nodiscard]] PooledChoices pooled_choices(const LogContents& log, const std::vector<std::string>& codes,
-                                           Artifact artifact);
+[[nodiscard]] PooledChoices pooled_choices(const study::LogContents& log,
+                                           const std::vector<std::string>& codes, Artifact artifact);
 
 /// A psychometric function of a group, whose members differ.
 struct PooledFit {
@@ -42,4 +42,4 @@ struct PooledFit {
 /// than two people, and as `fit_psychometric` does.
 [[nodiscard]] PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

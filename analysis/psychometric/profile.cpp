@@ -6,7 +6,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -209,4 +209,4 @@ double coordinate_variance(const FitProblem& problem, const Maximum& at, int coo
   return variance > 0 ? variance : infinity;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

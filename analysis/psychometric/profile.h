@@ -4,7 +4,7 @@
 #include "analysis/psychometric/search.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Ends of an interval; infinite: open on that side, nothing tried was excluded.
 struct Interval {
@@ -49,4 +49,4 @@ class Profile {
 /// parameters at their bounds count as known. Infinite when the information is singular.
 [[nodiscard]] double coordinate_variance(const FitProblem& problem, const Maximum& at, int coordinate);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/psychometric/profile.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -25,7 +25,7 @@ double flat_log_likelihood(const FitProblem& problem) {
 /// A direction that was not given is the likelier one.
 Search search_direction(const std::vector<LevelCounts>& counts, const FitOptions& options,
                         PsychometricFit& fit) {
-  const auto search_in = [&](Direction direction) {
+  const auto search_in = [&](study::Direction direction) {
     return search_maximum(make_problem(counts, options, direction));
   };
   if (options.direction) {
@@ -33,10 +33,10 @@ Search search_direction(const std::vector<LevelCounts>& counts, const FitOptions
     fit.direction_known = true;
     return search_in(fit.direction);
   }
-  Search rising = search_in(Direction::increasing), falling = search_in(Direction::decreasing);
+  Search rising = search_in(study::Direction::increasing), falling = search_in(study::Direction::decreasing);
   const double advantage = rising.best.value - falling.best.value;
   fit.direction_known = std::abs(advantage) > chi_squared_95 / 2;
-  fit.direction = advantage >= 0 ? Direction::increasing : Direction::decreasing;
+  fit.direction = advantage >= 0 ? study::Direction::increasing : study::Direction::decreasing;
   return advantage >= 0 ? std::move(rising) : std::move(falling);
 }
 
@@ -84,4 +84,4 @@ double fitted_probability(const PsychometricFit& fit, double level) {
       .right;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

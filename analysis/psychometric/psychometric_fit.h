@@ -5,23 +5,23 @@
 
 #include "analysis/psychometric/search.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The best psychometric function for some counts, with everything that intervals are computed from later:
 /// one pays only for those that are asked for. Values are in the user's units.
 struct PsychometricFit {
   FitOptions options;
-  Direction direction = Direction::increasing;
+  study::Direction direction = study::Direction::increasing;
   /// The other direction is less likely by more than 1.92 log units; true when it was given.
   bool direction_known = false;
   std::vector<LevelCounts> levels;  ///< pooled, rising; those without a trial left out; may be empty
   int levels_without_trials = 0;
-  bool is_step = false;           ///< no sigmoid is likelier than a step: threshold and width are then ranges
-  PsychometricFunction function;  ///< the estimate; when `is_step` one of the equally likely ones
-  double width = 0;               ///< between F = 0.05 and 0.95, on the axis (octaves on log2)
-  double eta = 0;                 ///< overdispersion; 0 in a binomial fit
-  double log_likelihood = 0;      ///< without the binomial coefficient
-  double flat_log_likelihood = 0;  ///< of the likeliest constant probability that the model allows
+  bool is_step = false;  ///< no sigmoid is likelier than a step: threshold and width are then ranges
+  study::PsychometricFunction function;  ///< the estimate; when `is_step` one of the equally likely ones
+  double width = 0;                      ///< between F = 0.05 and 0.95, on the axis (octaves on log2)
+  double eta = 0;                        ///< overdispersion; 0 in a binomial fit
+  double log_likelihood = 0;             ///< without the binomial coefficient
+  double flat_log_likelihood = 0;        ///< of the likeliest constant probability that the model allows
   int free_parameters = 0;
   bool converged = false;
   Search search;  ///< empty when there are no levels
@@ -37,4 +37,4 @@ struct PsychometricFit {
 /// psi at a level under the fit.
 [[nodiscard]] double fitted_probability(const PsychometricFit& fit, double level);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -189,4 +189,4 @@ Maximum refit(const FitProblem& problem, const Maximum& start) {
   return best;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/psychometric/maximise.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The likeliest function in the limit of scale 0: guess on one side, 1 - lapse on the other. Every threshold
 /// strictly between `low_t` and `high_t` gives the same likelihood (infinite: beyond the tested levels). When
@@ -40,4 +40,4 @@ struct Search {
 /// The likeliest step; none when every step is impossible.
 [[nodiscard]] std::optional<StepFit> likeliest_step(const FitProblem& problem);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -70,4 +70,4 @@ double scales_in_width(Sigmoid sigmoid) {
   return sigmoid_quantile(sigmoid, 0.95) - sigmoid_quantile(sigmoid, 0.05);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

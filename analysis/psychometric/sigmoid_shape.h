@@ -1,7 +1,7 @@
 #pragma once
 #include "study/psychometric_function.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A sigmoid F at one place z, with both tails exact to the last bits.
 struct SigmoidPoint {
@@ -19,4 +19,4 @@ struct SigmoidPoint {
 /// F^-1(0.95) - F^-1(0.05): the width of a function is this many scales.
 [[nodiscard]] double scales_in_width(Sigmoid sigmoid);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

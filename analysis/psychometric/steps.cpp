@@ -8,7 +8,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::optional<StepFit> likeliest_step(const FitProblem& problem) {
   return fit;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

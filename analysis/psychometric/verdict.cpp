@@ -7,7 +7,7 @@
 
 #include "analysis/psychometric/count_terms.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -38,9 +38,9 @@ Verdict at_ceiling(const PsychometricFit& fit, const Interval& ci95, const std::
   if (!fit.options.direction)
     return none("every level at the ceiling, and the direction of the function is not given");
   const double lowest = fit.levels.front().level, highest = fit.levels.back().level;
-  if (fit.direction == Direction::increasing && std::isfinite(ci95.high))
+  if (fit.direction == study::Direction::increasing && std::isfinite(ci95.high))
     return below(std::max(lowest, ci95.high), unit);
-  if (fit.direction == Direction::decreasing && std::isfinite(ci95.low))
+  if (fit.direction == study::Direction::decreasing && std::isfinite(ci95.low))
     return above(std::min(highest, ci95.low), unit);
   return none("every level at the ceiling, with too few trials for a bound");
 }
@@ -109,4 +109,4 @@ std::string verdict_sentence(const Verdict& verdict) {
   return verdict.text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/profile.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What the data say about the threshold.
 struct Verdict {
@@ -47,4 +47,4 @@ struct FitEvidence {
 [[nodiscard]] std::vector<std::string> warnings_on(const PsychometricFit& fit, const FitEvidence& evidence,
                                                    const std::string& unit = "");
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "analysis/psychometric/verdict.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -41,7 +41,7 @@ void warn_of_separation(const PsychometricFit& fit, Warnings& warnings) {
 }
 
 void warn_of_caps(const PsychometricFit& fit, Warnings& warnings) {
-  const bool falling = fit.direction == Direction::decreasing;
+  const bool falling = fit.direction == study::Direction::decreasing;
   const auto at_cap = [](const Rate& rate, double value) {
     return rate.is_free() && value >= rate.high * (1 - 1e-9);
   };
@@ -57,7 +57,7 @@ void warn_of_caps(const PsychometricFit& fit, Warnings& warnings) {
 
 /// The two neighbours that go most strongly against the direction.
 void add_reversal(const PsychometricFit& fit, std::string& text) {
-  const double sign = fit.direction == Direction::increasing ? 1 : -1;
+  const double sign = fit.direction == study::Direction::increasing ? 1 : -1;
   double worst = 0;
   std::size_t at = 0;
   for (std::size_t i = 1; i < fit.levels.size(); ++i) {
@@ -142,4 +142,4 @@ Warnings warnings_on(const PsychometricFit& fit, const FitEvidence& evidence, co
   return warnings;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/angular_resolution.h"
 #include "analysis/report/json_values.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -141,4 +141,4 @@ Json checks_json(const Analysis& analysis) {
   return json;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What stands beside the thresholds of one artifact: `logistic_thresholds`, `corrected_for_guessing`,
 /// `one_object_left_out` and `field_of_view`.
@@ -13,4 +13,4 @@ namespace seamline {
 /// What stands beside all of them: `guessing`, `screening`, `thresholds_by_screen` and `sos_parameter`.
 [[nodiscard]] nlohmann::ordered_json checks_json(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::vector<std::string> otherwise_estimated_cells(const ThresholdRow& row) {
   const auto text = [&](const WidthEstimate& estimate) {
@@ -47,4 +47,4 @@ std::string who_text(const ScreenedThresholds& result, const Analysis& analysis)
   return fmt::format("{} ({} left out: {})", result.who, result.left_out.size(), codes);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

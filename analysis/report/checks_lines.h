@@ -5,7 +5,7 @@
 #include "analysis/analysis.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What is printed of a threshold otherwise estimated: artifact (with PT only, the first of its three lines),
 /// quantity, isotonic, logistic, corrected for guessing, range when each object is left out. Cells are empty
@@ -18,4 +18,4 @@ namespace seamline {
 /// "everybody (20)", "without those named by correlation (2 left out: a, b)".
 [[nodiscard]] std::string who_text(const ScreenedThresholds& result, const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/report/table_columns.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -100,10 +100,10 @@ CsvTable guessers_table(const Analysis& analysis) {
                  .rows = {}};
   const Guessers& guessers = analysis.guessing.guessers;
   if (!guessers.known()) return table;
-  for (int position = 1; position <= objects_per_stimulus; ++position)
+  for (int position = 1; position <= study::objects_per_stimulus; ++position)
     table.rows.push_back({fmt::format("chooses position {}", position),
                           guessers.position[static_cast<std::size_t>(position - 1)], source_text(analysis)});
-  for (int rating = 1; rating <= highest_rating; ++rating)
+  for (int rating = 1; rating <= study::highest_rating; ++rating)
     table.rows.push_back({fmt::format("rates {}", rating),
                           guessers.rating[static_cast<std::size_t>(rating - 1)], source_text(analysis)});
   return table;
@@ -192,4 +192,4 @@ std::vector<CsvTable> checks_tables(const Analysis& analysis) {
           screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

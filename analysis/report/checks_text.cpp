@@ -7,7 +7,7 @@
 #include "analysis/report/checks_lines.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string checks_text(const Analysis& analysis) {
                             analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

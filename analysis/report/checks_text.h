@@ -3,7 +3,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What stands beside the thresholds, as tables for a terminal: isotonic, logistic and corrected for guessing
 /// side by side with the range when each object is left out; what guessers do; thresholds with everybody and
@@ -16,4 +16,4 @@ namespace seamline {
 /// What the screens say, in a sentence.
 [[nodiscard]] std::string screening_sentence(const Screening& screening);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #include "analysis/report/section_tables.h"
 #include "analysis/report/table_columns.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 CsvTable coefficients_table(const ReportNumbers& numbers) {
   CsvTable table{
@@ -48,4 +48,4 @@ CsvTable contrasts_table(const ReportNumbers& numbers) {
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::vector<int> tested_widths(const NoticeabilityData& data) {
   std::vector<int> widths;
@@ -67,4 +67,4 @@ std::string multiplot(const Analysis& analysis) {
                      gnuplot_text(source_text(analysis)), plot_ink);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/report/figures.h"
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 // What the figures of a report share. `inline_svg` replaces `plot_ink` by the page's text colour.
 
@@ -54,4 +54,4 @@ struct PanelGrid {
 [[nodiscard]] std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers& numbers,
                                                  const std::filesystem::path& folder);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -11,7 +11,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/gnuplot.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -165,4 +165,4 @@ std::string inline_svg(const Figure& figure) {
   return svg;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/report/report_numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A figure of the report.
 struct Figure {
@@ -26,4 +26,4 @@ struct Figure {
 /// in the page's own text colour, so that it suits a light and a dark page.
 [[nodiscard]] std::string inline_svg(const Figure& figure);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 #include "analysis/report/figure_parts.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
   return figure;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

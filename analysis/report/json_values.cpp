@@ -4,7 +4,7 @@
 
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 using Json = nlohmann::ordered_json;
 
@@ -28,4 +28,4 @@ Json json_width(const WidthEstimate& estimate, double px_per_unit) {
   return json;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

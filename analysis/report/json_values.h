@@ -4,7 +4,7 @@
 
 #include "analysis/estimate.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// Six significant digits, or null when there is no finite number.
 [[nodiscard]] nlohmann::ordered_json json_number(std::optional<double> value);
@@ -15,4 +15,4 @@ namespace seamline {
 /// [low, high] in px; an open end is null.
 [[nodiscard]] nlohmann::ordered_json json_interval(const WidthInterval& interval, double px_per_unit);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/report/figure_parts.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -216,4 +216,4 @@ std::string plain_text(const MethodsText& methods) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

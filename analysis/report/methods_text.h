@@ -4,7 +4,7 @@
 
 #include "analysis/report/report_numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The method section of a paper about this log, plain text.
 struct MethodsText {
@@ -19,4 +19,4 @@ struct MethodsText {
 /// `REPORT/methods.txt`: paragraphs, then references, separated by blank lines.
 [[nodiscard]] std::string plain_text(const MethodsText& methods);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -2,7 +2,7 @@
 
 #include "analysis/report/section_tables.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::vector<CsvTable> number_tables(const Analysis& analysis, const ReportNumbers& numbers) {
   return {psychometric_table(analysis, numbers),
@@ -15,4 +15,4 @@ std::vector<CsvTable> number_tables(const Analysis& analysis, const ReportNumber
           tracks_table(numbers)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

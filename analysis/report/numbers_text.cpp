@@ -6,7 +6,7 @@
 
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -56,8 +56,8 @@ std::string times_text(const ReportNumbers& numbers) {
 
 std::string numbers_text(const ReportNumbers& numbers) {
   std::string text = choices_text(numbers);
-  if (!numbers.tracks.empty()) text += "\n" + tracks_text(numbers.tracks);
+  if (!numbers.tracks.empty()) text += "\n" + study::tracks_text(numbers.tracks);
   return text + "\n" + comparisons_text(numbers) + "\n" + times_text(numbers);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

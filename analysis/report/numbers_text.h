@@ -3,10 +3,10 @@
 
 #include "analysis/report/report_numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// `ReportNumbers` for a terminal: psychometric functions, what the comparisons conclude, tracks, response
 /// times; or why they are missing. Participants are counted elsewhere.
 [[nodiscard]] std::string numbers_text(const ReportNumbers& numbers);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

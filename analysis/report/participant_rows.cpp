@@ -7,7 +7,7 @@
 
 #include "stimuli/support/numbers.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::string why_not(const ParticipantUse& person, const std::string& screens) {
 
 std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
   std::map<std::string, int> rating_sum;
-  for (const Answer& answer : analysis.log.answers) rating_sum[answer.participant] += answer.rating;
+  for (const study::Answer& answer : analysis.log.answers) rating_sum[answer.participant] += answer.rating;
   std::map<std::string, std::string> screens;
   for (const ScreenedPerson& person : analysis.screening.people)
     for (Screen screen : every_screen) {
@@ -59,4 +59,4 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
   return rows;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

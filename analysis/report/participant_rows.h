@@ -4,7 +4,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// One line of the participant table.
 struct ParticipantRow {
@@ -24,4 +24,4 @@ struct ParticipantRow {
 /// Everybody in the log, in the order of arrival.
 [[nodiscard]] std::vector<ParticipantRow> participant_rows(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

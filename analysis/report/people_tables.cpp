@@ -1,7 +1,7 @@
 #include "analysis/report/section_tables.h"
 #include "analysis/report/table_columns.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 CsvTable response_times_table(const ReportNumbers& numbers) {
   CsvTable table{
@@ -67,9 +67,9 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
                   {"lapse", "share 0 to 1", "posterior mean of the lapse rate"},
                   {"alarms", "text", "where the posterior runs into the edge of its grid"}},
       .rows = {}};
-  for (const TrackEstimate& track : numbers.tracks) {
+  for (const study::TrackEstimate& track : numbers.tracks) {
     std::string alarms;
-    for (const EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
+    for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     table.rows.push_back({track.participant, std::string(word(track.artifact)), track.track,
                           whole(track.used), whole(track.trials), track.threshold_px, track.low_px,
                           track.high_px, track.threshold_sd_octaves, track.scale_octaves, track.lapse,
@@ -78,4 +78,4 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

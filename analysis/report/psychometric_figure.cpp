@@ -6,7 +6,7 @@
 #include "analysis/report/figure_parts.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
   return figure;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

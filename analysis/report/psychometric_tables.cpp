@@ -3,7 +3,7 @@
 #include "analysis/report/section_tables.h"
 #include "analysis/report/table_columns.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -116,4 +116,4 @@ CsvTable psychometric_band_table(const ReportNumbers& numbers) {
   return table;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,7 @@
 #include "analysis/report/threshold_rows.h"
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
   return html;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/report/report_parts.h"
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::string comparisons_html(const ReportNumbers& numbers) {
          "errors are over participants. “Not shown” is not the same as “no difference”.</p>\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

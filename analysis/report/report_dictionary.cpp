@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -204,4 +204,4 @@ CsvTable report_dictionary(const std::vector<CsvTable>& tables) {
   return dictionary;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

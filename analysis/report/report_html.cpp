@@ -7,7 +7,7 @@
 #include "stimuli/support/assets.h"
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
   return html + "</body>\n</html>\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/report/figures.h"
 #include "analysis/report/stimulus_samples.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The whole report as one page that opens offline: figures and sample stimuli are inside. All text from
 /// files and people is escaped. Light and dark by the reader's preference, and a style for print.
@@ -35,4 +35,4 @@ namespace seamline {
 
 [[nodiscard]] std::string samples_html(const StimulusSamples& samples);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/report/tables.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::string report_json(const Analysis& analysis, const MethodsText& methods,
   return text + "\n  }\n}\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include "analysis/report/methods_text.h"
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 inline constexpr const char* report_format = "seamline report";
 inline constexpr int report_version = 1;
@@ -19,4 +19,4 @@ inline constexpr int report_version = 1;
 [[nodiscard]] std::string report_json(const Analysis& analysis, const MethodsText& methods,
                                       const std::vector<CsvTable>& tables);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

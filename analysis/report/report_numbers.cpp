@@ -3,7 +3,7 @@
 #include "analysis/ordinal_of_log.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -31,8 +31,8 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   add_comparisons(numbers, analysis);
   numbers.times = response_times(analysis);
   numbers.participants = participant_rows(analysis);
-  if (analysis.adaptive) numbers.tracks = quest_plus_estimates(analysis.log);
+  if (analysis.adaptive) numbers.tracks = study::quest_plus_estimates(analysis.log);
   return numbers;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,7 @@
 #include "analysis/response_times.h"
 #include "study/quest_plus_results.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// What a report says beside the thresholds, computed once; HTML, CSV, JSON and figures are written from it.
 struct ReportNumbers {
@@ -19,10 +19,10 @@ struct ReportNumbers {
   std::string comparisons_missing;          ///< a sentence
   ResponseTimes times;
   std::vector<ParticipantRow> participants;
-  std::vector<TrackEstimate> tracks;  ///< of adaptive logs
+  std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs
 };
 
 /// Never throws because of what the answers are: what cannot be computed is missing, with a sentence.
 [[nodiscard]] ReportNumbers report_numbers(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #include "analysis/report/report_html.h"
 #include "analysis/report/report_parts.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::string participant_table_html(const ReportNumbers& numbers) {
   std::vector<std::vector<std::string>> lines;
@@ -29,4 +29,4 @@ std::string participant_table_html(const ReportNumbers& numbers) {
          "Simulated observers take no time.</p>\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 std::string html_table(const std::vector<HtmlColumn>& columns,
                        const std::vector<std::vector<std::string>>& lines) {
@@ -55,4 +55,4 @@ std::string decimal_text(double value, int digits) {
   return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

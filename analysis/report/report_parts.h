@@ -4,7 +4,7 @@
 
 #include "analysis/report/figures.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A column of a table on the page.
 struct HtmlColumn {
@@ -32,4 +32,4 @@ struct HtmlColumn {
 /// A number with that many digits after the point; a dash when it is not finite.
 [[nodiscard]] std::string decimal_text(double value, int digits);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/report/threshold_rows.h"
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -73,9 +73,9 @@ std::string warnings_list(const ReportNumbers& numbers) {
 std::string tracks_html(const ReportNumbers& numbers) {
   if (numbers.tracks.empty()) return "";
   Lines lines;
-  for (const TrackEstimate& track : numbers.tracks) {
+  for (const study::TrackEstimate& track : numbers.tracks) {
     std::string alarms;
-    for (const EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
+    for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     lines.push_back({track.participant, track.track, track.used ? "yes" : "no", std::to_string(track.trials),
                      with_interval(pixels(track.threshold_px), pixels(track.low_px), pixels(track.high_px)),
                      decimal_text(track.scale_octaves, 2), percent_text(track.lapse),
@@ -118,4 +118,4 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
   return html + tracks_html(numbers);
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

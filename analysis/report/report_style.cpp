@@ -1,6 +1,6 @@
 #include "analysis/report/report_html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 const char* report_style() {
   return R"css(
@@ -61,4 +61,4 @@ a { color: var(--accent); }
 )css";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,7 +6,7 @@
 #include "analysis/report/threshold_rows.h"
 #include "stimuli/support/html.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::string samples_html(const StimulusSamples& samples) {
          "insertion.</p>\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 #include "analysis/report/report_html.h"
 #include "analysis/report/report_parts.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string times_html(const ReportNumbers& numbers, const std::vector<Figure>& 
          "times are in <code>response_times.csv</code>.</p>\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

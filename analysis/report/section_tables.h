@@ -2,7 +2,7 @@
 #include "analysis/report/report_numbers.h"
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 // One table a function; `number_tables` lists them.
 
@@ -26,4 +26,4 @@ namespace seamline {
 /// tracks.csv: a line a participant and track of an adaptive log.
 [[nodiscard]] CsvTable tracks_table(const ReportNumbers& numbers);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/parallel.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -127,4 +127,4 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
   }
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/analysis.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// A cut-out of one image, as a PNG file's bytes.
 struct SampleImage {
@@ -39,4 +39,4 @@ struct Rectangle {
 /// width, inside the picture; the whole picture when no pixel has that id.
 [[nodiscard]] Rectangle crop_around(const ByteImage& object_ids, int id);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 // Columns and values that several tables of the report share, so that they are explained once and alike.
 
@@ -29,4 +29,4 @@ inline const CsvColumn source_column{"source", "text", "who answered: participan
   return std::isfinite(value) ? CsvValue(value) : CsvValue(std::monostate{});
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

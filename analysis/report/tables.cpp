@@ -6,7 +6,7 @@
 #include "analysis/report/table_columns.h"
 #include "analysis/report/threshold_rows.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -112,7 +112,7 @@ CsvTable answers_table(const Analysis& analysis) {
                  .rows = {}};
   std::map<std::string, Use> use_of;
   for (const ParticipantUse& person : analysis.people) use_of[person.record.code] = person.use;
-  for (const Answer& answer : analysis.log.answers)
+  for (const study::Answer& answer : analysis.log.answers)
     table.rows.push_back(
         {answer.participant, std::string(word(use_of[answer.participant])), whole(answer.trial_index),
          answer.stimulus_id, answer.scene, std::string(word(answer.artifact)), answer.object,
@@ -128,4 +128,4 @@ std::vector<CsvTable> report_tables(const Analysis& analysis) {
   return {cells_table(analysis), curves_table(analysis), thresholds_table(analysis), answers_table(analysis)};
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

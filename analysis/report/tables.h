@@ -4,9 +4,9 @@
 #include "analysis/analysis.h"
 #include "stimuli/support/csv.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// The numbers of Figures 6 and 7 and of Table 1 as tables: cells, curves, thresholds and answers.
 [[nodiscard]] std::vector<CsvTable> report_tables(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

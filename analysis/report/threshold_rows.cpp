@@ -8,7 +8,7 @@
 
 #include "analysis/paper_values.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::string table_text(const Analysis& analysis) {
   return text;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

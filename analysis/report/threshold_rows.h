@@ -5,7 +5,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 /// One number of Table 1: a quantity of an artifact with everything that is printed beside it. What terminal,
 /// CSV, JSON and report are all written from, so that they cannot disagree.
@@ -52,4 +52,4 @@ struct ThresholdRow {
 /// one.
 [[nodiscard]] std::string table_text(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "analysis/report/threshold_rows.h"
 #include "stimuli/support/assets.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string thresholds_json(const Analysis& analysis) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 
 #include "analysis/analysis.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 inline constexpr const char* thresholds_format = "seamline thresholds";
 inline constexpr int thresholds_version = 1;
@@ -14,4 +14,4 @@ inline constexpr int thresholds_version = 1;
 /// with its fits; and the cells behind it. NaN (a standard error of one participant) is null.
 [[nodiscard]] std::string thresholds_json(const Analysis& analysis);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

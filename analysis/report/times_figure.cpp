@@ -5,7 +5,7 @@
 
 #include "analysis/report/figure_parts.h"
 
-namespace seamline {
+namespace seamline::analysis {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
   return figure;
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

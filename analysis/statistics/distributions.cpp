@@ -6,7 +6,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-namespace seamline {
+namespace seamline::analysis {
 
 using boost::math::complement;
 
@@ -52,4 +52,4 @@ double student_with_above(double degrees_of_freedom, double probability) {
   return quantile(complement(boost::math::students_t(degrees_of_freedom), probability));
 }
 
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace seamline {
+namespace seamline::analysis {
 
 // Probabilities and quantiles by Boost.Math, whose headers take seconds of every file that includes them.
 
@@ -24,4 +24,4 @@ namespace seamline {
 [[nodiscard]] double normal_with_above(double probability);
 [[nodiscard]] double student_with_above(double degrees_of_freedom, double probability);
 
-}  // namespace seamline
+}  // namespace seamline::analysis

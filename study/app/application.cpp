@@ -10,7 +10,7 @@
 #include "study/app/look.h"
 #include "study/app/screen_names.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 constexpr double longest_wait_s = 0.25;             ///< after which Ctrl-C in the terminal is seen
@@ -192,4 +192,4 @@ void Application::plan_next_frame(std::int64_t now_ns) {
   }
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -12,7 +12,7 @@
 #include "study/commands.h"
 #include "study/visit_store.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// The loop between a visit and the person: shows the visit's screen, and gives the visit what happened. What
 /// follows from it is the visit's business (study/visit.h), what is kept the store's (study/visit_store.h).
@@ -66,4 +66,4 @@ class Application {
   std::optional<std::int64_t> turn_ns_ = {};  ///< the due picture's turn came then
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

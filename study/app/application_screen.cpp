@@ -7,7 +7,7 @@
 #include "study/app/study_texts.h"
 #include "study/app/text_size.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 Size picture_size(const StudySet& set) {
@@ -109,4 +109,4 @@ void Application::keep_display(const DisplayFacts& facts) const {
                          .gamma_confirmed = facts.gamma_confirmed});
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

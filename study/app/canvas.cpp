@@ -13,7 +13,7 @@
 #include "stimuli/support/error.h"
 #include "study/app/characters.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 ImVec2 vector(double x_px, double y_px) {
@@ -208,4 +208,4 @@ void Canvas::unclip() {
   ImGui::GetBackgroundDrawList()->PopClipRect();
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -7,7 +7,7 @@
 #include "study/app/geometry.h"
 #include "study/app/texture.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 enum class Font { body, heading, small };
 
@@ -59,4 +59,4 @@ class Canvas {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

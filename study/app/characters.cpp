@@ -7,7 +7,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 constexpr char32_t no_character = 0xFFFD;
@@ -78,4 +78,4 @@ void refuse_text_that_needs_shaping(const std::string& file, const std::string& 
                          .found = fmt::format("U+{:04X}", static_cast<unsigned>(character))});
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

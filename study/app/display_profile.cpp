@@ -8,7 +8,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace fs = std::filesystem;
 namespace {
 
@@ -73,4 +73,4 @@ bool write_display_profile(const fs::path& file, const std::string& screen, cons
   }
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// What the display check measured, and how large people like the text: kept for the next session on the same
 /// machine and screen, in `$XDG_CONFIG_HOME/seamline/display.json` (else `~/.config/...`).
@@ -29,4 +29,4 @@ struct DisplayProfile {
 bool write_display_profile(const std::filesystem::path& file, const std::string& screen,
                            const DisplayProfile& profile);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -3,7 +3,7 @@
 #include "stimuli/support/error.h"
 #include "study/app/canvas.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace fs = std::filesystem;
 namespace {
 
@@ -44,4 +44,4 @@ FontRequest find_font(const fs::path& wanted) {
                      .found = "neither"});
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

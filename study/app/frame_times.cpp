@@ -7,7 +7,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 FrameTimes::FrameTimes(const std::filesystem::path& file) {
   if (file.empty()) return;
@@ -27,4 +27,4 @@ void FrameTimes::add(const FrameTime& frame) {
              frame.turn_ns ? fmt::format("{}", frame.shown_ns - *frame.turn_ns) : "");
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// A frame that was shown.
 struct FrameTime {
@@ -32,4 +32,4 @@ class FrameTimes {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

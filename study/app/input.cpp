@@ -2,7 +2,7 @@
 
 #include "study/overloaded.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 /// Adds one report; returns whether it was an edge, after which only characters may follow.
@@ -66,4 +66,4 @@ FrameInput take_frame_input(std::deque<RawInput>& queue, const Point& mouse, std
   return frame;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -7,7 +7,7 @@
 
 #include "study/app/geometry.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 enum class Key {
   other,
@@ -87,4 +87,4 @@ struct FrameInput {
 [[nodiscard]] FrameInput take_frame_input(std::deque<RawInput>& queue, const Point& mouse,
                                           std::int64_t now_ns);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -3,7 +3,7 @@
 #include "stimuli/support/confined_path.h"
 #include "study/app/look.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 /// Three channels; what is transparent shows the card.
@@ -40,4 +40,4 @@ std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set)
   return pages;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

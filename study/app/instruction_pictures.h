@@ -4,9 +4,9 @@
 #include "study/app/texture.h"
 #include "study/study_set.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// The pictures of each instruction page. Throws InputError when a file is missing or is no picture.
 [[nodiscard]] std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -5,7 +5,7 @@
 
 #include "study/trial.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 struct Bounds {
@@ -87,4 +87,4 @@ int object_at(const ObjectMap& map, double x_px, double y_px) {
                      static_cast<std::size_t>(x_px)];
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -6,7 +6,7 @@
 #include "stimuli/support/image.h"
 #include "study/app/geometry.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Where the three objects of a scene are, from its reference's click map: the same for every stimulus of the
 /// scene, so nothing that is drawn from it tells which object was inserted. Picture pixels.
@@ -25,4 +25,4 @@ struct ObjectMap {
 /// The object at a place of the picture: 1..3, or 0.
 [[nodiscard]] int object_at(const ObjectMap& map, double x_px, double y_px);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

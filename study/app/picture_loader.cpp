@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 PictureLoader::PictureLoader(Load load) : load_(std::move(load)), thread_([this] { work(); }) {}
 
@@ -69,4 +69,4 @@ void PictureLoader::work() {
   }
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -10,7 +10,7 @@
 #include "stimuli/support/image.h"
 #include "study/trial.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Decodes pictures ahead on a thread of its own. It holds at most what is wanted: two pictures.
 class PictureLoader {
@@ -45,4 +45,4 @@ class PictureLoader {
   std::thread thread_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 Size needed_screen(Size picture_px, double em_px) {
   return {picture_px.width_px, picture_px.height_px + std::ceil(questions_em * em_px)};
@@ -40,4 +40,4 @@ Rect on_screen(const TrialPlace& place, const Rect& in_picture) {
           std::round(in_picture.width_px * place.scale), std::round(in_picture.height_px * place.scale)};
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -1,7 +1,7 @@
 #pragma once
 #include "study/app/geometry.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Where a trial's picture and its questions go on the screen.
 struct TrialPlace {
@@ -27,4 +27,4 @@ inline constexpr double questions_em = 6.0;
 /// A frame in picture pixels on the screen.
 [[nodiscard]] Rect on_screen(const TrialPlace& place, const Rect& in_picture);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

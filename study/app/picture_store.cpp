@@ -4,7 +4,7 @@
 
 #include "study/trial_picture.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 const std::string& scene_of(const StudySet& set, const PlannedTrial& trial) {
@@ -59,4 +59,4 @@ const ObjectMap& PictureStore::objects(const PlannedTrial& trial) const {
   return objects_.at(scene_of(set_, trial));
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

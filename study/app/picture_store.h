@@ -9,7 +9,7 @@
 #include "study/app/texture.h"
 #include "study/study_set.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// The pictures of trials in graphics memory: at most three (previous, current, next), whatever the number of
 /// trials. Needs the window's OpenGL context.
@@ -45,4 +45,4 @@ class PictureStore {
   PictureLoader loader_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -5,7 +5,7 @@
 #include "stimuli/support/random.h"
 #include "study/app/look.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 ByteImage test_picture(int width_px, int height_px) {
   ByteImage picture{width_px, height_px, 3, {}};
@@ -37,4 +37,4 @@ PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double 
   return check;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -5,7 +5,7 @@
 #include "study/app/picture_place.h"
 #include "study/app/window.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// What came back of a test picture.
 struct PixelCheck {
@@ -20,4 +20,4 @@ struct PixelCheck {
 /// what the framebuffer holds. What is on the screen does not change.
 [[nodiscard]] PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double em_px);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -3,7 +3,7 @@
 #include "stimuli/set_files.h"
 #include "study/app/application.h"
 
-namespace seamline {
+namespace seamline::study::app {
 
 void run_participant_in_window(const ParticipantRequest& request) {
   app::require_display();
@@ -14,4 +14,4 @@ void run_participant_in_window(const ParticipantRequest& request) {
   application.run();
 }
 
-}  // namespace seamline
+}  // namespace seamline::study::app

@@ -4,7 +4,7 @@
 #include "study/app/stage.h"
 #include "study/app/text_size.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 Outcome draw(const ConsentScreen&, const Visit&, Stage& stage) {
   const ConsentDefinition& consent = stage.set.study.consent;
@@ -24,4 +24,4 @@ Outcome draw(const ConsentScreen&, const Visit&, Stage& stage) {
   return std::nullopt;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

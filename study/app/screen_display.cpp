@@ -7,7 +7,7 @@
 #include "study/app/look.h"
 #include "study/app/stage.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 // ISO/IEC 7810 ID-1.
@@ -132,4 +132,4 @@ Outcome draw(const DisplayScreen&, const Visit&, Stage& stage) {
                             .gamma_confirmed = *looks_same})};
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

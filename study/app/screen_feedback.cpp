@@ -5,7 +5,7 @@
 #include "study/app/stage.h"
 #include "study/app/trial_view.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// The practice picture once more, with corners around the object that was inserted.
 Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
@@ -32,4 +32,4 @@ Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
   return std::nullopt;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

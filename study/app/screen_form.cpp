@@ -6,7 +6,7 @@
 #include "study/app/stage.h"
 #include "study/overloaded.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 std::string problem_text(const Stage& stage, const FormField& field, FormFault fault) {
@@ -62,4 +62,4 @@ Outcome draw(const FormScreen& screen, const Visit& visit, Stage& stage) {
   return form;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

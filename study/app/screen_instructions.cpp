@@ -4,7 +4,7 @@
 
 #include "study/app/stage.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 Outcome draw(const InstructionScreen& screen, const Visit& visit, Stage& stage) {
   Ui& ui = stage.ui;
@@ -28,4 +28,4 @@ Outcome draw(const InstructionScreen& screen, const Visit& visit, Stage& stage) 
   return Continued{};
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -2,7 +2,7 @@
 
 #include "study/overloaded.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 std::string screen_name(const Screen& screen) {
   return std::visit(
@@ -39,4 +39,4 @@ bool is_pausable(const Screen& screen) {
       screen);
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

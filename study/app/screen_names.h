@@ -3,7 +3,7 @@
 
 #include "study/visit.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Short names of screens and phases, for traces.
 [[nodiscard]] std::string screen_name(const Screen& screen);
@@ -12,4 +12,4 @@ namespace seamline::app {
 /// Whether Esc begins a pause here.
 [[nodiscard]] bool is_pausable(const Screen& screen);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

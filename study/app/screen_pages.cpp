@@ -6,7 +6,7 @@
 #include "study/app/stage.h"
 #include "study/app/text_size.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 bool draw_page(Stage& stage, const std::string& title, const std::string& text, const std::string& button) {
@@ -73,4 +73,4 @@ Outcome draw(const StoppedScreen& screen, const Visit&, Stage& stage) {
                         stage.phrase(Phrase::stopped_text, {{"message", screen.message}}));
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

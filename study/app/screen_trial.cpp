@@ -9,7 +9,7 @@
 #include "study/app/trial_view.h"
 #include "study/overloaded.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 /// A trial while it is on the screen.
@@ -190,4 +190,4 @@ Outcome draw(const TrialScreen&, const Visit& visit, Stage& stage) {
   return outcome;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

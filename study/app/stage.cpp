@@ -6,7 +6,7 @@
 
 #include "study/app/picture_place.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 std::string Stage::phrase(Phrase which,
                           const std::vector<std::pair<std::string, std::string>>& values) const {
@@ -38,4 +38,4 @@ DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile) {
           .image_scale = scale};
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

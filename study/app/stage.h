@@ -13,7 +13,7 @@
 #include "study/study_set.h"
 #include "study/visit.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 class PictureStore;
 
@@ -74,4 +74,4 @@ using Outcome = std::optional<VisitEvent>;
 /// What the display check knows, with the pixels per degree that follow.
 [[nodiscard]] DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -4,7 +4,7 @@
 
 #include "study/app/characters.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 std::vector<ShownText> shown_texts(const StudyDefinition& study) {
   std::vector<ShownText> texts = {{"session.question", study.session.question},
@@ -39,4 +39,4 @@ std::string characters_needed(const StudySet& set) {
   return all;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

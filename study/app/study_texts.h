@@ -4,7 +4,7 @@
 
 #include "study/study_set.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// A text of the study file that the window shows, and where it stands.
 struct ShownText {
@@ -18,4 +18,4 @@ struct ShownText {
 /// All of them together, for the font. Throws InputError for a text that cannot be set (see characters.h).
 [[nodiscard]] std::string characters_needed(const StudySet& set);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -6,7 +6,7 @@
 
 #include "study/app/picture_place.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 struct SizeOption {
@@ -42,4 +42,4 @@ void choose_text_size(Stage& stage) {
   if (now >= 0 && now != chosen) stage.text_scale = sizes.at(static_cast<std::size_t>(now)).scale;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 std::vector<std::uint8_t> as_rgb(const ByteImage& image) {
@@ -65,4 +65,4 @@ void Texture::smooth(bool on) {
   set_parameter(GL_TEXTURE_MAG_FILTER, on ? GL_LINEAR : GL_NEAREST);
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

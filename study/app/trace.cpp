@@ -11,7 +11,7 @@
 #include "study/app/screen_names.h"
 #include "study/app/trial_view.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 nlohmann::json rectangle(const Rect& rect) {
@@ -58,4 +58,4 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
   if (::write(descriptor_, text.data(), text.size()) < 0) descriptor_ = -1;  // only a test is the poorer
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -4,7 +4,7 @@
 
 #include "study/app/stage.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Writes what is on the screen into a file, a JSON object a line, whenever it has changed: for tests that
 /// drive the program from outside as a person would, and must know when to press what. Hidden option
@@ -25,4 +25,4 @@ class Trace {
   std::string last_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -7,7 +7,7 @@
 
 #include "study/app/look.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 TrialPlace trial_place(const Stage& stage) {
   return place_trial(
@@ -71,4 +71,4 @@ void draw_progress(Stage& stage, int done, int all) {
                       text, grey(88));
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

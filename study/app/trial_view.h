@@ -3,7 +3,7 @@
 #include "study/app/picture_place.h"
 #include "study/app/stage.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 // What trials, practice and feedback draw alike.
 
@@ -22,4 +22,4 @@ void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::
 /// A thin bar at the bottom edge of the screen, of the background's colours.
 void draw_progress(Stage& stage, int done, int all);
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

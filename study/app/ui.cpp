@@ -5,7 +5,7 @@
 
 #include "study/app/look.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 constexpr double padding_em = 1.6;
@@ -177,4 +177,4 @@ void Ui::picture(const Texture& texture) {
   gap(0.6);
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -10,7 +10,7 @@
 #include "study/app/geometry.h"
 #include "study/app/input.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// Something on the page that can be used, as the last frame laid it out.
 struct UiItem {
@@ -105,4 +105,4 @@ class Ui {
   std::vector<UiItem> items_, last_items_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

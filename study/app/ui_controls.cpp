@@ -6,7 +6,7 @@
 #include "study/app/look.h"
 #include "study/app/ui.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 constexpr double control_em = 2.2;  ///< height
@@ -207,4 +207,4 @@ bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
   return use.used;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -10,7 +10,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 std::string last_glfw_error() {
@@ -257,4 +257,4 @@ ByteImage Window::read_back(int x_px, int y_px, int width_px, int height_px) con
   return image;
 }
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

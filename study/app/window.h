@@ -8,7 +8,7 @@
 #include "study/app/geometry.h"
 #include "study/app/input.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 
 /// What the pictures are shown on.
 struct DisplayInfo {
@@ -64,4 +64,4 @@ class Window {
   std::unique_ptr<Handles> handles_;
 };
 
-}  // namespace seamline::app
+}  // namespace seamline::study::app

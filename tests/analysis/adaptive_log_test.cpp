@@ -7,7 +7,8 @@
 #include "study/simulation.h"
 #include "tests/study/temporary_set.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using testing::Contains;
@@ -46,4 +47,4 @@ TEST(AdaptiveLog, ConstantStimuliAreAnalysedAsBefore) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

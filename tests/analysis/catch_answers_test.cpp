@@ -12,7 +12,8 @@
 #include "study/simulation.h"
 #include "tests/study/temporary_set.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using ::testing::HasSubstr;
@@ -128,4 +129,4 @@ TEST_F(CatchAnswersTest, ALogOfPilotsAloneNeedsTheFlag) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

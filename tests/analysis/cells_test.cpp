@@ -7,7 +7,7 @@
 #include "stimuli/support/error.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::answer;
@@ -94,4 +94,4 @@ TEST(Cells, AnswerOfAStrangerIsTheUsersError) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

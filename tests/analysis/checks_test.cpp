@@ -14,7 +14,7 @@
 #include "stimuli/support/error.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using ::testing::Contains;
@@ -167,4 +167,4 @@ TEST(Checks, InTheReportAreEscaped) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,7 @@
 #include "tests/analysis/coverage_tally.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::CoverageTally;
@@ -139,4 +139,4 @@ TEST(Coverage, BiasWith2000Observers) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

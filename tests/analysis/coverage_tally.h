@@ -5,6 +5,7 @@
 #include "analysis/estimate.h"
 
 namespace seamline::test {
+using namespace analysis;
 
 /// How often intervals held a planted value, and by which end they missed it.
 struct CoverageTally {

@@ -8,7 +8,7 @@
 #include "tests/analysis/coverage_tally.h"
 #include "tests/analysis/guessing_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::corrected;
@@ -75,4 +75,4 @@ TEST(GuessCorrectionCoverage, OfPeopleWhoDifferAndGuessByHabit) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

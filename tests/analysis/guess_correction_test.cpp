@@ -8,7 +8,7 @@
 
 #include "tests/analysis/guessing_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::corrected;
@@ -245,4 +245,4 @@ TEST(GuessCorrection, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,6 +6,7 @@
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::test {
+using namespace analysis;
 
 /// What simulated people do when they see nothing.
 struct GuessingHabits {

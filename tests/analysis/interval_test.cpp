@@ -7,7 +7,7 @@
 #include "analysis/thresholds.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::planted_thresholds;
@@ -129,4 +129,4 @@ TEST(ExpandedLevels, AreHesterbergsAtTwenty) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 /// min over begin <= i of max over end > i of the mean of [begin, end): the non-increasing fit by its min-max
@@ -83,4 +83,4 @@ TEST(Threshold, ValueAtIsTheInverse) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

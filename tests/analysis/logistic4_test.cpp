@@ -7,7 +7,7 @@
 #include "stimuli/support/random.h"
 #include "tests/analysis/octaves.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::octaves;
@@ -75,4 +75,4 @@ TEST(Logistic4, SaysWhyThereIsNoCentre) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

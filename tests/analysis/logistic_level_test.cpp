@@ -7,7 +7,7 @@
 #include "analysis/angular_resolution.h"
 #include "tests/analysis/octaves.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::octaves;
@@ -62,4 +62,4 @@ TEST(AngularResolution, OfAFieldOfView) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 TEST(OpinionScore, ByHand) {
@@ -70,4 +70,4 @@ TEST(SosParameter, OfPeopleWhoAgreeIsZero) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

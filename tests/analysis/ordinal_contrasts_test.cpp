@@ -9,7 +9,7 @@
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using ::testing::HasSubstr;
@@ -164,4 +164,4 @@ TEST(Contrasts, WithoutVarianceNothingIsEstimable) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

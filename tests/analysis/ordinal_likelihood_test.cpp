@@ -11,7 +11,7 @@
 #include "stimuli/support/numbers.h"
 #include "tests/analysis/ordinal_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::OrdinalPopulation;
@@ -189,4 +189,4 @@ TEST_P(EveryLink, AdaptiveQuadratureConvergesToTheIntegral) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,6 +7,7 @@
 #include "stimuli/support/random.h"
 
 namespace seamline::test {
+using namespace analysis;
 
 /// A population that scores by a cumulative link model: cuts, slopes over octaves of width and for two of
 /// three objects, and participants who differ in level and, if wanted, in slope.

@@ -4,7 +4,7 @@
 #include "analysis/ordinal/ordinal_fit.h"
 #include "tests/analysis/ordinal_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::OrdinalPopulation;
@@ -106,4 +106,4 @@ TEST(OrdinalRecovery, OrderOfRowsAndThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

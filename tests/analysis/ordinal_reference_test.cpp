@@ -7,7 +7,7 @@
 
 #include "analysis/ordinal/ordinal_fit.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 const std::filesystem::path reference_file =
@@ -108,4 +108,4 @@ TEST_F(OrdinalReference, AnEmptyScoreIsSaid) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

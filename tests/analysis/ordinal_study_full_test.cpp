@@ -8,7 +8,7 @@
 #include "stimuli/support/parallel.h"
 #include "tests/analysis/ordinal_study_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::simulate_answers;
@@ -96,4 +96,4 @@ TEST(OrdinalStudyFull, FalseAlarmsWhenParticipantsDifferInSlopeAndArtifactToo) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,6 +9,7 @@
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::test {
+using namespace study;
 
 /// Participants of the paper's study who score by a cumulative link model: 4 artifacts x 3 objects x 7
 /// widths.

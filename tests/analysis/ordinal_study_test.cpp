@@ -6,7 +6,8 @@
 #include "stimuli/support/error.h"
 #include "tests/analysis/ordinal_study_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using test::simulate_answers;
@@ -180,4 +181,4 @@ TEST(OrdinalStudy, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -8,7 +8,7 @@
 #include "tests/analysis/ordinal_people.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::simulate_scores;
@@ -168,4 +168,4 @@ TEST(OrdinalVerdicts, WrongInputIsASentence) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -11,7 +11,7 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(PlanStudy, StudiesThatCannotBePlannedAreWrongInput) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

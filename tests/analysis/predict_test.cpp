@@ -9,7 +9,8 @@
 #include "study/observer.h"
 #include "tests/stimuli/manifest_records.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 constexpr int widths_px[] = {64, 128, 256, 512, 1024, 2048, 4096};
@@ -111,4 +112,4 @@ TEST(Predict, TextSaysWhatItRestsOn) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

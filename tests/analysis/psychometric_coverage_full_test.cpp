@@ -7,7 +7,7 @@
 #include "analysis/statistics/distributions.h"
 #include "tests/analysis/psychometric_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 constexpr int studies = 1000;
@@ -75,4 +75,4 @@ TEST(PsychometricCoverage, OfAThresholdPooledOverPeopleWhoDiffer) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -7,7 +7,7 @@
 #include "analysis/psychometric/count_terms.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 TEST(PsychometricParts, BetaBinomialSumsAreProbabilitiesAndMeetTheBinomial) {
@@ -65,4 +65,4 @@ TEST(PsychometricParts, SigmoidsQuantilesAndDerivatives) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -6,6 +6,8 @@
 #include "stimuli/support/random.h"
 
 namespace seamline::test {
+using namespace analysis;
+using namespace study;
 
 inline constexpr std::array<double, 7> widths_64_to_4096_px = {64, 128, 256, 512, 1024, 2048, 4096};
 

@@ -6,7 +6,7 @@
 #include "tests/analysis/psychometric_people.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::Group;
@@ -56,4 +56,4 @@ TEST(PsychometricPooled, ChoicesOfALogAreCountedByPersonAndWidth) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,8 @@
 #include "analysis/psychometric/goodness.h"
 #include "analysis/psychometric/overdispersion.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 const std::vector<double> widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
@@ -207,4 +208,4 @@ TEST(PsychometricRecovery, APriorPullsAndAStrongOneWins) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

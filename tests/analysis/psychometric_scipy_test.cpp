@@ -10,7 +10,8 @@
 #include "analysis/psychometric/fit_intervals.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using Json = nlohmann::json;
@@ -113,4 +114,4 @@ TEST(PsychometricSciPy, ProfileIntervalsWithinAHundredthOfTheirWidth) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -11,7 +11,8 @@
 #include "stimuli/support/error.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace stability;
 namespace {
 
 using Kind = Verdict::Kind;
@@ -235,4 +236,4 @@ TEST(PsychometricStiff, WrongInputIsASentence) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -9,7 +9,7 @@
 #include "analysis/report/number_tables.h"
 #include "tests/analysis/report_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using ::testing::HasSubstr;
@@ -140,4 +140,4 @@ TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -16,7 +16,7 @@
 #include "stimuli/support/html.h"
 #include "tests/analysis/report_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using ::testing::Contains;
@@ -188,4 +188,4 @@ TEST(ReportPage, OfAnAdaptiveLogShowsTracksAndSaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

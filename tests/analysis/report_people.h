@@ -4,6 +4,7 @@
 #include "tests/study/temporary_set.h"
 
 namespace seamline::test {
+using namespace study;
 
 /// The same answers as if people had given them: nobody is simulated, and a choice takes between 1 and 4 s,
 /// the rating 1 s more.

@@ -15,7 +15,7 @@
 #include "stimuli/support/numbers.h"
 #include "tests/analysis/threshold_people.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using ::testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(Samples, AreCutAroundTheObjectAndInsideThePicture) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,7 +10,8 @@
 #include "tests/analysis/guessing_people.h"
 #include "tests/analysis/random_raters.h"
 
-namespace seamline {
+namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using test::GuessingStudy;
@@ -61,4 +62,4 @@ TEST(ScreeningRates, OfPeopleWhoDiffer) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

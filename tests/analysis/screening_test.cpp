@@ -13,7 +13,7 @@
 #include "tests/analysis/guessing_people.h"
 #include "tests/analysis/random_raters.h"
 
-namespace seamline {
+namespace seamline::analysis {
 namespace {
 
 using test::GuessingStudy;
@@ -166,4 +166,4 @@ TEST(Screening, OfAPublicSetByKurtosisRejectsTheSecondObserverOnly) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::analysis

@@ -10,6 +10,8 @@
 #include "study/observer.h"
 
 namespace seamline::test {
+using namespace study;
+using namespace analysis;
 
 inline constexpr std::array<int, 7> paper_widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 KeyPressed digit(int value) {
@@ -50,4 +50,4 @@ TEST(Input, AKeyThatIsHeldDownIsNoAnswer) {
 }
 
 }  // namespace
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -4,7 +4,7 @@
 
 #include "picture_set.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 constexpr int width_px = 200, height_px = 100;
@@ -54,4 +54,4 @@ TEST(ObjectMap, AnObjectThatIsNowhereHasNoFrame) {
 }
 
 }  // namespace
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -11,7 +11,7 @@
 #include "study/app/picture_loader.h"
 #include "study/app/picture_place.h"
 
-namespace seamline::app {
+namespace seamline::study::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST(PictureLoader, GivesEachWantedPictureOnceAndDropsTheOthers) {
 }
 
 }  // namespace
-}  // namespace seamline::app
+}  // namespace seamline::study::app

@@ -11,6 +11,7 @@
 #include "tests/study/temporary_set.h"
 
 namespace seamline::test {
+using namespace study;
 
 struct PictureSetRequest {
   int width_px = 400, height_px = 240;

@@ -9,7 +9,7 @@
 #include "study/trial_picture.h"
 #include "window_driver.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ TEST_F(SessionTest, TheLogHoldsExactlyWhatWasPressed) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

@@ -7,7 +7,7 @@
 #include "scripted_window.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,10 +31,10 @@ class TroubleTest : public testing::Test {
   }
 
   /// A set without a form, and a screen that is known.
-  void prepare(int width_px, int height_px, const test::PictureSetRequest& request) {
-    server.emplace(folder / "screen", width_px, height_px);
+  void prepare(int screen_width_px, int screen_height_px, const test::PictureSetRequest& request) {
+    server.emplace(folder / "screen", screen_width_px, screen_height_px);
     (void)test::write_picture_set(folder / "set", request);
-    test::keep_display_profile(folder / "run" / "config", width_px, height_px);
+    test::keep_display_profile(folder / "run" / "config", screen_width_px, screen_height_px);
   }
   [[nodiscard]] test::WindowRun run(const std::string& options = "") const {
     return {
@@ -156,4 +156,4 @@ TEST_F(TroubleTest, AnIdleScreenDrawsNothing) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

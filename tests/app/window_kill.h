@@ -14,6 +14,7 @@
 #include "study/log.h"
 
 namespace seamline::test {
+using namespace study;
 
 inline constexpr int trials_of_a_person = 12;
 

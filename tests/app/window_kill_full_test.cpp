@@ -1,7 +1,7 @@
 // The same with 200 kills; about ten minutes.
 #include "window_kill.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 TEST(WindowKillFull, TwoHundredSessions) {
@@ -15,4 +15,4 @@ TEST(WindowKillFull, TwoHundredSessions) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

@@ -1,6 +1,6 @@
 #include "window_kill.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 TEST(WindowKill, NothingAcceptedIsLostAndNothingIsDoubled) {
@@ -12,4 +12,4 @@ TEST(WindowKill, NothingAcceptedIsLostAndNothingIsDoubled) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

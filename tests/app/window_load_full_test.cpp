@@ -4,7 +4,7 @@
 #include "picture_set.h"
 #include "scripted_window.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,4 +47,4 @@ TEST(WindowLoad, ALargeSetComesToItsFirstTrial) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

@@ -9,7 +9,7 @@
 #include "picture_set.h"
 #include "scripted_window.h"
 
-namespace seamline {
+namespace seamline::study::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST(WindowLong, MemoryStaysFlatOverAThousandTrials) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study::app

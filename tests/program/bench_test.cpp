@@ -7,6 +7,7 @@
 #include "run_program.h"
 
 namespace seamline {
+using namespace renderer;
 namespace {
 
 TEST(Bench, WantedIsOfTheRatioOrElseOfWhatWasFound) {

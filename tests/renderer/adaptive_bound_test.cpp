@@ -3,7 +3,7 @@
 #include "renderer/adaptive_mesh_bound.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::hole;
@@ -82,4 +82,4 @@ TEST(TriangleBound, SplitsTrianglesWithoutArea) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

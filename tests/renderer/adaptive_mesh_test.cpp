@@ -9,7 +9,7 @@
 #include "renderer/full_mesh.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::check_rays;
@@ -191,4 +191,4 @@ TEST(AdaptiveMesh, KeepsItsLawsAtTheDensityOfTheStudy) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 TEST(Answers, OfSeveralArtifactsAreTheDepthMeshsWhereAnyOfThemAsksIt) {
@@ -35,4 +35,4 @@ TEST(Answers, AnOcclusionAsksTheDepthMeshButNotForLight) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "shapes.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Parts = std::vector<std::shared_ptr<const Part>>;
@@ -60,4 +60,4 @@ TEST(BoundingBoxes, OfManyRaysOneIsEnough) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

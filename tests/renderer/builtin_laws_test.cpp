@@ -10,7 +10,7 @@
 #include "stimuli/study_file.h"
 #include "tests/renderer/small_pictures.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::paper_study;
@@ -152,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinScene, testing::ValuesIn(scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 TEST(Capture, SphereRoomHasItsRadiusEverywhere) {
@@ -45,4 +45,4 @@ TEST(Capture, YawTurnsTheGrid) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "renderer/composite.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 TEST(Composite, TinyDenominatorsGiveNeitherSpecksNorNumbersThatAreNotNumbers) {
@@ -81,4 +81,4 @@ TEST(Composite, WellsThatTheDepthMeshSealsDoNotTurnBlack) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "shapes.h"
 #include "stimuli/difference.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::scene_of;
@@ -218,4 +218,4 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -11,7 +11,7 @@
 #include "renderer/convergence_slope.h"
 #include "stimuli/study_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 TEST(LogLogSlope, FindsAPlantedPower) {
@@ -103,4 +103,4 @@ TEST_F(SmallSubject, IndependentRenderingsKeepCoverageAndTheLevelOfLight) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -11,7 +11,7 @@
 #include "stimuli/support/image.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::hole;
@@ -120,4 +120,4 @@ TEST(DepthMap, RefusesWhatIsNoPanorama) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

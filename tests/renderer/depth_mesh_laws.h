@@ -16,6 +16,7 @@
 /// What the tests of depth meshes share: maps to make them from, and laws that are checked without the code
 /// under test.
 namespace seamline::test {
+using namespace renderer;
 
 inline constexpr float hole = std::numeric_limits<float>::infinity();
 

@@ -7,7 +7,7 @@
 #include "renderer/full_mesh.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::check_rays;
@@ -112,4 +112,4 @@ TEST(FullMesh, YawTurnsTheMapAndLeavesTheWorldWhereItIs) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

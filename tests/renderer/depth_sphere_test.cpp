@@ -3,7 +3,7 @@
 #include "renderer/dense_sphere.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::hole;
@@ -92,4 +92,4 @@ TEST(DenseSphere, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 std::vector<Ray> rays_from_centre(int count, std::mt19937_64& random) {
@@ -122,4 +122,4 @@ TEST(DirectionTable, RefusesWhatIsNoTriangulationOfDirections) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/sampling_rounds.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// A grey picture with planted noise in each half, filtered and as sampled, and a planted common bias.
@@ -145,4 +145,4 @@ TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

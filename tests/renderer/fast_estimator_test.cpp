@@ -9,7 +9,7 @@
 #include "stimuli/study_file.h"
 #include "tests/renderer/small_pictures.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using test::paper_study;
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values(0, 1, 2), [](const 
 });
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

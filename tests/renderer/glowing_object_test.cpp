@@ -5,7 +5,7 @@
 #include "renderer/estimator.h"
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr float ball_emission = 1.5F;
@@ -38,4 +38,4 @@ TEST(GlowingObject, IsAsBrightAsItsEmissionInEveryStimulus) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

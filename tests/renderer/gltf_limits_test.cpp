@@ -13,7 +13,7 @@
 #include "stimuli/support/limits.h"
 #include "stimuli/support/temporary_folder.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST_F(GltfLimits, FilesThatEndTooSoon) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Parts = std::vector<std::shared_ptr<const Part>>;
@@ -63,4 +63,4 @@ TEST(DirectOnObject, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/light.h"
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Many facets at many distances, and sky between them.
@@ -123,4 +123,4 @@ TEST(PacketCapture, IsTheSameMapForAnyNumberOfThreadsAndAnyWidth) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// Half of the smallest normal number: 0 where denormals are flushed.
@@ -41,4 +41,4 @@ TEST(ParallelFor, FlushesDenormalsInTheWorkAndLeavesTheCallerAsItWas) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// A ball over a floor, under a sun and a sky.
@@ -94,4 +94,4 @@ TEST_F(PathBatchTest, ABatchCanBeUsedAgainAndMayBeEmpty) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -8,7 +8,7 @@
 #include "renderer/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 /// From its smallest corner on, so that the same triangle is the same array.
@@ -78,4 +78,4 @@ TEST(TriangleNeighbours, LieBeyondTheEdgeTheyAreToldFor) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

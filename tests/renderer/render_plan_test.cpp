@@ -10,7 +10,7 @@
 #include "stimuli/difference.h"
 #include "stimuli/study_file.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int small_width_px = 96, small_height_px = 54, depth_width_px = 128, threads = 2;
@@ -190,4 +190,4 @@ TEST(RenderPlan, SaysTheSameForTheSameInput) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

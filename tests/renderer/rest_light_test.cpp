@@ -5,7 +5,7 @@
 
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 using Parts = std::vector<std::shared_ptr<const Part>>;
@@ -65,4 +65,4 @@ TEST(DirectOnRest, IsThatOfEachPointAlone) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

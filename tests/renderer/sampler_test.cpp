@@ -8,7 +8,7 @@
 
 #include "renderer/light.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 TEST(Sampler, SecondSobolDimensionIsTheSequencesOwn) {
@@ -95,4 +95,4 @@ TEST(Sampler, CosineDirectionsAreUnitAndCosineWeighted) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

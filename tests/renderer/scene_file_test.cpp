@@ -11,7 +11,7 @@
 #include "stimuli/support/error.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST(Placement, FarOriginsLoseNothing) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -10,7 +10,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST(SetClaim, WritesNothingThroughALink) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,6 +6,8 @@
 
 /// Small shapes and scenes whose light is known by hand.
 namespace seamline::test {
+using namespace renderer;
+using namespace stability;
 
 inline std::shared_ptr<const Part> part_of(std::vector<Eigen::Vector3f> positions,
                                            std::vector<Triangle> triangles, float albedo,

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int tiles = 5, blocks = 10;
@@ -79,4 +79,4 @@ TEST(StimulusPlan, WithoutALookAtTheBiasOnlySamplesArePlanned) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -6,7 +6,7 @@
 #include "renderer/rest_light.h"
 #include "shapes.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 struct Estimate {
@@ -164,4 +164,4 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

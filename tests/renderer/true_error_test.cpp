@@ -8,7 +8,7 @@
 #include "renderer/error_estimate.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 constexpr int width_px = 320, height_px = 160;
@@ -84,4 +84,4 @@ TEST(TrueError, LinearErrorLooksThroughItsMaskOnly) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

@@ -5,7 +5,7 @@
 
 #include "scenes/builtin.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 /// Coarser than what is shipped, so that the tests are quick; the laws do not depend on it. Each is made
@@ -97,4 +97,4 @@ TEST(Builtin, RefusesAnUnknownName) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::scenes

@@ -11,7 +11,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::scenes {
 namespace {
 
 std::filesystem::path output(const std::string& name) {
@@ -116,4 +116,4 @@ TEST(ShippedObjects, HaveTwentyThousandTriangles) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::scenes

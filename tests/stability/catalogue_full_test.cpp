@@ -5,7 +5,8 @@
 #include "stability/catalogue.h"
 #include "stability/run_cases.h"
 
-namespace seamline {
+namespace seamline::stability {
+using namespace renderer;
 namespace {
 
 TEST(WholeCatalogue, Passes) {
@@ -16,4 +17,4 @@ TEST(WholeCatalogue, Passes) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::stability

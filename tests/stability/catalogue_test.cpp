@@ -12,7 +12,7 @@
 #include "stability/run_cases.h"
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 TEST(Catalogue, HasAtLeastSixtyCasesWithNamesOfTheirOwn) {
@@ -124,4 +124,4 @@ TEST(Orders, AnEstimatorOfAnotherOrderFails) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::stability

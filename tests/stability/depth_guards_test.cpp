@@ -9,7 +9,8 @@
 #include "stability/depth_value_cases.h"
 #include "stimuli/support/image.h"
 
-namespace seamline {
+namespace seamline::stability {
+using namespace renderer;
 namespace {
 
 /// Takes every texel for a distance.
@@ -90,4 +91,4 @@ TEST(DepthGuards, AMeshThatLacksATriangleIsNotWatertight) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::stability

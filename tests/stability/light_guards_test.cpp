@@ -6,7 +6,7 @@
 #include "stability/ratio_cases.h"
 #include "stability/space_scale_cases.h"
 
-namespace seamline {
+namespace seamline::stability {
 namespace {
 
 /// background * with / without, and nothing else.
@@ -72,4 +72,4 @@ TEST(LightGuards, FarScenesInSinglePrecisionAreOtherScenes) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::stability

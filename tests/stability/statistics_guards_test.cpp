@@ -11,7 +11,8 @@
 #include "stability/quest_plus_cases.h"
 #include "stability/rating_cases.h"
 
-namespace seamline {
+namespace seamline::stability {
+using namespace analysis;
 namespace {
 
 TEST(StatisticsGuards, TheOptimumAloneIsNoIntervalOfAStep) {
@@ -109,4 +110,4 @@ TEST(QuestPlusGuards, WithoutTheAlarmNobodyHearsOfTheEdge) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::stability

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Two scenes of three objects at two widths: 12 stimuli.
@@ -145,4 +145,4 @@ TEST(TrialSequence, ShowsThePlanAndCountsEveryKind) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

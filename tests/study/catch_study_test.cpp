@@ -14,7 +14,7 @@
 #include "study/simulation.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST_F(CatchStudyTest, QuestPlusLearnsFromStimuliOnly) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

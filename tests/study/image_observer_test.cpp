@@ -10,7 +10,7 @@
 #include "study/simulation.h"
 #include "tests/study/temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr double seen_half_of_the_time = 0.25;
@@ -156,4 +156,4 @@ TEST(ImageObserver, SettingsAreReadAndOldStudiesKeepTheirHash) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

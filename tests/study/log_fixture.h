@@ -9,7 +9,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 
 using test::complaint_of;
 
@@ -39,4 +39,4 @@ class LogTest : public testing::Test {
   }
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

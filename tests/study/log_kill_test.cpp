@@ -17,7 +17,7 @@
 #include "study/plan.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// What the writer reports after an answer's transaction has been committed.
@@ -116,4 +116,4 @@ TEST(LogKill, NothingStoredIsLostAndNothingIsDoubled) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -13,7 +13,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(LogRecoveryTest, RefusesToOverwriteAndFilesThatAreNoLog) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -8,7 +8,7 @@
 #include "log_fixture.h"
 #include "study/log_admin.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST_F(LogTest, ASetWithoutManifestOrWithAnotherStudyIsRefused) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -14,7 +14,7 @@
 #include "study/log_writer.h"
 #include "study/plan.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ TEST_F(LogTest, StatusSaysWhoHasDoneWhat) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

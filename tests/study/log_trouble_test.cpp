@@ -15,7 +15,7 @@
 #include "study/visit_store.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ TEST(LogTrouble, ALogThatIsGoneStopsTheVisit) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -10,7 +10,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 using testing::AllOf;
@@ -83,4 +83,4 @@ TEST(LogValues, EachKindOfValueHasItsRange) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 Stimulus stimulus_of(Artifact artifact, int width_px, int object_index = 2) {
@@ -144,4 +144,4 @@ TEST(Observer, AnArtifactWithoutAMidpointIsWrongInput) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// Chi-squared statistic of counts that should be equal.
@@ -102,4 +102,4 @@ TEST(Random, BelowHasNoModuloBiasForALargeBound) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr Sigmoid every_sigmoid[] = {Sigmoid::logistic, Sigmoid::normal, Sigmoid::gumbel};
@@ -54,4 +54,4 @@ TEST(PsychometricFunction, Log2AxisIsTheLinearAxisOfOctaves) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

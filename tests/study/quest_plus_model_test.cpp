@@ -11,7 +11,7 @@
 #include "quest_plus_task.h"
 #include "study/psychometric_function.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 TEST(QuestPlusModel, BinaryOutcomeIsThePsychometricFunction) {
@@ -151,4 +151,4 @@ TEST(QuestPlusGrid, AnswersFromBeyondTheGridGiveTheAlarm) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

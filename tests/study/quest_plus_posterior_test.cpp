@@ -8,7 +8,7 @@
 #include "quest_plus_task.h"
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// As the definition says: for each outcome the posterior after it, its entropy, and its probability.
@@ -157,4 +157,4 @@ TEST(QuestPlusPosterior, TheOrderOfAnswersDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 #include "study/observer.h"
 #include "study/procedure.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 /// A set of two artifacts with three objects each; of `overlap` only some widths are rendered.
@@ -254,4 +254,4 @@ TEST_F(QuestPlusProcedureTest, IsAProcedureLikeAnyOther) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

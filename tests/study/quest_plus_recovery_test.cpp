@@ -10,7 +10,7 @@
 #include "stimuli/support/random.h"
 #include "study/observer.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 constexpr int most_trials = 84;
@@ -136,4 +136,4 @@ TEST(QuestPlusRecovery, ChoicesAreDeterministic) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -14,7 +14,7 @@
 #include "study/simulation.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST_F(QuestPlusStudyTest, ALogOfConstantStimuliHasNoTracks) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 
 #include "study/quest_plus_model.h"
 
-namespace seamline {
+namespace seamline::study {
 
 inline const std::vector<int> seven_widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
 
@@ -38,4 +38,4 @@ inline Task make_task(PlacementOutcome outcome, const std::vector<int>& width_px
   return task;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

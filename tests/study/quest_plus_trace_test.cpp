@@ -8,7 +8,7 @@
 
 #include "study/quest_plus_grid.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 using nlohmann::json;
@@ -71,4 +71,4 @@ TEST(QuestPlusTrace, ChoosesTheSameStimuliAndFindsTheSameMeans) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

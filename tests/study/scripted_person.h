@@ -5,7 +5,7 @@
 #include "stimuli/support/random.h"
 #include "study/visit.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// What a person who always does the next sensible thing does on a screen, at a time. The answer to trial t
 /// of person p is always the same.
@@ -69,4 +69,4 @@ class ScriptedPerson {
   std::int64_t now_ns_ = 0;
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

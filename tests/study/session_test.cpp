@@ -6,7 +6,7 @@
 
 #include "stimuli/support/random.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 TrialSequence constant(int trials, int answered = 0) {
@@ -151,4 +151,4 @@ TEST(Session, LawsHoldUnderRandomEvents) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -19,7 +19,7 @@
 #include "study/plan.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -222,4 +222,4 @@ TEST_F(SimulationTest, PeopleShareOrdersWhereTheStudySaysSo) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

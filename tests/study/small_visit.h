@@ -5,7 +5,7 @@
 #include "study/visit.h"
 
 /// A visit of a few trials, stored nowhere.
-namespace seamline {
+namespace seamline::study {
 
 inline constexpr std::int64_t second = ScriptedPerson::second;
 
@@ -55,4 +55,4 @@ Visit until(Visit visit, ScriptedPerson person = ScriptedPerson(1)) {
   return visit;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace seamline {
+namespace seamline::study {
 
 /// SQLite finds nothing wrong with the file, and no row refers to one that is not there.
 inline void expect_sound(const std::filesystem::path& log) {
@@ -14,4 +14,4 @@ inline void expect_sound(const std::filesystem::path& log) {
   EXPECT_FALSE(orphans.executeStep());
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

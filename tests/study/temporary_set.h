@@ -11,7 +11,7 @@
 #include "stimuli/support/temporary_folder.h"
 #include "study/study_set.h"
 
-namespace seamline {
+namespace seamline::study {
 
 inline std::string study_text(const std::string& name, const std::string& widths_px) {
   std::string text = fmt::format(
@@ -66,4 +66,4 @@ inline StudySet write_set(const std::filesystem::path& folder, const std::string
   return write_set_of_text(folder, study_text(name, widths_px));
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

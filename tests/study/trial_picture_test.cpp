@@ -9,7 +9,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

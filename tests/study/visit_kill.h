@@ -17,7 +17,7 @@
 #include "study/visit_store.h"
 #include "temporary_set.h"
 
-namespace seamline {
+namespace seamline::study {
 
 /// What the visiting program says over a pipe: where a visit goes on, and, after its commit, each answer.
 struct KillReport {
@@ -183,4 +183,4 @@ inline std::string kill_study_text() {
          "[consent]\ntext = \"Our own text.\"\n[catch]\nattention = 1\nreference = 2\n";
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

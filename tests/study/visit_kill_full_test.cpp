@@ -1,7 +1,7 @@
 // By hand: minutes, not seconds.
 #include "visit_kill.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 TEST(VisitKillFull, NothingAcceptedIsLostOrDoubledAfter200Kills) {
@@ -15,4 +15,4 @@ TEST(VisitKillFull, NorInAnAdaptiveStudyAfter200Kills) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -1,6 +1,6 @@
 #include "visit_kill.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 TEST(VisitKill, NothingAcceptedIsLostOrDoubledAfter20Kills) {
@@ -8,4 +8,4 @@ TEST(VisitKill, NothingAcceptedIsLostOrDoubledAfter20Kills) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

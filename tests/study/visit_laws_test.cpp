@@ -2,7 +2,7 @@
 
 #include "small_visit.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 VisitEvent random_visit_event(Random& random, std::int64_t now_ns) {
@@ -81,4 +81,4 @@ TEST(Visit, LawsHoldUnderRandomEvents) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -6,7 +6,7 @@
 #include "study/log_admin.h"
 #include "visit_store_fixture.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST_F(VisitStoreTest, RestartSetsAnswersAsideAndRefuseRefuses) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -8,7 +8,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 
 inline constexpr const char* own_consent = "[consent]\ntext = \"Our own text.\"\n";
 
@@ -46,4 +46,4 @@ class VisitStoreTest : public testing::Test {
   }
 };
 
-}  // namespace seamline
+}  // namespace seamline::study

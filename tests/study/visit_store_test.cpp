@@ -10,7 +10,7 @@
 #include "study/log_admin.h"
 #include "visit_store_fixture.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST_F(VisitStoreTest, SharedOrdersAreBalancedByCompletedSessions) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -4,7 +4,7 @@
 
 #include "small_visit.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 TEST(Visit, GoesFromConsentToThanks) {
@@ -232,4 +232,4 @@ TEST(Visit, EmptyPartsArePassedOver) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study
