@@ -12,7 +12,7 @@
 
 #include "stimuli/support/error.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -118,4 +118,4 @@ void copy_log(const fs::path& given, const fs::path& copy) {
                      .found = "somebody who goes on writing to it"});
 }
 
-}  // namespace seamline
+}  // namespace seamline::study

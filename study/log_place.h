@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace seamline {
+namespace seamline::study {
 
 // A log has one place: the real path of its file, after every link. Its write-ahead log, its journal and its
 // lock lie beside that, whatever path a person gave; beside a link there is nothing.
@@ -30,4 +30,4 @@ void check_one_place(const std::filesystem::path& given);
 /// written to. Throws InputError when it cannot be read, or somebody goes on writing.
 void copy_log(const std::filesystem::path& given, const std::filesystem::path& copy);
 
-}  // namespace seamline
+}  // namespace seamline::study

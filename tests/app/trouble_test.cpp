@@ -31,10 +31,10 @@ class TroubleTest : public testing::Test {
   }
 
   /// A set without a form, and a screen that is known.
-  void prepare(int screen_width_px, int screen_height_px, const test::PictureSetRequest& request) {
-    server.emplace(folder / "screen", screen_width_px, screen_height_px);
+  void prepare(int screen_w_px, int screen_h_px, const test::PictureSetRequest& request) {
+    server.emplace(folder / "screen", screen_w_px, screen_h_px);
     (void)test::write_picture_set(folder / "set", request);
-    test::keep_display_profile(folder / "run" / "config", screen_width_px, screen_height_px);
+    test::keep_display_profile(folder / "run" / "config", screen_w_px, screen_h_px);
   }
   [[nodiscard]] test::WindowRun run(const std::string& options = "") const {
     return {

@@ -11,7 +11,7 @@
 #include "stimuli/support/temporary_folder.h"
 #include "tests/stimuli/manifest_records.h"
 
-namespace seamline {
+namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ TEST(SetLinks, ThePageOfErrorsShowsNothingFromOutside) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::renderer

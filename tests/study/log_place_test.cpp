@@ -16,7 +16,7 @@
 #include "study/log_recovery.h"
 #include "study/session_claims.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -246,4 +246,4 @@ TEST_F(LogPlace, NothingIsSavedBesideAForeignWriteAheadLog) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

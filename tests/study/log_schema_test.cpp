@@ -8,7 +8,7 @@
 #include "study/log_database.h"
 #include "study/log_recovery.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST_F(LogSchema, AValueLargerThanALogsIsRefusedInASentence) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study

@@ -11,7 +11,7 @@
 #include "temporary_set.h"
 #include "tests/complaint.h"
 
-namespace seamline {
+namespace seamline::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,4 +83,4 @@ TEST_F(SetFromOutside, AnIdTwiceAndAnOddWidthAreRefused) {
 }
 
 }  // namespace
-}  // namespace seamline
+}  // namespace seamline::study
