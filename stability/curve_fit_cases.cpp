@@ -57,6 +57,10 @@ Finding try_verdict(const WantedVerdict& wanted, const FitRule& fit) {
   wrong += std::isfinite(wanted.must_hold.low) && !(ci.low <= wanted.must_hold.low) ? 1 : 0;
   wrong += std::isfinite(wanted.must_hold.high) && !(ci.high >= wanted.must_hold.high) ? 1 : 0;
   wrong += wanted.open_high && std::isfinite(ci.high) ? 1 : 0;
+  wrong += std::isfinite(ci.low) && std::isfinite(ci.high) ? (report.threshold ? 0 : 1) : 0;
+  wrong += report.threshold && !(ci.low <= *report.threshold && *report.threshold <= ci.high) ? 1 : 0;
+  const Interval& range = report.verdict.range;
+  wrong += range.low == ci.low && range.high == ci.high ? 0 : 1;
   wrong += std::isnan(ci.low) || std::isnan(ci.high) || std::isnan(report.fit.log_likelihood) ? 1 : 0;
   return {static_cast<double>(wrong),
           fmt::format("\"{}\", interval {:.4g} to {:.4g} px", report.verdict.text, ci.low, ci.high)};
@@ -137,6 +141,8 @@ StabilityCases curve_fit_cases() {
         .run = [wanted = std::move(wanted)](const StabilityOptions&) { return try_verdict(wanted); }};
   };
   const auto all = [](double share) { return counts_at_widths(60, [share](double) { return share; }); };
+  std::vector<LevelCounts> through_last = all(1);
+  through_last.back().correct = 30;
   FitOptions no_lapse = falling_choice_of_three();
   no_lapse.lapse = fixed_rate(0);
   return {
@@ -149,6 +155,19 @@ StabilityCases curve_fit_cases() {
       verdict("step", "all right up to 256 px, chance from 512 px",
               {.counts = counts_at_widths(60, [](double px) { return px < 300 ? 1.0 : 1.0 / 3; }),
                .text = "between 256 and 512 px"}),
+      verdict("step-through-last-level", "all right up to 2048 px, half right at 4096 px",
+              {.counts = through_last, .text = "identified", .must_hold = {.low = 3200, .high = 4095.9}}),
+      verdict("steep-ridge",
+              "12 answers a level: 12, 12, 11, 10, 5, 2, 6 right; steep functions through 1024 px",
+              {.counts = {{64, 12, 12},
+                          {128, 12, 12},
+                          {256, 11, 12},
+                          {512, 10, 12},
+                          {1024, 5, 12},
+                          {2048, 2, 12},
+                          {4096, 6, 12}},
+               .text = "identified",
+               .must_hold = {.low = 402, .high = 1023}}),
       verdict("one-level", "30 answers at one level",
               {.counts = {{.level = 64, .correct = 20, .trials = 30}},
                .text = "not identified: one level tested"}),

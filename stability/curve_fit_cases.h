@@ -25,7 +25,7 @@ using FitRule = std::function<FitReport(const std::vector<LevelCounts>& counts, 
                                         const FitRequest& request)>;
 
 /// A fit must come to a verdict. Counts: another verdict, an interval without the values that it must hold, a
-/// number where nothing is identified.
+/// range that is not the interval, a closed interval without an estimate inside, a number that is none.
 struct WantedVerdict {
   std::vector<LevelCounts> counts;
   FitOptions options = falling_choice_of_three();

@@ -62,6 +62,23 @@ Finding try_degenerate_resamples(const BootstrapRule& rule) {
                       found.threshold.high)};
 }
 
+Finding try_steps_through_levels(const BootstrapRule& rule) {
+  const PsychometricFit fit = fit_psychometric(
+      counts_at_widths(60, [](double px) { return px < 200   ? 1.0
+                                                  : px < 300 ? 0.7
+                                                             : 1.0 / 3; }),
+      falling_choice_of_three());
+  const BootstrapIntervals found = rule(fit, {.replicates = 400, .seed = 5});
+  const Interval profile = threshold_interval(fit), ci = found.threshold;
+  int wrong = ci.low <= fit.function.threshold && fit.function.threshold <= ci.high ? 0 : 1;
+  for (const double end : {ci.low, ci.high})
+    wrong += std::abs(std::log2(end) - std::round(std::log2(end))) > 1e-4 ? 0 : 1;
+  wrong += std::log2(ci.high / ci.low) <= 1.3 * std::log2(profile.high / profile.low) ? 0 : 1;
+  return {static_cast<double>(wrong),
+          fmt::format("{} of 400 steps; interval {:.4g} to {:.4g} px, the profile's {:.4g} to {:.4g}",
+                      found.steps, ci.low, ci.high, profile.low, profile.high)};
+}
+
 Finding try_extreme_probabilities() {
   double error = 0;
   for (const double p : {1e-130, 1e-100, 1e-16, 0.5}) {
@@ -96,6 +113,11 @@ StabilityCases interval_cases() {
                    "two answers a level, bootstrapped: steps and flat lines among the resamples",
                    "no replicate dropped, an end open where many have no threshold",
                    [] { return try_degenerate_resamples(); }),
+      counted_case(
+          "statistics", "steps-through-levels",
+          "a step through 256 px, 60 answers a level, bootstrapped: most resamples are such steps",
+          "an interval around the estimate that ends at no tested level, about as long as the profile's",
+          [] { return try_steps_through_levels(); }),
       {.group = "statistics",
        .name = "extreme-probabilities",
        .tried =

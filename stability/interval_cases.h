@@ -31,6 +31,11 @@ using BootstrapRule =
 /// finite one. Counts what is otherwise.
 [[nodiscard]] Finding try_degenerate_resamples(const BootstrapRule& rule = bootstrap_intervals);
 
+/// 60 answers a level of seven, right at 256 px as often as a function between its levels: most resamples are
+/// steps through a level. The interval must hold the estimate, end at no tested level, and be no longer than
+/// 1.3 times the profile's. Counts what is otherwise.
+[[nodiscard]] Finding try_steps_through_levels(const BootstrapRule& rule = bootstrap_intervals);
+
 /// Log-likelihood terms of answers whose probability is 1e-130 to 1 - 1e-16, and sigmoids at -1e308 to 1e308:
 /// largest deviation from the exact values; NaN when one is no number.
 [[nodiscard]] Finding try_extreme_probabilities();

@@ -24,9 +24,10 @@ struct BootstrapIntervals {
 };
 
 /// Parametric bootstrap: counts simulated from the fit are fitted again; bias-corrected and accelerated (BCa,
-/// Efron 1987) with the acceleration from leaving out one answer at a time. A replicate that is a step, whose
-/// threshold may lie anywhere between two levels, counts with the lower for the low end and with the upper
-/// for the high end. The same bits for the same seed. Everything is open with fewer than two levels.
+/// Efron 1987) with the acceleration from leaving out one answer at a time. A replicate that is a step has no
+/// single threshold: it stands for all that are as likely (`StepFit`), evenly, so that an end may fall
+/// anywhere between two levels and not only at them. An interval holds what the fit itself makes as likely.
+/// The same bits for the same seed. Everything is open with fewer than two levels.
 [[nodiscard]] BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit,
                                                      const BootstrapRequest& request);
 

@@ -8,21 +8,17 @@ namespace seamline::analysis {
 
 namespace {
 
-bool is_identified(const FitReport& report) {
-  return report.verdict.kind == Verdict::Kind::identified;
-}
-
 FitQuantity threshold(const FitReport& report) {
   FitQuantity quantity{.name = "threshold",
                        .unit = report.request.unit,
-                       .estimate = {},
+                       .estimate = report.threshold,
                        .ci95 = report.threshold_ci95,
                        .bootstrap_ci95 = {},
                        .reason = {}};
-  if (is_identified(report))
-    quantity.estimate = report.fit.function.threshold;
-  else
+  if (!report.threshold)
     quantity.reason = report.verdict.text;
+  else if (report.verdict.kind == Verdict::Kind::between)
+    quantity.reason = "a step: the middle of thresholds that are as likely";
   if (report.bootstrap) quantity.bootstrap_ci95 = report.bootstrap->threshold;
   return quantity;
 }
@@ -34,12 +30,16 @@ FitQuantity width(const FitReport& report) {
                        .ci95 = report.width_ci95,
                        .bootstrap_ci95 = {},
                        .reason = {}};
-  if (report.fit.is_step && report.verdict.kind == Verdict::Kind::between)
-    quantity.reason = fmt::format("a step: at most {:.3g}", report.width_ci95.high);
-  else if (!is_identified(report))
+  const Interval& ci95 = report.width_ci95;
+  const std::string bound = std::isfinite(ci95.high) ? fmt::format("at most {:.3g}", ci95.high)
+                            : ci95.low > 0           ? fmt::format("above {:.3g}", ci95.low)
+                                                     : "no width is excluded";
+  if (!report.threshold)
     quantity.reason = report.verdict.text;
-  else if (!std::isfinite(report.width_ci95.high))
-    quantity.reason = fmt::format("not identified: above {:.3g}", report.width_ci95.low);
+  else if (report.fit.is_step)
+    quantity.reason = "a step: " + bound;
+  else if (!std::isfinite(ci95.high))
+    quantity.reason = "not identified: " + bound;
   else
     quantity.estimate = report.fit.width;
   if (report.bootstrap) quantity.bootstrap_ci95 = report.bootstrap->width;
@@ -87,14 +87,13 @@ std::vector<FitQuantity> percent_quantities(const FitReport& report) {
                          .ci95 = level.level.ci95,
                          .bootstrap_ci95 = level.bootstrap_ci95,
                          .reason = {}};
-    if (!is_identified(report))
+    quantity.estimate = level.level.estimate;
+    if (report.verdict.kind == Verdict::Kind::not_identified)
       quantity.reason = report.verdict.text;
-    else if (!level.level.estimate)
+    else if (!level.is_reached)
       quantity.reason = "never reached between the guess and the lapse rate";
-    else if (!std::isfinite(level.level.ci95.low) || !std::isfinite(level.level.ci95.high))
+    else if (!level.level.estimate)
       quantity.reason = "not identified: the interval is open";
-    else
-      quantity.estimate = level.level.estimate;
     all.push_back(quantity);
   }
   return all;

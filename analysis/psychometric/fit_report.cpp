@@ -10,19 +10,36 @@ namespace seamline::analysis {
 
 namespace {
 
+bool is_closed(const Interval& interval) {
+  return std::isfinite(interval.low) && std::isfinite(interval.high);
+}
+
+/// The bootstrap knows functions near the estimate only; where the likelihood excludes nothing neither may
+/// it.
+Interval open_as(Interval interval, const Interval& likelihood) {
+  if (!std::isfinite(likelihood.low)) interval.low = -infinity;
+  if (!std::isfinite(likelihood.high)) interval.high = infinity;
+  return interval;
+}
+
 std::vector<PercentLevel> percent_levels(const FitReport& report) {
   std::vector<PercentLevel> levels;
   for (double percent : report.request.percents) {
     if (!(percent > 0 && percent < 100))
       throw input_error({.field = "--percent", .wanted = "between 0 and 100", .found = number_text(percent)});
-    PercentLevel level{
-        .percent = percent, .level = level_of_correct(report.fit, percent / 100), .bootstrap_ci95 = {}};
-    if (report.request.bootstrap_replicates > 0)
-      level.bootstrap_ci95 =
+    PercentLevel level;
+    level.percent = percent;
+    level.level = level_of_correct(report.fit, percent / 100);
+    level.is_reached = level.level.estimate.has_value();
+    if (report.verdict.kind == Verdict::Kind::not_identified) level.level.ci95 = {};
+    if (!is_closed(level.level.ci95)) level.level.estimate.reset();
+    if (report.request.bootstrap_replicates > 0) {
+      const BootstrapIntervals bootstrap =
           bootstrap_intervals(report.fit, {.replicates = report.request.bootstrap_replicates,
                                            .seed = report.request.seed,
-                                           .correct = percent / 100})
-              .level_of_correct;
+                                           .correct = percent / 100});
+      level.bootstrap_ci95 = open_as(*bootstrap.level_of_correct, level.level.ci95);
+    }
     levels.push_back(level);
   }
   return levels;
@@ -35,7 +52,10 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
   FitReport report;
   report.request = request;
   report.fit = fit_psychometric(counts, options);
-  report.threshold_ci95 = threshold_interval(report.fit);
+  const ThresholdFinding finding = judge_threshold(report.fit, threshold_interval(report.fit), request.unit);
+  report.verdict = finding.verdict;
+  report.threshold = finding.estimate;
+  report.threshold_ci95 = finding.ci95;
   report.width_ci95 = width_interval(report.fit);
   report.lapse_ci95 = lapse_interval(report.fit);
   report.guess_ci95 = guess_interval(report.fit);
@@ -45,10 +65,12 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
                           ? deviance_p(report.fit, request.deviance_replicates, request.seed)
                           : nan;
   report.percents = percent_levels(report);
-  if (request.bootstrap_replicates > 0)
+  if (request.bootstrap_replicates > 0) {
     report.bootstrap = bootstrap_intervals(
         report.fit, {.replicates = request.bootstrap_replicates, .seed = request.seed, .correct = {}});
-  report.verdict = verdict_on(report.fit, report.threshold_ci95, request.unit);
+    report.bootstrap->threshold = open_as(report.bootstrap->threshold, report.threshold_ci95);
+    report.bootstrap->width = open_as(report.bootstrap->width, report.width_ci95);
+  }
   report.warnings = warnings_on(report.fit,
                                 {.verdict = report.verdict,
                                  .width_ci95 = report.width_ci95,

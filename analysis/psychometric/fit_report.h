@@ -21,7 +21,8 @@ struct FitRequest {
 
 struct PercentLevel {
   double percent = 0;
-  LevelEstimate level;
+  LevelEstimate level;      ///< an estimate exactly when the interval is closed
+  bool is_reached = false;  ///< between the guess and the lapse rate of the fit
   std::optional<Interval> bootstrap_ci95;
 };
 
@@ -29,11 +30,13 @@ struct PercentLevel {
 struct FitReport {
   PsychometricFit fit;
   FitRequest request;
+  std::optional<double> threshold;  ///< exactly when `threshold_ci95` is closed
   Interval threshold_ci95, width_ci95, lapse_ci95, guess_ci95;
   OverdispersionEstimate overdispersion;
   Goodness goodness;
   double deviance_p = 0;  ///< NaN: not tested
   std::vector<PercentLevel> percents;
+  /// Open where the profile intervals are: what the likelihood does not exclude no replicate excludes.
   std::optional<BootstrapIntervals> bootstrap;
   Verdict verdict;
   std::vector<std::string> warnings;

@@ -46,10 +46,15 @@ Goodness goodness_of_fit(const PsychometricFit& fit) {
 }
 
 FitProblem simulated_problem(const PsychometricFit& fit, std::uint64_t seed, std::uint64_t replicate) {
+  return simulated_problem(fit, fit.search.best.theta, seed, replicate);
+}
+
+FitProblem simulated_problem(const PsychometricFit& fit, const Theta& theta, std::uint64_t seed,
+                             std::uint64_t replicate) {
   FitProblem problem = fit.search.problem;
   Random random(seed ^ simulation_domain, replicate);
   for (UnitCounts& level : problem.levels) {
-    const double p = probability_at(problem, fit.search.best.theta, level.t).right;
+    const double p = probability_at(problem, theta, level.t).right;
     level.k = static_cast<double>(sample_binomial(static_cast<std::int64_t>(level.n), p, random));
   }
   problem.rows = problem.levels;

@@ -31,5 +31,8 @@ struct Goodness {
 /// Data as the fit expects them: binomial counts at its levels. Replicate r draws from stream r.
 [[nodiscard]] FitProblem simulated_problem(const PsychometricFit& fit, std::uint64_t seed,
                                            std::uint64_t replicate);
+/// The same from another function.
+[[nodiscard]] FitProblem simulated_problem(const PsychometricFit& fit, const Theta& theta, std::uint64_t seed,
+                                           std::uint64_t replicate);
 
 }  // namespace seamline::analysis

@@ -120,7 +120,9 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
     const double t = student_quantile(static_cast<double>(choices.correct.rows() - 1), 0.975);
     pooled.threshold_ci95 = threshold_interval(pooled.fit, pooled.design_effect * t * t);
   }
-  pooled.verdict = verdict_on(pooled.fit, pooled.threshold_ci95, "px");
+  const ThresholdFinding finding = judge_threshold(pooled.fit, pooled.threshold_ci95, "px");
+  pooled.verdict = finding.verdict;
+  pooled.threshold_ci95 = finding.ci95;
   return pooled;
 }
 

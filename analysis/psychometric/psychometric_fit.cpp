@@ -60,8 +60,8 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
 
   fit.search = search_direction(counts, options, fit);
   const FitProblem& problem = fit.search.problem;
-  const Theta& theta = fit.search.best.theta;
   fit.is_step = fit.search.is_step;
+  const Theta& theta = fit.is_step ? fit.search.step->middle : fit.search.best.theta;
   fit.function = {.sigmoid = options.sigmoid,
                   .axis = options.axis,
                   .direction = fit.direction,
@@ -71,7 +71,7 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
                   .lapse = theta[parameter::lapse]};
   fit.width = fit.function.scale * scales_in_width(options.sigmoid);
   fit.eta = fit.search.best.eta;
-  fit.log_likelihood = log_likelihood(problem, theta, fit.eta);
+  fit.log_likelihood = log_likelihood(problem, fit.search.best.theta, fit.eta);
   fit.flat_log_likelihood = flat_log_likelihood(problem);
   fit.free_parameters = free_parameters(problem);
   fit.converged = fit.search.best.converged;

@@ -17,7 +17,7 @@ struct PsychometricFit {
   std::vector<LevelCounts> levels;  ///< pooled, rising; those without a trial left out; may be empty
   int levels_without_trials = 0;
   bool is_step = false;  ///< no sigmoid is likelier than a step: threshold and width are then ranges
-  study::PsychometricFunction function;  ///< the estimate; when `is_step` one of the equally likely ones
+  study::PsychometricFunction function;  ///< the estimate; when `is_step` the middle of those as likely
   double width = 0;                      ///< between F = 0.05 and 0.95, on the axis (octaves on log2)
   double eta = 0;                        ///< overdispersion; 0 in a binomial fit
   double log_likelihood = 0;             ///< without the binomial coefficient

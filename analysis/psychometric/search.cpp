@@ -182,11 +182,15 @@ Search search_maximum(FitProblem problem) {
 }
 
 Maximum refit(const FitProblem& problem, const Maximum& start) {
-  Maximum best = maximise(problem, {}, start.theta, start.eta);
-  if (const std::optional<StepFit> step = likeliest_step(problem);
-      step && !(best.value > step->maximum.value + step_tolerance))
-    best = step->maximum;
-  return best;
+  return refit_with_step(problem, start).maximum;
+}
+
+Refit refit_with_step(const FitProblem& problem, const Maximum& start) {
+  Refit refit{.maximum = maximise(problem, {}, start.theta, start.eta), .step = {}};
+  const double climbed = std::isfinite(refit.maximum.value) ? refit.maximum.value : -infinity;
+  refit.step = likeliest_step(problem, climbed - step_tolerance);
+  if (refit.step) refit.maximum = refit.step->maximum;
+  return refit;
 }
 
 }  // namespace seamline::analysis

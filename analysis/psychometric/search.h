@@ -2,20 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/psychometric/maximise.h"
-#include "stimuli/support/numbers.h"
+#include "analysis/psychometric/steps.h"
 
 namespace seamline::analysis {
-
-/// The likeliest function in the limit of scale 0: guess on one side, 1 - lapse on the other. Every threshold
-/// strictly between `low_t` and `high_t` gives the same likelihood (infinite: beyond the tested levels). When
-/// the step goes through a level, whose performance lies between, these are its neighbours.
-struct StepFit {
-  Maximum maximum;  ///< a function so steep that it is the step at every tested level
-  double low_t = -infinity;
-  double high_t = infinity;
-  bool through_level = false;
-};
 
 /// What was looked at to find the maximum; kept, because the profiles start from it.
 struct Search {
@@ -37,7 +26,11 @@ struct Search {
 /// The maximum for nearly the same data (bootstrap, jackknife): one climb from `start`, and the steps.
 [[nodiscard]] Maximum refit(const FitProblem& problem, const Maximum& start);
 
-/// The likeliest step; none when every step is impossible.
-[[nodiscard]] std::optional<StepFit> likeliest_step(const FitProblem& problem);
+/// The same, with the step where that is the maximum.
+struct Refit {
+  Maximum maximum;
+  std::optional<StepFit> step;
+};
+[[nodiscard]] Refit refit_with_step(const FitProblem& problem, const Maximum& start);
 
 }  // namespace seamline::analysis

@@ -64,34 +64,34 @@ Verdict flat(const PsychometricFit& fit, const Interval& ci95, const std::string
   return none(fmt::format("performance does not change with level ({:.3g} % right)", 100 * k / n));
 }
 
-Interval step_levels(const PsychometricFit& fit) {
-  const StepFit& step = *fit.search.step;
-  const auto level = [&](double t) {
-    return std::isfinite(t) ? level_of(fit.options.axis, fit.search.problem.to_axis(t)) : t;
-  };
-  return {.low = level(step.low_t), .high = level(step.high_t)};
+Verdict of_interval(const PsychometricFit& fit, const Interval& ci95, const std::string& unit) {
+  const bool open_below = !std::isfinite(ci95.low), open_above = !std::isfinite(ci95.high);
+  if (open_below && open_above) return none("no threshold is excluded");
+  if (open_below) return below(ci95.high, unit);
+  if (open_above) return above(ci95.low, unit);
+  if (fit.is_step && !fit.search.step->through_level)
+    return {.kind = Verdict::Kind::between,
+            .text = fmt::format("between {:.4g} and {}", ci95.low, level_text(ci95.high, unit)),
+            .range = ci95};
+  return {.kind = Verdict::Kind::identified, .text = "identified", .range = ci95};
 }
 
 }  // namespace
 
+ThresholdFinding judge_threshold(const PsychometricFit& fit, const Interval& ci95, const std::string& unit) {
+  if (fit.levels.empty()) return {.verdict = none("no trials"), .estimate = {}, .ci95 = {}};
+  if (fit.levels.size() == 1) return {.verdict = none("one level tested"), .estimate = {}, .ci95 = {}};
+  const bool is_flat = fit.search.best.value - fit.flat_log_likelihood <= chi_squared_95 / 2;
+  ThresholdFinding finding;
+  finding.verdict = is_flat ? flat(fit, ci95, unit) : of_interval(fit, ci95, unit);
+  finding.ci95 = finding.verdict.range;
+  if (std::isfinite(finding.ci95.low) && std::isfinite(finding.ci95.high))
+    finding.estimate = std::clamp(fit.function.threshold, finding.ci95.low, finding.ci95.high);
+  return finding;
+}
+
 Verdict verdict_on(const PsychometricFit& fit, const Interval& ci95, const std::string& unit) {
-  if (fit.levels.empty()) return none("no trials");
-  if (fit.levels.size() == 1) return none("one level tested");
-  if (fit.search.best.value - fit.flat_log_likelihood <= chi_squared_95 / 2) return flat(fit, ci95, unit);
-  Interval range = ci95;
-  if (fit.is_step) {
-    const Interval step = step_levels(fit);
-    range = {.low = std::min(step.low, ci95.low), .high = std::max(step.high, ci95.high)};
-  }
-  const bool open_below = !std::isfinite(range.low), open_above = !std::isfinite(range.high);
-  if (open_below && open_above) return none("no threshold is excluded");
-  if (open_below) return below(range.high, unit);
-  if (open_above) return above(range.low, unit);
-  if (fit.is_step)
-    return {.kind = Verdict::Kind::between,
-            .text = fmt::format("between {:.4g} and {}", range.low, level_text(range.high, unit)),
-            .range = range};
-  return {.kind = Verdict::Kind::identified, .text = "identified", .range = ci95};
+  return judge_threshold(fit, ci95, unit).verdict;
 }
 
 std::string verdict_sentence(const Verdict& verdict) {

@@ -26,10 +26,21 @@ void warn_of_separation(const PsychometricFit& fit, Warnings& warnings) {
   if (!std::isfinite(step.low_t) || !std::isfinite(step.high_t)) return;
   const FitProblem& problem = fit.search.problem;
   const auto level = [&](double t) { return level_of(fit.options.axis, problem.to_axis(t)); };
-  std::string text = fmt::format(
-      "separation: no sigmoid is likelier than a step between {:.4g} and {:.4g}, so that threshold and width "
-      "have no single value",
-      level(step.low_t), level(step.high_t));
+  std::string text =
+      step.through_level
+          ? fmt::format(
+                "separation: no sigmoid is likelier than a step through {:.4g}, and all up to a width of "
+                "{:.3g}, with thresholds from {:.4g} to {:.4g}, are as likely",
+                level(std::abs(step.low_t - step.maximum.theta[0]) <
+                              std::abs(step.high_t - step.maximum.theta[0])
+                          ? step.low_t
+                          : step.high_t),
+                std::exp(step.largest_log_scale) * problem.range * scales_in_width(fit.options.sigmoid),
+                level(step.low_t), level(step.high_t))
+          : fmt::format(
+                "separation: no sigmoid is likelier than a step between {:.4g} and {:.4g}, so that threshold "
+                "and width have no single value",
+                level(step.low_t), level(step.high_t));
   if (const auto& smooth = fit.search.smooth;
       smooth && smooth->value < step.maximum.value - 1e-4 && smooth->theta[1] > problem.lower[1] + 1e-3)
     text +=
@@ -119,7 +130,9 @@ void warn_of_threshold(const PsychometricFit& fit, const FitEvidence& evidence, 
   if (!fit.direction_known)
     warnings.push_back("the data do not tell whether performance rises or falls with level");
   if (!std::isfinite(evidence.width_ci95.high))
-    warnings.push_back(fmt::format("the width is not identified: above {:.3g}", evidence.width_ci95.low));
+    warnings.push_back(evidence.width_ci95.low > 0 && std::isfinite(evidence.width_ci95.low)
+                           ? fmt::format("the width is not identified: above {:.3g}", evidence.width_ci95.low)
+                           : "the width is not identified: none is excluded");
 }
 
 }  // namespace
@@ -136,8 +149,9 @@ Warnings warnings_on(const PsychometricFit& fit, const FitEvidence& evidence, co
   warn_of_counts(fit, warnings);
   if (!fit.options.overdispersed && evidence.overdispersion.ci95.low > 0)
     warnings.push_back(
-        fmt::format("overdispersed: eta {:.2g}, at least {:.2g}; binomial intervals are too short",
-                    evidence.overdispersion.eta.value_or(NAN), evidence.overdispersion.ci95.low));
+        fmt::format("overdispersed: eta {}at least {:.2g}; binomial intervals are too short",
+                    evidence.overdispersion.eta ? fmt::format("{:.2g}, ", *evidence.overdispersion.eta) : "",
+                    evidence.overdispersion.ci95.low));
   if (!fit.converged) warnings.push_back("the search did not converge");
   return warnings;
 }

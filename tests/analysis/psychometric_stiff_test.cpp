@@ -73,13 +73,34 @@ TEST(PsychometricStiff, PerfectStepIsAnIntervalOfLevels) {
   EXPECT_NEAR(report.fit.log_likelihood, 4 * (20 * std::log(1.0 / 3) + 40 * std::log(2.0 / 3)), 1e-9);
 }
 
-TEST(PsychometricStiff, StepThroughALevelIsTheIntervalBetweenItsNeighbours) {
+TEST(PsychometricStiff, StepThroughALevelIsANumberNearIt) {
   const auto counts = counts_at_widths(60, [](double px) {
     return px < 200 ? 1.0 : px < 300 ? 0.7 : 1.0 / 3;
   });
+  // F is 0.55 at 256 px: the threshold lies a little beyond, the less the steeper the function.
   const FitReport report = report_of(counts, falling_choice_of_three());
-  EXPECT_EQ(report.verdict.kind, Kind::between);
-  EXPECT_EQ(report.verdict.text, "between 128 and 512 px");
+  EXPECT_EQ(report.verdict.kind, Kind::identified);
+  ASSERT_TRUE(report.threshold);
+  EXPECT_GT(*report.threshold, 256);
+  EXPECT_LT(*report.threshold, 270);
+  EXPECT_LT(report.threshold_ci95.low, 256);
+  EXPECT_GT(report.threshold_ci95.high, 270);
+  EXPECT_LT(report.threshold_ci95.high, 400);
+  EXPECT_EQ(report.width_ci95.low, 0);
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("a step through 256")));
+}
+
+TEST(PsychometricStiff, AStepThroughTheLastLevelIsANumberToo) {
+  // It once said "above 2048", without an estimate, beside an interval of 3152.9 to 4095.5.
+  std::vector<LevelCounts> counts = counts_at_widths(60, [](double) { return 1.0; });
+  counts.back().correct = 30;
+  const FitReport report = report_of(counts, falling_choice_of_three());
+  EXPECT_EQ(report.verdict.kind, Kind::identified);
+  ASSERT_TRUE(report.threshold);
+  EXPECT_NEAR(report.threshold_ci95.low, 3153, 10);
+  EXPECT_NEAR(report.threshold_ci95.high, 4096, 1);
+  EXPECT_GT(*report.threshold, report.threshold_ci95.low);
+  EXPECT_LT(*report.threshold, report.threshold_ci95.high);
 }
 
 TEST(PsychometricStiff, OneLevelAndNoTrials) {

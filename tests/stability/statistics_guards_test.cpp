@@ -47,6 +47,18 @@ TEST(StatisticsGuards, PlainPercentilesForgetTheRangeOfSteps) {
   EXPECT_GT(try_degenerate_resamples(plain_percentiles).error, 0);
 }
 
+/// A step through a level taken for one between its neighbours, all of it as likely.
+BootstrapIntervals between_neighbours(const PsychometricFit& fit, const BootstrapRequest& request) {
+  BootstrapIntervals found = bootstrap_intervals(fit, request);
+  found.threshold = {.low = 128, .high = 512};
+  return found;
+}
+
+TEST(StatisticsGuards, StepsThroughALevelAreNotStepsBetweenItsNeighbours) {
+  EXPECT_EQ(try_steps_through_levels().error, 0);
+  EXPECT_GE(try_steps_through_levels(between_neighbours).error, 3);
+}
+
 /// Fits until it stops, and reports where it is.
 OrdinalFit newton_alone(const OrdinalData& data) {
   const OrdinalProblem problem = prepare(data, false);
