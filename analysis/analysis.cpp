@@ -83,6 +83,10 @@ void add_checks(Analysis& analysis) {
   analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
 }
 
+constexpr const char* rising_note =
+    "The study's simulated observers notice more as maps grow finer; PT, SN and IP are of noticeability that "
+    "falls, and no values are planted for them.";
+
 /// The options, with the log's catch trials beside those that were given.
 AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogContents& log) {
   for (const ReferenceAnswer& answer : reference_answers(log)) options.references.push_back(answer);
@@ -122,8 +126,10 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
         (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
     add_checks(analysis);
   }
-  if (study && common_observer(analysis.people) == word(study::ObserverKind::threshold))
-    analysis.planted = planted_values(study->observer, analysis.data);
+  const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
+  const bool rising = simulated && study->observer.direction == Direction::increasing;
+  if (rising && !analysis.adaptive) analysis.notes.emplace_back(rising_note);
+  if (simulated && !rising) analysis.planted = planted_values(study->observer, analysis.data);
   return analysis;
 }
 

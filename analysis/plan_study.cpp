@@ -163,6 +163,11 @@ void check_study(const PlanRequest& request, const StudyDefinition& study) {
                        .field = "procedure",
                        .wanted = "\"constant\" (an adaptive session chooses its widths itself)",
                        .found = "\"quest_plus\""});
+  if (study.observer.direction == Direction::increasing)
+    throw input_error({.file = file,
+                       .field = "observer.noticeability",
+                       .wanted = "\"falls\" (PT, SN and IP are of noticeability that falls with the width)",
+                       .found = "\"rises\""});
   if (objects_of_artifacts(study).empty())
     throw input_error(
         {.file = file, .field = "scene", .wanted = "an artifact with a seam", .found = "only none"});

@@ -22,9 +22,9 @@ Track make_track(PlacementOutcome outcome, int rating_steps) {
   QuestPlusDefinition definition;
   definition.outcome = outcome;
   definition.threshold_px = {32, 8192, 41};
-  definition.scale_octaves = {0.125, 2, 9};
+  definition.scale = {0.125, 2, 9};
   definition.lapse = {0, 0.08, 5};
-  definition.rating_step_octaves = {0.25, rating_steps == 1 ? 0.25 : 1, rating_steps};
+  definition.rating_step = {0.25, rating_steps == 1 ? 0.25 : 1, rating_steps};
   std::vector<int> width_px;
   for (int i = 0; i < 41; ++i)
     width_px.push_back(2 * static_cast<int>(std::lround(32 * std::exp2(i * 0.15))));

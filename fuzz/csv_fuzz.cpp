@@ -11,6 +11,7 @@
 namespace {
 
 using namespace seamline;
+using namespace seamline::analysis;
 
 /// What was read, written plainly, must be read as the same.
 void require_same_again(const std::vector<LevelCounts>& counts) {

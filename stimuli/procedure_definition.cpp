@@ -9,6 +9,18 @@ std::string text(const ParameterRange& range) {
   return fmt::format("{} {} {}", range.least, range.most, range.count);
 }
 
+/// What can be said since studies were first rendered, only where it is said: they keep their hash.
+std::string further_text(const QuestPlusDefinition& definition) {
+  std::string out;
+  if (definition.axis == Axis::linear) out += "axis linear\n";
+  if (definition.direction == Direction::increasing) out += "noticeability rises\n";
+  out += canonical_text(definition.threshold_px, "threshold") + canonical_text(definition.scale, "scale") +
+         canonical_text(definition.lapse, "lapse") + canonical_text(definition.guess, "guess");
+  if (definition.outcome == PlacementOutcome::noticeability)
+    out += canonical_text(definition.rating_step, "rating_step");
+  return out;
+}
+
 std::string text(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "never";
 }
@@ -19,13 +31,13 @@ std::string quest_plus_text(const QuestPlusDefinition& definition) {
       "edge {}\n",
       static_cast<int>(definition.outcome), static_cast<int>(definition.track),
       static_cast<int>(definition.sigmoid), definition.max_shows_per_image, definition.min_trials,
-      definition.max_trials, text(definition.stop_interval_octaves), text(definition.stop_entropy_nats),
+      definition.max_trials, text(definition.stop_interval), text(definition.stop_entropy_nats),
       definition.edge_share);
-  out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold_px),
-                     text(definition.scale_octaves), text(definition.lapse), text(definition.guess));
+  out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold_px), text(definition.scale),
+                     text(definition.lapse), text(definition.guess));
   if (definition.outcome == PlacementOutcome::noticeability)
-    out += fmt::format("ratings {}\n", text(definition.rating_step_octaves));
-  return out;
+    out += fmt::format("ratings {}\n", text(definition.rating_step));
+  return out + further_text(definition);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <string>
 #include <variant>
 
+#include "stimuli/axis.h"
+#include "stimuli/parameter_range.h"
 #include "stimuli/sigmoid.h"
 
 namespace seamline::inline stimuli {
@@ -10,14 +12,6 @@ namespace seamline::inline stimuli {
 /// Method of constant stimuli: everybody sees every stimulus once, in an order of their own (paper
 /// section 4.2).
 struct ConstantDefinition {};
-
-/// The values that a parameter of a psychometric function may have: `count` of them from `least` to `most`,
-/// both included.
-struct ParameterRange {
-  double least = 0;
-  double most = 0;
-  int count = 1;  ///< 1: the parameter is known, least == most
-};
 
 /// What of an answer QUEST+ learns from.
 enum class PlacementOutcome {
@@ -37,20 +31,24 @@ struct QuestPlusDefinition {
   PlacementOutcome outcome = PlacementOutcome::correct;
   PlacementTrack track = PlacementTrack::artifact;
   Sigmoid sigmoid = Sigmoid::logistic;
-  ParameterRange threshold_px =
-      {};  ///< equal ratios; as read, an octave more than the tested widths each way
-  ParameterRange scale_octaves = {0.125, 2, 9};      ///< equal ratios
+  Axis axis = Axis::log2;                       ///< of the width
+  Direction direction = Direction::decreasing;  ///< of the noticeability, as the width grows
+  /// In equal ratios on the log2 axis and equal steps on the linear one, unless it says otherwise; as read,
+  /// an octave more than the tested widths each way.
+  ParameterRange threshold_px = {};
+  ParameterRange scale = {0.125, 2, 9};              ///< on the axis (octaves or px), equal ratios
   ParameterRange lapse = {0, 0.08, 5};               ///< equal steps
   ParameterRange guess = {1.0 / 3.0, 1.0 / 3.0, 1};  ///< equal steps
-  /// `noticeability` only, equal ratios: the width at which a rating of at least k is as likely as not lies
-  /// (k - 1) steps below the threshold, k = 2, 3, 4. Not known beforehand, because people use the words of a
-  /// rating as they like; a step that is taken for known and is not biases the threshold.
-  ParameterRange rating_step_octaves = {0.125, 1, 4};
-  int max_shows_per_image = 1;  ///< to one participant; the study file must say it
-  int min_trials = 10;          ///< of a track before it may stop for its interval or entropy
-  int max_trials = 40;          ///< of a track
-  std::optional<double> stop_interval_octaves = {};  ///< 95 % interval of the threshold at most so wide
-  std::optional<double> stop_entropy_nats = {};      ///< entropy of the posterior at most this
+  /// `noticeability` only, on the axis, equal ratios: the width at which a rating of at least k is as likely
+  /// as not lies (k - 1) steps beyond the threshold, where more is noticed, k = 2, 3, 4. Not known
+  /// beforehand, because people use the words of a rating as they like; a step that is taken for known and is
+  /// not biases the threshold.
+  ParameterRange rating_step = {0.125, 1, 4};
+  int max_shows_per_image = 1;               ///< to one participant; the study file must say it
+  int min_trials = 10;                       ///< of a track before it may stop for its interval or entropy
+  int max_trials = 40;                       ///< of a track
+  std::optional<double> stop_interval = {};  ///< 95 % interval of the threshold at most so wide, on the axis
+  std::optional<double> stop_entropy_nats = {};  ///< entropy of the posterior at most this
   double edge_share = 0.1;  ///< alarm when a parameter's outermost value holds more of the posterior
 };
 

@@ -28,6 +28,7 @@ std::string session_text(const SessionDefinition& session, const ObserverDefinit
     out += fmt::format("midpoint {} {}\n", word(artifact), width_px);
   // Only where they differ, so that studies that were rendered before keep their hash.
   if (observer.image_gain) out += fmt::format("image gain {}\n", *observer.image_gain);
+  if (observer.direction == Direction::increasing) out += "noticeability rises\n";
   if (observer.pixels_per_degree != default_pixels_per_degree)
     out += fmt::format("pixels per degree {}\n", observer.pixels_per_degree);
   return out;

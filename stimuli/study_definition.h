@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stimuli/artifact.h"
+#include "stimuli/axis.h"
 #include "stimuli/consent_definition.h"
 #include "stimuli/form_definition.h"
 #include "stimuli/instructions_definition.h"
@@ -71,7 +72,10 @@ struct ObserverDefinition {
                                                   {Artifact::occlusion, 620}, {Artifact::overlap, 900},
                                                   {Artifact::bounce, 150},    {Artifact::all, 900},
                                                   {Artifact::none, 1}};
-  double scale_octaves = 0.5;      ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
+  double scale_octaves = 0.5;  ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
+  /// `increasing`: the `threshold` observer sees with 1 / (1 + exp(-(log2 W - log2 midpoint - shift) /
+  /// scale)).
+  Direction direction = Direction::decreasing;
   double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
   /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
   /// stimulus and reference (stimuli/visible_difference.h); 1 / gain is what is seen half of the time. None:

@@ -7,6 +7,7 @@
 #include "stimuli/study_file_procedure.h"
 #include "stimuli/study_file_scene.h"
 #include "stimuli/study_file_session.h"
+#include "stimuli/study_file_words.h"
 #include "stimuli/study_files.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
@@ -50,6 +51,7 @@ std::vector<int> read_widths(const TomlTable& table) {
 ObserverDefinition read_observer(const TomlTable& table) {
   ObserverDefinition observer;
   observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
+  observer.direction = read_direction(table);
   if (table.has("image_gain")) observer.image_gain = table.number("image_gain", 1, {1e-9, 1e9});
   observer.pixels_per_degree =
       table.number("pixels_per_degree", observer.pixels_per_degree, {1, 1000, "pixels per degree"});

@@ -5,36 +5,37 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "stimuli/study_file_range.h"
 #include "stimuli/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr int most_values = 1001;              // of one parameter
 constexpr std::int64_t most_points = 1000000;  // of the whole grid
 
-/// A table with `least`, `most` and `count`.
-ParameterRange read_range(const TomlTable& settings, const char* key, const ParameterRange& fallback,
-                          Range bounds) {
-  const std::optional<TomlTable> table = settings.table(key);
-  if (!table) return fallback;
-  ParameterRange range;
-  range.least = table->number("least", fallback.least, bounds);
-  range.most = table->number("most", fallback.most, bounds);
-  range.count = table->integer("count", fallback.count, {1, most_values, "values"});
-  table->finish();
-  const bool single = range.count == 1;
-  if (single ? range.most != range.least : range.most <= range.least)
-    throw table->complaint("most",
-                           fmt::format("{} least ({}), with count = {}", single ? "the same as" : "more than",
-                                       range.least, range.count),
-                           fmt::format("{}", range.most));
-  return range;
+/// The axis of a study, and how its keys end: lengths on the log2 axis are octaves, on the linear one px.
+struct AxisWords {
+  bool linear = false;
+  const char* unit = "octaves";
+
+  [[nodiscard]] std::string key(const std::string& name) const {
+    return name + (linear ? "_px" : "_octaves");
+  }
+  [[nodiscard]] Range bounds() const { return {1e-3, linear ? 1e9 : 100, unit}; }
+};
+
+/// The key of a length on the axis. Throws InputError when the table has that of the other axis.
+std::string length_key(const TomlTable& table, const std::string& name, const AxisWords& axis) {
+  const std::string other = AxisWords{.linear = !axis.linear}.key(name);
+  if (table.has(other))
+    throw table.complaint(
+        other, fmt::format("{} where axis = \"{}\"", axis.key(name), axis.linear ? "linear" : "log2"), other);
+  return axis.key(name);
 }
 
 void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
-  const std::int64_t points = std::int64_t{1} * quest.threshold_px.count * quest.scale_octaves.count *
-                              quest.lapse.count * quest.guess.count * quest.rating_step_octaves.count;
+  const std::int64_t points = std::int64_t{1} * quest.threshold_px.count * quest.scale.count *
+                              quest.lapse.count * quest.guess.count * quest.rating_step.count;
   if (points > most_points)
     throw table.complaint("threshold_px",
                           fmt::format("at most {} combinations of all parameters", most_points),
@@ -47,27 +48,53 @@ void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
                           fmt::format("{}", quest.min_trials));
 }
 
-void read_ratings(const TomlTable& table, QuestPlusDefinition& quest) {
+void read_ratings(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
   const bool asked = quest.outcome == PlacementOutcome::noticeability;
-  if (!asked && table.has("rating_step_octaves"))
-    throw table.complaint("outcome", "\"noticeability\" where there are rating_step_octaves", "\"correct\"");
-  quest.rating_step_octaves =
-      asked ? read_range(table, "rating_step_octaves", quest.rating_step_octaves, {1e-3, 100, "octaves"})
-            : ParameterRange{1, 1, 1};
+  const std::string key = length_key(table, "rating_step", axis);
+  if (!asked && table.has(key))
+    throw table.complaint("outcome", "\"noticeability\" where there are " + key, "\"correct\"");
+  quest.rating_step = asked
+                          ? read_range(table, key.c_str(), quest.rating_step, {axis.bounds(), Steps::ratios})
+                          : ParameterRange{1, 1, 1};
 }
 
-void read_stops(const TomlTable& table, QuestPlusDefinition& quest) {
+void read_stops(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
   if (!table.has("max_shows_per_image"))
     throw table.complaint("max_shows_per_image", "how often a participant may see the same image", "nothing");
   quest.max_shows_per_image = table.integer("max_shows_per_image", 1, {1, 100000, "shows"});
   quest.max_trials = table.integer("max_trials", quest.max_trials, {1, 100000, "trials"});
   quest.min_trials =
       table.integer("min_trials", std::min(quest.min_trials, quest.max_trials), {1, 100000, "trials"});
-  if (table.has("stop_interval_octaves"))
-    quest.stop_interval_octaves = table.number("stop_interval_octaves", 0, {1e-3, 100, "octaves"});
+  const std::string interval = length_key(table, "stop_interval", axis);
+  if (table.has(interval)) quest.stop_interval = table.number(interval, 0, axis.bounds());
   if (table.has("stop_entropy_nats"))
     quest.stop_entropy_nats = table.number("stop_entropy_nats", 0, {0, 100, "nats"});
   quest.edge_share = table.number("edge_share", quest.edge_share, {1e-6, 1});
+}
+
+/// On the linear axis, what the usual octaves are to the seven widths of the paper, which span six.
+void set_linear_lengths(QuestPlusDefinition& quest, const std::vector<int>& depth_width_px) {
+  const double span_px =
+      depth_width_px.size() > 1 ? depth_width_px.back() - depth_width_px.front() : depth_width_px.back();
+  for (ParameterRange* range : {&quest.scale, &quest.rating_step}) {
+    range->least *= span_px / 6;
+    range->most *= span_px / 6;
+  }
+}
+
+void read_grid(const TomlTable& table, const std::vector<int>& depth_width_px, QuestPlusDefinition& quest) {
+  const bool linear = quest.axis == Axis::linear;
+  const AxisWords axis{.linear = linear, .unit = linear ? "px" : "octaves"};
+  if (linear) set_linear_lengths(quest, depth_width_px);
+  const ParameterRange around{depth_width_px.front() / 2.0, depth_width_px.back() * 2.0, 41};
+  quest.threshold_px =
+      read_range(table, "threshold_px", around, {{1e-3, 1e9, "px"}, linear ? Steps::equal : Steps::ratios});
+  quest.scale = read_range(table, length_key(table, "scale", axis).c_str(), quest.scale,
+                           {axis.bounds(), Steps::ratios});
+  quest.lapse = read_range(table, "lapse", quest.lapse, {{0, 0.5}, Steps::equal, true});
+  quest.guess = read_range(table, "guess", quest.guess, {{0, 0.99}, Steps::equal, true});
+  read_ratings(table, axis, quest);
+  read_stops(table, axis, quest);
 }
 
 QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<int>& depth_width_px) {
@@ -81,13 +108,9 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<in
   quest.sigmoid = one_of<Sigmoid>(
       table, "sigmoid", quest.sigmoid,
       {{"logistic", Sigmoid::logistic}, {"norm", Sigmoid::normal}, {"gumbel", Sigmoid::gumbel}});
-  const ParameterRange around{depth_width_px.front() / 2.0, depth_width_px.back() * 2.0, 41};
-  quest.threshold_px = read_range(table, "threshold_px", around, {1e-3, 1e9, "px"});
-  quest.scale_octaves = read_range(table, "scale_octaves", quest.scale_octaves, {1e-3, 100, "octaves"});
-  quest.lapse = read_range(table, "lapse", quest.lapse, {0, 0.5});
-  quest.guess = read_range(table, "guess", quest.guess, {0, 0.99});
-  read_ratings(table, quest);
-  read_stops(table, quest);
+  quest.axis = one_of<Axis>(table, "axis", quest.axis, {{"log2", Axis::log2}, {"linear", Axis::linear}});
+  quest.direction = read_direction(table);
+  read_grid(table, depth_width_px, quest);
   table.finish();
   check_sizes(table, quest);
   return quest;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "stimuli/axis.h"
 #include "stimuli/toml_table.h"
 
 namespace seamline::inline stimuli {
@@ -25,6 +26,13 @@ Value one_of(const TomlTable& table, const char* key, Value fallback, const Word
     wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", word);
   }
   throw table.complaint(key, wanted, "\"" + text + "\"");
+}
+
+/// `noticeability`: whether it "falls" with the width of the depth map, as it does unless somebody says
+/// otherwise, or "rises".
+inline Direction read_direction(const TomlTable& table) {
+  return one_of<Direction>(table, "noticeability", Direction::decreasing,
+                           {{"falls", Direction::decreasing}, {"rises", Direction::increasing}});
 }
 
 }  // namespace seamline::stimuli

@@ -165,6 +165,21 @@ std::vector<int> TomlTable::integers(const std::string& key, Range range) const 
   return values;
 }
 
+std::vector<double> TomlTable::numbers(const std::string& key, Range range) const {
+  if (!has(key)) throw complaint(key, "an array of numbers", "nothing");
+  const toml::node& node = *node_->table->get(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) throw complaint(key, "an array of numbers", shown(node));
+  std::vector<double> values;
+  for (const toml::node& item : *array) {
+    const std::optional<double> value = item.is_number() ? item.value<double>() : std::nullopt;
+    if (!value || !inside(*value, range))
+      throw complaint(key, range_text("numbers, each", range), shown(item));
+    values.push_back(*value);
+  }
+  return values;
+}
+
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
   if (!has(key)) throw complaint(key, "an array of texts", "nothing");
   const toml::node& node = *node_->table->get(key);

@@ -39,6 +39,8 @@ class TomlTable {
                                              Range range) const;
   [[nodiscard]] std::vector<int> integers(const std::string& key,
                                           Range range) const;  ///< must be there and not empty
+  [[nodiscard]] std::vector<double> numbers(const std::string& key,
+                                            Range range) const;  ///< must be there and not empty
   [[nodiscard]] std::vector<std::string> texts(
       const std::string& key) const;  ///< must be there and not empty
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key) const;

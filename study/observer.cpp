@@ -33,7 +33,7 @@ double gain_of(const ObserverDefinition& definition) {
 PsychometricFunction average_person(const ObserverDefinition& definition, Artifact artifact) {
   return {.sigmoid = Sigmoid::logistic,
           .axis = Axis::log2,
-          .direction = Direction::decreasing,
+          .direction = definition.direction,
           .threshold = midpoint_width_px(definition, artifact),
           .scale = definition.scale_octaves};
 }
@@ -176,8 +176,11 @@ Response respond_to_reference(Random& random) {
 }
 
 double expected_noticeability(const ObserverDefinition& definition, Artifact artifact, double width_px) {
-  return mean_over_people(definition,
-                          std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact)));
+  const double octaves_past_midpoint =
+      std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact));
+  // Shifts to either side are as likely, so who sees more with the width is the mirror image.
+  return mean_over_people(definition, definition.direction == Direction::decreasing ? octaves_past_midpoint
+                                                                                    : -octaves_past_midpoint);
 }
 
 double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {

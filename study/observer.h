@@ -21,9 +21,9 @@ inline constexpr std::array<ObserverKind, 4> every_observer_kind = {
 [[nodiscard]] std::string_view word(ObserverKind kind);
 [[nodiscard]] std::optional<ObserverKind> observer_kind_from_word(std::string_view text);
 
-/// Sees the seam with probability P = psi(W), a decreasing logistic in log2 W
-/// (study/psychometric_function.h). When it is seen: the right object, rated 1 + Binomial(3, P). When not: a
-/// uniform guess of the three, rated 1.
+/// Sees the seam with probability P = psi(W), a logistic in log2 W that falls unless the definition says that
+/// it rises (study/psychometric_function.h). When it is seen: the right object, rated 1 + Binomial(3, P).
+/// When not: a uniform guess of the three, rated 1.
 struct ThresholdObserver {
   ObserverDefinition definition;
   double shift_octaves = 0;  ///< this person's: added to log2 of every midpoint

@@ -1,10 +1,11 @@
 #pragma once
+#include "stimuli/axis.h"
 #include "stimuli/sigmoid.h"
 
 namespace seamline::study {
 
-enum class Axis { linear, log2 };
-enum class Direction { increasing, decreasing };
+using seamline::Axis;
+using seamline::Direction;
 
 /// The probability of a response as a function of a level x (Wichmann and Hill 2001):
 ///

@@ -82,6 +82,11 @@ void learn(QuestPlusPosterior& posterior, const QuestPlusTables& tables, int sti
   const double* log_probability =
       &tables.log_probability[static_cast<std::size_t>((stimulus * tables.outcomes + outcome)) * points];
   for (std::size_t i = 0; i < points; ++i) posterior.log_mass[i] += log_probability[i];
+  normalise(posterior);
+}
+
+void normalise(QuestPlusPosterior& posterior) {
+  const std::size_t points = posterior.log_mass.size();
   const double highest = *std::max_element(posterior.log_mass.begin(), posterior.log_mass.end());
   double sum = 0;
   for (std::size_t i = 0; i < points; ++i)

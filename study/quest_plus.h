@@ -37,6 +37,9 @@ struct QuestPlusPosterior {
 
 [[nodiscard]] QuestPlusPosterior uniform_posterior(int points);
 
+/// Shifts `log_mass` so that the masses sum to 1, and sets `mass`. At least one mass is not 0.
+void normalise(QuestPlusPosterior& posterior);
+
 /// Bayes' rule for one answer: p(theta | o) is proportional to p(theta) p(o | x, theta).
 void learn(QuestPlusPosterior& posterior, const QuestPlusTables& tables, int stimulus, int outcome);
 

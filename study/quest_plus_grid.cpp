@@ -8,17 +8,6 @@
 namespace seamline::study {
 namespace {
 
-std::vector<double> evenly(double least, double most, int count) {
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i)
-    values.push_back(count == 1 ? least : least + (most - least) * i / (count - 1));
-  return values;
-}
-
-std::vector<double> in_ratios(const ParameterRange& range) {
-  return evenly(std::log2(range.least), std::log2(range.most), range.count);
-}
-
 /// The value below which `share` of the mass lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& mass, double share) {
   double below = 0;
@@ -70,20 +59,44 @@ int QuestPlusGrid::index(Parameter parameter, int point) const {
 
 QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
   QuestPlusGrid grid;
-  const auto ratios = [](const ParameterRange& range) {
-    std::vector<double> values = in_ratios(range);
-    for (double& value : values) value = std::exp2(value);
-    return values;
+  const auto set = [&](Parameter parameter, const ParameterRange& range, Steps usual, bool in_log2) {
+    const auto axis = static_cast<std::size_t>(parameter);
+    grid.values[axis] = values_of(range, usual, in_log2);
+    grid.log_prior[axis] = log_prior_of(range, usual);
   };
-  const auto even = [](const ParameterRange& range) { return evenly(range.least, range.most, range.count); };
-  grid.values = {in_ratios(definition.threshold_px),
-                 ratios(definition.scale_octaves),
-                 even(definition.lapse),
-                 even(definition.guess),
-                 {0}};
+  const bool log2 = definition.axis == Axis::log2;
+  set(Parameter::threshold, definition.threshold_px, log2 ? Steps::ratios : Steps::equal, log2);
+  set(Parameter::scale, definition.scale, Steps::ratios, false);
+  set(Parameter::lapse, definition.lapse, Steps::equal, false);
+  set(Parameter::guess, definition.guess, Steps::equal, false);
+  grid.values.back() = {0};
   if (definition.outcome == PlacementOutcome::noticeability)
-    grid.values.back() = ratios(definition.rating_step_octaves);
+    set(Parameter::rating_step, definition.rating_step, Steps::ratios, false);
   return grid;
+}
+
+double prior_mass(const QuestPlusGrid& grid, Parameter parameter, std::size_t value) {
+  const std::vector<double>& log_prior = grid.log_prior[static_cast<std::size_t>(parameter)];
+  return log_prior.empty() ? 1.0 / static_cast<double>(grid.of(parameter).size())
+                           : std::exp(log_prior[value]);
+}
+
+QuestPlusPosterior prior_posterior(const QuestPlusGrid& grid) {
+  QuestPlusPosterior prior = uniform_posterior(grid.points());
+  if (std::all_of(grid.log_prior.begin(), grid.log_prior.end(),
+                  [](const auto& axis) { return axis.empty(); }))
+    return prior;
+  for (int point = 0; point < grid.points(); ++point) {
+    double log_mass = 0;
+    for (const Parameter parameter : every_parameter) {
+      const std::vector<double>& log_prior = grid.log_prior[static_cast<std::size_t>(parameter)];
+      log_mass += log_prior.empty() ? -std::log(static_cast<double>(grid.of(parameter).size()))
+                                    : log_prior[static_cast<std::size_t>(grid.index(parameter, point))];
+    }
+    prior.log_mass[static_cast<std::size_t>(point)] = log_mass;
+  }
+  normalise(prior);
+  return prior;
 }
 
 std::vector<double> marginal(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
@@ -121,10 +134,13 @@ std::vector<EdgeAlarm> edge_alarms(const QuestPlusGrid& grid, const QuestPlusPos
     const std::vector<double>& values = grid.of(parameter);
     if (values.size() < 3) continue;
     const std::vector<double> mass = marginal(grid, posterior, parameter);
-    const double most = std::max(edge_share, 2.0 / static_cast<double>(values.size()));
-    if (mass.front() > most && !is_natural_end(parameter, values.front()))
+    const auto leans_on = [&](std::size_t end) {
+      return mass[end] > std::max(edge_share, 2 * prior_mass(grid, parameter, end));
+    };
+    if (leans_on(0) && !is_natural_end(parameter, values.front()))
       alarms.push_back({.parameter = parameter, .highest = false, .mass = mass.front()});
-    if (mass.back() > most) alarms.push_back({.parameter = parameter, .highest = true, .mass = mass.back()});
+    if (leans_on(values.size() - 1))
+      alarms.push_back({.parameter = parameter, .highest = true, .mass = mass.back()});
   }
   return alarms;
 }

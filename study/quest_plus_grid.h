@@ -18,8 +18,12 @@ inline constexpr std::array<Parameter, 5> every_parameter = {
 
 /// Every combination of the parameters' values is a point.
 struct QuestPlusGrid {
-  std::array<std::vector<double>, 5>
-      values;  ///< rising; as made from a study: log2 px, octaves, 1, 1, octaves
+  /// Rising. As made from a study: thresholds on its axis (log2 px or px), scales and rating steps in its
+  /// unit (octaves or px), rates as shares.
+  std::array<std::vector<double>, 5> values;
+  /// ln of the prior mass of each value, -infinity for none; empty where all have the same. The prior of a
+  /// point is their product.
+  std::array<std::vector<double>, 5> log_prior = {};
 
   [[nodiscard]] const std::vector<double>& of(Parameter parameter) const {
     return values[static_cast<std::size_t>(parameter)];
@@ -32,6 +36,12 @@ struct QuestPlusGrid {
 };
 
 [[nodiscard]] QuestPlusGrid make_grid(const QuestPlusDefinition& definition);
+
+/// What is believed before the first answer.
+[[nodiscard]] QuestPlusPosterior prior_posterior(const QuestPlusGrid& grid);
+
+/// The prior mass of one value of a parameter.
+[[nodiscard]] double prior_mass(const QuestPlusGrid& grid, Parameter parameter, std::size_t value);
 
 /// The posterior of one parameter alone: a mass for each of its values.
 [[nodiscard]] std::vector<double> marginal(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
@@ -59,7 +69,7 @@ struct EdgeAlarm {
 };
 
 /// An alarm for each end whose outermost value holds more than `edge_share` of the posterior, and more than
-/// twice its share of the even prior. A lapse or guess of 0 is the end of what there is, not of the grid, and
+/// twice its share of the prior. A lapse or guess of 0 is the end of what there is, not of the grid, and
 /// parameters with fewer than three values have no inside to be in.
 [[nodiscard]] std::vector<EdgeAlarm> edge_alarms(const QuestPlusGrid& grid,
                                                  const QuestPlusPosterior& posterior, double edge_share);

@@ -8,6 +8,10 @@
 
 namespace seamline::study {
 
+double width_px_of(Axis axis, double on_axis) {
+  return axis == Axis::log2 ? std::exp2(on_axis) : on_axis;
+}
+
 int outcome_count(const QuestPlusDefinition& definition) {
   switch (definition.outcome) {
     case PlacementOutcome::correct:
@@ -31,13 +35,14 @@ int outcome_of(const QuestPlusDefinition& definition, const TrialAnswer& answer,
 
 std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition, const QuestPlusGrid& grid,
                                           int point, double width_px) {
-  PsychometricFunction person{.sigmoid = definition.sigmoid,
-                              .axis = Axis::log2,
-                              .direction = Direction::decreasing,
-                              .threshold = std::exp2(grid.value(Parameter::threshold, point)),
-                              .scale = grid.value(Parameter::scale, point),
-                              .guess = grid.value(Parameter::guess, point),
-                              .lapse = grid.value(Parameter::lapse, point)};
+  PsychometricFunction person{
+      .sigmoid = definition.sigmoid,
+      .axis = definition.axis,
+      .direction = definition.direction,
+      .threshold = width_px_of(definition.axis, grid.value(Parameter::threshold, point)),
+      .scale = grid.value(Parameter::scale, point),
+      .guess = grid.value(Parameter::guess, point),
+      .lapse = grid.value(Parameter::lapse, point)};
   const double seen = response_probability(person, width_px);
   if (definition.outcome == PlacementOutcome::correct) return {1 - seen, seen};
 
@@ -45,9 +50,11 @@ std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition,
   person.lapse /= 1 - person.guess;
   person.guess = 0;
   const double threshold_px = person.threshold;
-  const double step_octaves = grid.value(Parameter::rating_step, point);
+  const double towards_more = definition.direction == Direction::decreasing ? -1 : 1;
+  const double step = towards_more * grid.value(Parameter::rating_step, point);
   for (int rating = 2; rating <= highest_rating; ++rating) {
-    person.threshold = threshold_px * std::exp2(-(rating - 1) * step_octaves);
+    person.threshold = definition.axis == Axis::log2 ? threshold_px * std::exp2((rating - 1) * step)
+                                                     : threshold_px + (rating - 1) * step;
     at_least.push_back(response_probability(person, width_px));
   }
   at_least.push_back(0);

@@ -14,11 +14,15 @@ namespace seamline::study {
 [[nodiscard]] int outcome_of(const QuestPlusDefinition& definition, const TrialAnswer& answer,
                              int object_index);
 
-/// Probability of each outcome at a width W, for one point of the grid: threshold t (log2 px), scale s
-/// (octaves), lapse l, guess g, rating step r (octaves), with a sigmoid F that is 0.5 at 0.
+/// The width that stands for a place on the axis.
+[[nodiscard]] double width_px_of(Axis axis, double on_axis);
+
+/// Probability of each outcome at a width W, for one point of the grid: threshold t and scale s on the axis
+/// a(W) = log2 W or W, lapse l, guess g, rating step r, with a sigmoid F that is 0.5 at 0, and d = -1 where
+/// noticeability falls with the width, 1 where it rises.
 ///
-///     P(noticeability >= 1) = g + (1 - g - l) F((t - log2 W) / s)
-///     P(noticeability >= k) = (1 - l / (1 - g)) F((t - (k - 1) r - log2 W) / s),   k = 2, 3, 4
+///     P(noticeability >= 1) = g + (1 - g - l) F(d (a(W) - t) / s)
+///     P(noticeability >= k) = (1 - l / (1 - g)) F(d (a(W) - t) / s - (k - 1) r / s),   k = 2, 3, 4
 ///
 /// The first line is the psychometric function of study/psychometric_function.h, and all there is when the
 /// outcome is binary. The lines below it say of the same person: in a share l / (1 - g) of the trials they do

@@ -76,7 +76,7 @@ std::optional<StopReason> stop_reason(const QuestPlusProcedure& procedure, const
   if (track.answered >= definition.min_trials) {
     const CredibleInterval interval =
         interval95(procedure.design->grid, track.posterior, Parameter::threshold);
-    if (definition.stop_interval_octaves && interval.high - interval.low <= *definition.stop_interval_octaves)
+    if (definition.stop_interval && interval.high - interval.low <= *definition.stop_interval)
       return StopReason::interval;
     if (definition.stop_entropy_nats && entropy_nats(track.posterior.mass) <= *definition.stop_entropy_nats)
       return StopReason::entropy;
@@ -117,7 +117,7 @@ std::string_view word(StopReason reason) {
 }
 
 QuestPlusProcedure begin_quest_plus(std::shared_ptr<const QuestPlusDesign> design, std::uint64_t seed) {
-  const QuestPlusTrack fresh{.posterior = uniform_posterior(design->grid.points())};
+  const QuestPlusTrack fresh{.posterior = prior_posterior(design->grid)};
   QuestPlusProcedure procedure{.design = design,
                                .seed = seed,
                                .tracks = std::vector<QuestPlusTrack>(design->tracks.size(), fresh),

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <map>
 
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
+#include "study/quest_plus_model.h"
 
 namespace seamline::study {
 namespace {
@@ -19,20 +19,31 @@ QuestPlusDefinition definition_of(const StudyDefinition& study, const LogContent
                      .found = "constant stimuli"});
 }
 
+std::vector<Parameter> informed_parameters(const QuestPlusGrid& grid) {
+  std::vector<Parameter> informed;
+  for (const Parameter parameter : every_parameter)
+    if (!grid.log_prior[static_cast<std::size_t>(parameter)].empty()) informed.push_back(parameter);
+  return informed;
+}
+
 TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, const QuestPlusTrack& track) {
   const Moments threshold = moments(design.grid, track.posterior, Parameter::threshold);
+  const Axis axis = design.definition.axis;
   const CredibleInterval interval = interval95(design.grid, track.posterior, Parameter::threshold);
   return {.participant = {},
           .artifact = design.tracks[index].artifact,
           .track = name_of(design.tracks[index]),
           .used = false,
           .trials = track.answered,
-          .threshold_px = std::exp2(threshold.mean),
-          .threshold_sd_octaves = threshold.sd,
-          .low_px = std::exp2(interval.low),
-          .high_px = std::exp2(interval.high),
-          .scale_octaves = moments(design.grid, track.posterior, Parameter::scale).mean,
+          .threshold_px = width_px_of(axis, threshold.mean),
+          .threshold_sd = threshold.sd,
+          .low_px = width_px_of(axis, interval.low),
+          .high_px = width_px_of(axis, interval.high),
+          .scale = moments(design.grid, track.posterior, Parameter::scale).mean,
           .lapse = moments(design.grid, track.posterior, Parameter::lapse).mean,
+          .axis = axis,
+          .direction = design.definition.direction,
+          .informed = informed_parameters(design.grid),
           .alarms = edge_alarms(design.grid, track.posterior, design.definition.edge_share)};
 }
 
@@ -73,24 +84,33 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
   return estimates;
 }
 
+const char* length_unit(Axis axis) {
+  return axis == Axis::log2 ? "octaves" : "px";
+}
+
 std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
   std::size_t code = 11, name = 5;
   for (const TrackEstimate& estimate : estimates) {
     code = std::max(code, estimate.participant.size());
     name = std::max(name, estimate.track.size());
   }
-  std::string text =
-      fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>7}  {:>6}  alarms\n", "participant", code,
-                  "track", name, "used", "trials", "threshold_px", "ci95_px", "scale", "lapse");
+  const bool linear = !estimates.empty() && estimates.front().axis == Axis::linear;
+  const bool rising = !estimates.empty() && estimates.front().direction == Direction::increasing;
+  const std::string scale = linear ? "scale_px" : "scale";
+  const std::size_t scale_width = std::max<std::size_t>(7, scale.size());
+  std::string text = rising ? "Noticeability rises with the width of the depth map.\n" : "";
+  text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>{}}  {:>6}  alarms\n", "participant",
+                      code, "track", name, "used", "trials", "threshold_px", "ci95_px", scale, scale_width,
+                      "lapse");
   for (const TrackEstimate& estimate : estimates) {
     std::string alarms;
     for (const EdgeAlarm& alarm : estimate.alarms)
       alarms += (alarms.empty() ? "" : "; ") + study::text(alarm);
-    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>7.2f}  {:>6.3f}  {}\n",
+    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>{}.2f}  {:>6.3f}  {}\n",
                         estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
                         estimate.trials, estimate.threshold_px,
-                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px),
-                        estimate.scale_octaves, estimate.lapse, alarms.empty() ? "-" : alarms);
+                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px), estimate.scale,
+                        scale_width, estimate.lapse, alarms.empty() ? "-" : alarms);
   }
   return text;
 }

@@ -126,10 +126,26 @@ std::string comparisons_text(const OrdinalStudy& study) {
           : "by Holm's method (1979)");
 }
 
-constexpr const char* adaptive_text =
-    "Widths were placed by QUEST+ (Watson, 2017). The thresholds are means, on log2 width, of the posterior "
-    "of each participant's track, with equal-tailed 95 % credible intervals. Because widths depend on the "
-    "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.";
+/// What a study says of axis, direction and prior beyond what is usual.
+std::string adaptive_text(const ReportNumbers& numbers) {
+  bool linear = false, rising = false;
+  std::string informed;
+  if (!numbers.tracks.empty()) {
+    const study::TrackEstimate& track = numbers.tracks.front();
+    linear = track.axis == Axis::linear;
+    rising = track.direction == Direction::increasing;
+    for (const study::Parameter parameter : track.informed)
+      informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
+  }
+  return fmt::format(
+      "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
+      "posterior "
+      "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend on "
+      "the "
+      "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
+      rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
+      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it.");
+}
 
 constexpr const char* reaction_times_text =
     "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
@@ -187,7 +203,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
   std::vector<std::string>& paragraphs = methods.paragraphs;
   paragraphs = {people_text(analysis), procedure(analysis)};
   if (analysis.adaptive) {
-    paragraphs.emplace_back(adaptive_text);
+    paragraphs.push_back(adaptive_text(numbers));
   } else {
     paragraphs.emplace_back(means_text);
     if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis));

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "analysis/report/section_tables.h"
 #include "analysis/report/table_columns.h"
 
@@ -52,6 +54,8 @@ CsvTable participants_table(const ReportNumbers& numbers) {
 }
 
 CsvTable tracks_table(const ReportNumbers& numbers) {
+  const bool linear = !numbers.tracks.empty() && numbers.tracks.front().axis == Axis::linear;
+  const std::string unit = study::length_unit(linear ? Axis::linear : Axis::log2);
   CsvTable table{
       .name = "tracks",
       .columns = {participant_column,
@@ -59,11 +63,13 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
                   {"track", "text", "what the track is about: an artifact, or one of its objects"},
                   {"used", "0 or 1", "completed, not excluded and not a pilot"},
                   {"trials", "count", "answers to the track"},
-                  {"threshold_px", "px", "posterior mean, on log2, of the width seen half of the time"},
+                  {"threshold_px", "px",
+                   fmt::format("posterior mean{} of the width seen half of the time",
+                               linear ? "" : ", on log2,")},
                   {"threshold_low_px", "px", "lower end of the equal-tailed 95 % credible interval"},
                   {"threshold_high_px", "px", "upper end of it"},
-                  {"threshold_sd_octaves", "octaves", "posterior standard deviation of the threshold"},
-                  {"scale_octaves", "octaves", "posterior mean of the function's scale"},
+                  {"threshold_sd_" + unit, unit, "posterior standard deviation of the threshold"},
+                  {"scale_" + unit, unit, "posterior mean of the function's scale"},
                   {"lapse", "share 0 to 1", "posterior mean of the lapse rate"},
                   {"alarms", "text", "where the posterior runs into the edge of its grid"}},
       .rows = {}};
@@ -72,8 +78,7 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
     for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     table.rows.push_back({track.participant, std::string(word(track.artifact)), track.track,
                           whole(track.used), whole(track.trials), track.threshold_px, track.low_px,
-                          track.high_px, track.threshold_sd_octaves, track.scale_octaves, track.lapse,
-                          alarms});
+                          track.high_px, track.threshold_sd, track.scale, track.lapse, alarms});
   }
   return table;
 }

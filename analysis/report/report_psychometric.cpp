@@ -78,17 +78,21 @@ std::string tracks_html(const ReportNumbers& numbers) {
     for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     lines.push_back({track.participant, track.track, track.used ? "yes" : "no", std::to_string(track.trials),
                      with_interval(pixels(track.threshold_px), pixels(track.low_px), pixels(track.high_px)),
-                     decimal_text(track.scale_octaves, 2), percent_text(track.lapse),
-                     alarms.empty() ? "–" : alarms});
+                     decimal_text(track.scale, 2), percent_text(track.lapse), alarms.empty() ? "–" : alarms});
   }
-  return "<h3>Tracks</h3>\n<p>Each participant’s thresholds from the posterior of QUEST+: the width seen "
-         "half of the time (mean on log2, with the 95 % credible interval).</p>\n" +
+  const study::TrackEstimate& first = numbers.tracks.front();
+  const bool linear = first.axis == Axis::linear;
+  return fmt::format(
+             "<h3>Tracks</h3>\n<p>Each participant’s thresholds from the posterior of QUEST+: the width seen "
+             "half of the time (mean{}, with the 95 % credible interval).{}</p>\n",
+             linear ? "" : " on log2",
+             first.direction == Direction::increasing ? " Noticeability rises with the width." : "") +
          html_table({{"participant"},
                      {"track"},
                      {"used"},
                      {"trials", true},
                      {"threshold W, px", true},
-                     {"scale, octaves", true},
+                     {fmt::format("scale, {}", study::length_unit(first.axis)), true},
                      {"lapse", true},
                      {"alarms"}},
                     lines);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/analysis.h"
+#include "analysis/report/section_tables.h"
 #include "study/log.h"
 #include "study/simulation.h"
 #include "tests/study/temporary_set.h"
@@ -38,6 +39,29 @@ TEST(AdaptiveLog, GivesNoCurveOfMeansAndSaysSo) {
   EXPECT_THAT(analysis.notes, Contains(HasSubstr("QUEST+")));
   EXPECT_THAT(analysis.notes, testing::Not(Contains(HasSubstr("no answer at one of the widths"))));
   EXPECT_EQ(analysis.data.objects.size(), 12U) << "the answers are described all the same";
+}
+
+TEST(AdaptiveLog, TracksAreInTheUnitsOfTheirAxis) {
+  const auto columns_of = [](const std::string& more) {
+    const Analysis analysis = analysis_of("procedure = \"quest_plus\"\n",
+                                          "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 20\n" + more);
+    ReportNumbers numbers;
+    numbers.tracks = quest_plus_estimates(analysis.log);
+    std::string columns;
+    for (const CsvColumn& column : tracks_table(numbers).columns) columns += column.name + " ";
+    return columns;
+  };
+  EXPECT_THAT(columns_of(""), HasSubstr("threshold_sd_octaves scale_octaves "));
+  EXPECT_THAT(columns_of("axis = \"linear\"\n"), HasSubstr("threshold_sd_px scale_px "));
+}
+
+TEST(AdaptiveLog, NoFallingThresholdsArePlantedInPeopleWhoseNoticeabilityRises) {
+  const Analysis falling = analysis_of("procedure = \"constant\"\n", "");
+  EXPECT_FALSE(falling.planted.empty());
+  const Analysis rising =
+      analysis_of("procedure = \"constant\"\n", "[observer]\nnoticeability = \"rises\"\n");
+  EXPECT_TRUE(rising.planted.empty());
+  EXPECT_THAT(rising.notes, Contains(HasSubstr("notice more as maps grow finer")));
 }
 
 TEST(AdaptiveLog, ConstantStimuliAreAnalysedAsBefore) {

@@ -95,6 +95,21 @@ TEST(Observer, ThresholdMeansAreTheExpectedNoticeability) {
     }
 }
 
+/// Who notices more as maps grow finer is the mirror image, about the midpoint, of who notices less.
+TEST(Observer, NoticeabilityMayRise) {
+  const ObserverDefinition falling;
+  ObserverDefinition rising;
+  rising.direction = Direction::increasing;
+  for (const Artifact artifact : paper_artifacts)
+    for (const int width_px : {64, 256, 1024, 4096}) {
+      const double midpoint = falling.midpoint_width_px.at(artifact);
+      const double expected = expected_noticeability(rising, artifact, width_px);
+      EXPECT_NEAR(expected, expected_noticeability(falling, artifact, midpoint * midpoint / width_px), 1e-12);
+      const Mean mean = mean_score(ObserverKind::threshold, rising, stimulus_of(artifact, width_px), 20000);
+      EXPECT_NEAR(mean.value, expected, 4 * mean.standard_error) << word(artifact) << " " << width_px;
+    }
+}
+
 TEST(Observer, ExpectedNoticeabilityIsAccurateTo1e9) {
   for (const double scale : {0.01, 0.1, 0.5, 2.0, 20.0})
     for (const double sd : {0.05, 0.5, 0.5001, 3.0})

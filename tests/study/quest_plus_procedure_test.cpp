@@ -176,7 +176,7 @@ TEST_F(QuestPlusProcedureTest, ResumesBitForBitAtEveryTrial) {
   for (const PlacementOutcome outcome : {PlacementOutcome::correct, PlacementOutcome::noticeability}) {
     QuestPlusDefinition wanted = definition();
     wanted.outcome = outcome;
-    wanted.stop_interval_octaves = 1.5;
+    wanted.stop_interval = 1.5;
     wanted.max_trials = 18;
     const Run all = run(begin(wanted), true);
     for (std::size_t trial = 0; trial < all.before.size(); ++trial) {
@@ -212,7 +212,7 @@ TEST_F(QuestPlusProcedureTest, StopsForEachOfItsReasons) {
 
   QuestPlusDefinition narrow = definition(1000);
   narrow.max_trials = 2000;
-  narrow.stop_interval_octaves = 0.8;
+  narrow.stop_interval = 0.8;
   const QuestPlusProcedure narrowed = end_of(narrow);
   for (const QuestPlusTrack& track : narrowed.tracks) {
     EXPECT_EQ(track.stopped, StopReason::interval);
@@ -231,7 +231,7 @@ TEST_F(QuestPlusProcedureTest, StopsForEachOfItsReasons) {
   }
 
   QuestPlusDefinition lazy = definition(1000);
-  lazy.stop_interval_octaves = 100;
+  lazy.stop_interval = 100;
   lazy.min_trials = 6;
   for (const QuestPlusTrack& track : end_of(lazy).tracks)
     EXPECT_TRUE(track.stopped == StopReason::interval && track.answered == 6);

@@ -137,6 +137,84 @@ TEST_F(QuestPlusStudyTest, TheLogGivesBackThePlantedThresholds) {
   EXPECT_THAT(tracks_text(estimates), testing::HasSubstr("sim-0030     overlap"));
 }
 
+constexpr const char* rising_settings =
+    "max_shows_per_image = 10\nmax_trials = 60\nnoticeability = \"rises\"\n"
+    "threshold_px = { prior = { mean = 400, sd = 1.5 } }\nlapse = { prior = { a = 1, b = 20 } }\n";
+constexpr const char* rising_people =
+    "[observer]\nnoticeability = \"rises\"\npeople_sd_octaves = 0.4\n"
+    "[observer.midpoint_width_px]\noverlap = 800\n";
+
+TEST_F(QuestPlusStudyTest, TheLogGivesBackPlantedThresholdsOfNoticeabilityThatRises) {
+  (void)adaptive_set(rising_settings, rising_people);
+  run_simulated_study(request("log", 20));
+  const LogContents log = read_log(folder / "log");
+  std::map<Artifact, double> mean;
+  const std::vector<TrackEstimate> estimates = quest_plus_estimates(log);
+  for (const TrackEstimate& estimate : estimates) {
+    EXPECT_EQ(estimate.direction, Direction::increasing);
+    EXPECT_EQ(estimate.informed, (std::vector<Parameter>{Parameter::threshold, Parameter::lapse}));
+    EXPECT_LT(estimate.low_px, estimate.threshold_px);
+    EXPECT_GT(estimate.high_px, estimate.threshold_px);
+    mean[estimate.artifact] += std::log2(estimate.threshold_px) / 20;
+  }
+  const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
+  for (const auto& [artifact, log2_px] : mean)
+    EXPECT_NEAR(log2_px, std::log2(observer.midpoint_width_px.at(artifact)), 0.4) << word(artifact);
+  EXPECT_THAT(tracks_text(estimates), testing::StartsWith("Noticeability rises"));
+}
+
+TEST_F(QuestPlusStudyTest, EstimatesOnALinearAxisAreInPixels) {
+  (void)adaptive_set(
+      "max_shows_per_image = 10\nmax_trials = 60\naxis = \"linear\"\n"
+      "threshold_px = { least = 32, most = 4096, count = 41, prior = { mean = 500, sd = 800 } }\n");
+  run_simulated_study(request("log", 12));
+  const LogContents log = read_log(folder / "log");
+  const std::vector<TrackEstimate> estimates = quest_plus_estimates(log);
+  std::map<Artifact, double> mean_px;
+  for (const TrackEstimate& estimate : estimates) {
+    EXPECT_EQ(estimate.axis, Axis::linear);
+    EXPECT_LE(estimate.low_px, estimate.threshold_px);
+    EXPECT_GE(estimate.high_px, estimate.threshold_px);
+    EXPECT_GT(estimate.threshold_sd, 1);  // px
+    mean_px[estimate.artifact] += estimate.threshold_px / 12;
+  }
+  EXPECT_LT(mean_px[Artifact::shadow], mean_px[Artifact::occlusion]);  // 180 and 620 px are planted
+  EXPECT_NEAR(mean_px[Artifact::occlusion], 620, 250);
+  EXPECT_THAT(tracks_text(estimates), testing::HasSubstr("scale_px"));
+}
+
+/// What was believed before the first answer is part of what a broken off session is rebuilt from, and of the
+/// study that a log belongs to.
+TEST_F(QuestPlusStudyTest, ASessionWithPriorsGoesOnAndKeepsToItsStudy) {
+  const StudySet set = adaptive_set(rising_settings, rising_people);
+  run_simulated_study(request("whole", 1));
+  run_simulated_study(request("half", 1));
+  const LogContents whole = read_log(folder / "whole");
+  const ProcedurePlan plan = make_procedure_plan(set);
+  LogWriter log(folder / "parts", set);
+  OpenSession place = log.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
+  TrialSequence trials = open_trials(plan, log, place);
+  for (int trial = 0; trial < 50; ++trial) {
+    plan_due_trial(trials, log, place);
+    const Answer& given = whole.answers[static_cast<std::size_t>(trial)];
+    const TrialAnswer answer{
+        .trial_index = trial, .chosen_index = given.chosen_index, .rating = given.rating};
+    log.append_answer(place, answer);
+    trials = after_answer(std::move(trials), answer);
+  }
+  LogWriter reopened(folder / "parts", set);
+  OpenSession again = reopened.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
+  const TrialSequence resumed = open_trials(plan, reopened, again);
+  EXPECT_EQ(current_trial(resumed), current_trial(trials));
+  EXPECT_EQ(std::get<QuestPlusProcedure>(resumed.procedure).tracks,
+            std::get<QuestPlusProcedure>(trials.procedure).tracks);
+
+  const std::string other =
+      std::string(rising_settings).replace(std::string(rising_settings).find("1.5"), 3, "1.6");
+  const StudySet changed = write_set_of_text(folder / "other", adaptive_text(other, rising_people));
+  EXPECT_THROW(LogWriter(folder / "half", changed), InputError);
+}
+
 TEST_F(QuestPlusStudyTest, AThresholdBeyondTheGridIsReported) {
   const StudySet set = adaptive_set(
       settings, "[observer]\npeople_sd_octaves = 0\n[observer.midpoint_width_px]\nreceiver = 200000\n");
