@@ -5,15 +5,18 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "analysis/psychometric/fit_report.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/progress.h"
 
 namespace seamline::analysis {
 
 namespace {
 
 constexpr double largest_free_guess = 0.5;
+constexpr std::size_t rows_of_seconds = 20'000;  ///< more may take seconds, and say how far they are
 
 /// The words of the command line, before they are understood.
 struct FitArguments {
@@ -92,8 +95,17 @@ FitOptions options_of(const FitArguments& arguments) {
 }
 
 void run_fit(const FitArguments& arguments) {
-  const FitReport report = make_fit_report(read_level_counts(arguments.file, axis_of(arguments)),
-                                           options_of(arguments), arguments.request);
+  const std::vector<LevelCounts> counts = read_level_counts(arguments.file, axis_of(arguments));
+  FitRequest request = arguments.request;
+  std::optional<Progress> progress;
+  if (counts.size() > rows_of_seconds) progress.emplace("fit", 1);
+  double told = 0;
+  request.progress = [&](double share, const std::string& now_doing) {
+    if (progress) progress->advance(share - told, now_doing);
+    told = share;
+  };
+  const FitReport report = make_fit_report(counts, options_of(arguments), request);
+  progress.reset();
   std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
 }
 

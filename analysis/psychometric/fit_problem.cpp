@@ -17,16 +17,6 @@ namespace {
 constexpr double gaps_in_smallest_scale = 1e-3;
 constexpr double smallest_rate_with_prior = 1e-9;  ///< where a beta prior with a > 1 is 0
 
-void set_gaps(FitProblem& problem) {
-  std::vector<double> gaps;
-  for (std::size_t i = 1; i < problem.levels.size(); ++i)
-    gaps.push_back(problem.levels[i].t - problem.levels[i - 1].t);
-  if (gaps.empty()) return;
-  std::sort(gaps.begin(), gaps.end());
-  problem.smallest_gap = gaps.front();
-  problem.median_gap = gaps[gaps.size() / 2];
-}
-
 Priors unit_priors(const Priors& priors, const FitProblem& problem) {
   Priors unit = priors;
   if (unit.threshold)
@@ -99,6 +89,17 @@ const std::vector<UnitCounts>& counted(const FitProblem& problem, double eta) {
 
 }  // namespace
 
+void set_gaps(FitProblem& problem) {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < problem.levels.size(); ++i)
+    gaps.push_back(problem.levels[i].t - problem.levels[i - 1].t);
+  if (gaps.empty()) return;
+  std::sort(gaps.begin(), gaps.end());
+  problem.smallest_gap = gaps.front();
+  problem.median_gap = gaps[gaps.size() / 2];
+  problem.lower[parameter::log_scale] = std::log(gaps_in_smallest_scale * problem.smallest_gap);
+}
+
 FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions& options,
                         study::Direction direction) {
   FitProblem problem{.sigmoid = options.sigmoid,
@@ -124,12 +125,12 @@ FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions
   for (const LevelCounts& level : pooled) problem.levels.push_back(unit(level));
   for (const LevelCounts& row : counts)
     if (row.trials > 0) problem.rows.push_back(unit(row));
-  set_gaps(problem);
   problem.priors = unit_priors(options.priors, problem);
   const bool lapse_off_zero = options.lapse.is_free() && problem.priors.lapse && problem.priors.lapse->a > 1;
   problem.lower = {-0.5 - ranges_beyond, std::log(gaps_in_smallest_scale * problem.smallest_gap),
                    std::max(options.lapse.low, lapse_off_zero ? smallest_rate_with_prior : 0),
                    options.guess.low};
+  set_gaps(problem);
   problem.upper = {0.5 + ranges_beyond, std::log(largest_scale), options.lapse.high, options.guess.high};
   return problem;
 }

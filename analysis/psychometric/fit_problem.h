@@ -24,7 +24,7 @@ struct FitProblem {
   Sigmoid sigmoid = Sigmoid::normal;
   study::Axis axis = study::Axis::log2;
   double sign = 1;                 ///< +1 increasing, -1 decreasing
-  std::vector<UnitCounts> levels;  ///< pooled, rising; never empty
+  std::vector<UnitCounts> levels;  ///< pooled, rising; never empty; bins of very many (level_bins.h)
   std::vector<UnitCounts> rows;    ///< as given: the units that overdispersion is about
   double centre = 0, range = 1;
   double smallest_gap = 1;  ///< between neighbouring levels, unit axis; 1 when there is one level
@@ -45,6 +45,9 @@ inline constexpr double largest_scale = 1000;
 /// `counts` is validated, with at least one trial.
 [[nodiscard]] FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions& options,
                                       study::Direction direction);
+
+/// Sets the gaps between the levels, and with them the smallest scale.
+void set_gaps(FitProblem& problem);
 
 /// psi and 1 - psi at t.
 struct ResponseProbability {

@@ -51,19 +51,27 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
                           const FitRequest& request) {
   FitReport report;
   report.request = request;
+  const auto tell = [&](double share, const char* now_doing) {
+    if (request.progress) request.progress(share, now_doing);
+  };
+  tell(0, "looking for the likeliest function");
   report.fit = fit_psychometric(counts, options);
+  tell(0.25, "the threshold's interval");
   const ThresholdFinding finding = judge_threshold(report.fit, threshold_interval(report.fit), request.unit);
   report.verdict = finding.verdict;
   report.threshold = finding.estimate;
   report.threshold_ci95 = finding.ci95;
+  tell(0.4, "other intervals");
   report.width_ci95 = width_interval(report.fit);
   report.lapse_ci95 = lapse_interval(report.fit);
   report.guess_ci95 = guess_interval(report.fit);
+  tell(0.6, "overdispersion and goodness of fit");
   report.overdispersion = estimate_overdispersion(report.fit);
   report.goodness = goodness_of_fit(report.fit);
   report.deviance_p = request.deviance_replicates > 0
                           ? deviance_p(report.fit, request.deviance_replicates, request.seed)
                           : nan;
+  tell(0.75, request.bootstrap_replicates > 0 ? "the bootstrap" : "levels of percentages");
   report.percents = percent_levels(report);
   if (request.bootstrap_replicates > 0) {
     report.bootstrap = bootstrap_intervals(
@@ -78,6 +86,7 @@ FitReport make_fit_report(const std::vector<LevelCounts>& counts, const FitOptio
                                  .goodness = report.goodness,
                                  .deviance_p = report.deviance_p},
                                 request.unit);
+  tell(1, "");
   return report;
 }
 

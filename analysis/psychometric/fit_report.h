@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct FitRequest {
   int deviance_replicates = 1000;     ///< 0: no p of the deviance
   std::uint64_t seed = 1;
   std::string unit = {};  ///< of the levels, for texts
+  /// Told what is under way, with the share (0 to 1) of the work that is done.
+  std::function<void(double share, const std::string& now_doing)> progress = {};
 };
 
 struct PercentLevel {

@@ -23,12 +23,16 @@ struct Goodness {
 
 [[nodiscard]] Goodness goodness_of_fit(const PsychometricFit& fit);
 
+inline constexpr std::size_t most_simulated_levels = 1000;
+
 /// Monte Carlo p of the deviance (Wichmann and Hill 2001): the share of data sets simulated from the fit, and
-/// fitted again, whose deviance is at least as large; (1 + count) / (1 + replicates). NaN without two levels,
-/// and for overdispersed fits, whose scatter the deviance does not judge.
+/// fitted again, whose deviance is at least as large; (1 + count) / (1 + replicates). With more than
+/// `most_simulated_levels` the deviance is normal and p comes from its moments. NaN without two levels, and
+/// for overdispersed fits, whose scatter the deviance does not judge.
 [[nodiscard]] double deviance_p(const PsychometricFit& fit, int replicates, std::uint64_t seed);
 
-/// Data as the fit expects them: binomial counts at its levels. Replicate r draws from stream r.
+/// Data as the fit expects them: binomial counts at its levels (or bins of very many). Replicate r draws from
+/// stream r.
 [[nodiscard]] FitProblem simulated_problem(const PsychometricFit& fit, std::uint64_t seed,
                                            std::uint64_t replicate);
 /// The same from another function.

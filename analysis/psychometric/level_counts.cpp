@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "stimuli/support/atomic_file.h"
@@ -42,16 +41,21 @@ std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file, st
 }
 
 std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts) {
-  std::map<double, LevelCounts> levels;
-  for (const LevelCounts& row : counts) {
-    if (row.trials == 0) continue;
-    LevelCounts& level = levels[row.level];
-    level.level = row.level;
-    level.correct += row.correct;
-    level.trials += row.trials;
-  }
   std::vector<LevelCounts> pooled;
-  for (const auto& [value, level] : levels) pooled.push_back(level);
+  for (const LevelCounts& row : counts)
+    if (row.trials > 0) pooled.push_back(row);
+  std::sort(pooled.begin(), pooled.end(),
+            [](const LevelCounts& a, const LevelCounts& b) { return a.level < b.level; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < pooled.size(); ++i) {
+    if (pooled[i].level == pooled[last].level) {
+      pooled[last].correct += pooled[i].correct;
+      pooled[last].trials += pooled[i].trials;
+    } else {
+      pooled[++last] = pooled[i];
+    }
+  }
+  if (!pooled.empty()) pooled.resize(last + 1);
   return pooled;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/psychometric/overdispersion.h"
 #include "analysis/psychometric/sigmoid_shape.h"
+#include "stimuli/support/interrupt.h"
 #include "stimuli/support/numbers.h"
 
 namespace seamline::analysis {
@@ -182,6 +183,7 @@ double likeliest_eta(const FitProblem& problem, const Theta& theta) {
 }
 
 Maximum maximise(const FitProblem& problem, const Held& held, const Theta& coordinates, double eta) {
+  if (interrupted()) throw Interrupted{};  // whatever takes long is made of many climbs
   Maximum best = Climb(problem, held, eta).from(coordinates);
   if (!problem.overdispersed) return best;
   Theta at = coordinates;

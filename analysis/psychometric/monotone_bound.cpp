@@ -9,10 +9,27 @@ namespace seamline::analysis {
 
 namespace {
 
-/// What a level has at most with a probability from `low` to `high`.
-double most(const UnitCounts& counts, double low, double high) {
-  const double p = std::clamp(counts.k / counts.n, low, std::max(low, high));
-  return binomial_term(counts.k, counts.n, p, 1 - p).value;
+/// The likeliest probabilities that do not fall from count to count, by pooling adjacent violators, held
+/// within [low, high]: ln L.
+double likeliest_rising(const std::vector<UnitCounts>& counts, double low, double high) {
+  std::vector<UnitCounts> blocks;
+  for (const UnitCounts& level : counts) {
+    blocks.push_back(level);
+    while (blocks.size() > 1) {
+      const UnitCounts& last = blocks.back();
+      UnitCounts& before = blocks[blocks.size() - 2];
+      if (before.k * last.n <= last.k * before.n) break;
+      before.k += last.k;
+      before.n += last.n;
+      blocks.pop_back();
+    }
+  }
+  double sum = 0;
+  for (const UnitCounts& block : blocks) {
+    const double p = std::clamp(block.k / block.n, low, std::max(low, high));
+    sum += binomial_term(block.k, block.n, p, 1 - p).value;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -26,13 +43,22 @@ double MonotoneBound::above(const SoughtLevel& level, double low, double high) c
     worst_at_level = least_guess + (1 - least_guess - most_lapse) * level.share;
     best_at_level = most_guess + (1 - most_guess - least_lapse) * level.share;
   }
-  double sum = 0;  // priors only lower it: each is at most 0
-  for (const UnitCounts& counts : problem_.levels) {
+  // In the order in which the task gets easier: harder than the level sought, about it, easier.
+  std::vector<UnitCounts> hard, about, easy;
+  const auto sort = [&](const UnitCounts& counts) {
     const bool below = counts.t <= low, beyond = counts.t >= high;
-    const bool is_hard = problem_.sign > 0 ? below : beyond, is_easy = problem_.sign > 0 ? beyond : below;
-    sum += most(counts, is_easy ? worst_at_level : least_guess, is_hard ? best_at_level : 1 - least_lapse);
-  }
-  return sum;
+    if (below == beyond)
+      about.push_back(counts);
+    else
+      (below == (problem_.sign > 0) ? hard : easy).push_back(counts);
+  };
+  if (problem_.sign > 0)
+    std::for_each(problem_.levels.begin(), problem_.levels.end(), sort);
+  else
+    std::for_each(problem_.levels.rbegin(), problem_.levels.rend(), sort);
+  return likeliest_rising(hard, least_guess, best_at_level) +
+         likeliest_rising(about, least_guess, 1 - least_lapse) +
+         likeliest_rising(easy, worst_at_level, 1 - least_lapse);  // priors only lower it: each is at most 0
 }
 
 }  // namespace seamline::analysis

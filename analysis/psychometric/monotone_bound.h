@@ -7,8 +7,9 @@ namespace seamline::analysis {
 
 /// What no function can exceed whose sought level lies between two places: under it performance is at most
 /// that of the level, above it at least (the other way round when it falls), and it lies between the guess
-/// and the lapse rate everywhere. So ln L is at most the sum of each tested level's own maximum within these
-/// limits. It proves parts of the axis empty without a search.
+/// and the lapse rate everywhere, and never falls as the task gets easier. So ln L is at most that of the
+/// likeliest monotone performance within these limits (isotonic regression on either side). It proves parts
+/// of the axis empty without a search.
 class MonotoneBound {
  public:
   explicit MonotoneBound(const FitProblem& problem) : problem_(problem) {}

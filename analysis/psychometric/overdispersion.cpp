@@ -1,9 +1,31 @@
 #include "analysis/psychometric/overdispersion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
 
 namespace seamline::analysis {
+
+namespace {
+
+/// Terms of sums over single answers: a long likelihood takes a minute with ten times as many.
+constexpr double most_terms = 30'000;
+
+/// Of very many rows every so-and-so-many-th is enough: they tell how rows vary. Whether any was left out.
+bool thin(FitProblem& problem) {
+  double terms = 0;
+  for (const UnitCounts& row : problem.rows) terms += std::min(row.n, 256.0);
+  const auto stride = static_cast<std::size_t>(std::ceil(terms / most_terms));
+  if (stride <= 1) return false;
+  std::vector<UnitCounts> kept;
+  for (std::size_t i = 0; i < problem.rows.size(); i += stride) kept.push_back(problem.rows[i]);
+  problem.levels = problem.rows = std::move(kept);
+  return true;
+}
+
+}  // namespace
 
 OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
   OverdispersionEstimate estimate;
@@ -18,6 +40,8 @@ OverdispersionEstimate estimate_overdispersion(const PsychometricFit& fit) {
     estimate.reason = "not identified: one trial a row";
     return estimate;
   }
+  const std::size_t all = rows.size();
+  if (thin(problem)) estimate.reason = fmt::format("from {} of {} rows", rows.size(), all);
   problem.overdispersed = true;
   Maximum best = maximise(problem, {}, fit.search.best.theta, 0);
   if (fit.search.smooth)

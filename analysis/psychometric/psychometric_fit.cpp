@@ -26,7 +26,7 @@ double flat_log_likelihood(const FitProblem& problem) {
 Search search_direction(const std::vector<LevelCounts>& counts, const FitOptions& options,
                         PsychometricFit& fit) {
   const auto search_in = [&](study::Direction direction) {
-    return search_maximum(make_problem(counts, options, direction));
+    return search_levels(make_problem(counts, options, direction));
   };
   if (options.direction) {
     fit.direction = *options.direction;
@@ -38,6 +38,22 @@ Search search_direction(const std::vector<LevelCounts>& counts, const FitOptions
   fit.direction_known = std::abs(advantage) > chi_squared_95 / 2;
   fit.direction = advantage >= 0 ? study::Direction::increasing : study::Direction::decreasing;
   return advantage >= 0 ? std::move(rising) : std::move(falling);
+}
+
+/// Of the levels as they are, and not of bins.
+double log_likelihood_of(const PsychometricFit& fit) {
+  const FitProblem& problem = fit.search.problem;
+  if (fit.eta > 0 || problem.levels.size() == fit.levels.size())
+    return log_likelihood(problem, fit.search.best.theta, fit.eta);
+  double sum = 0;
+  for (const LevelCounts& level : fit.levels) {
+    const ResponseProbability p = probability_at(problem, fit.search.best.theta,
+                                                 problem.to_unit(axis_value(problem.axis, level.level)));
+    sum +=
+        binomial_term(static_cast<double>(level.correct), static_cast<double>(level.trials), p.right, p.wrong)
+            .value;
+  }
+  return sum;
 }
 
 int free_parameters(const FitProblem& problem) {
@@ -71,7 +87,7 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
                   .lapse = theta[parameter::lapse]};
   fit.width = fit.function.scale * scales_in_width(options.sigmoid);
   fit.eta = fit.search.best.eta;
-  fit.log_likelihood = log_likelihood(problem, fit.search.best.theta, fit.eta);
+  fit.log_likelihood = log_likelihood_of(fit);
   fit.flat_log_likelihood = flat_log_likelihood(problem);
   fit.free_parameters = free_parameters(problem);
   fit.converged = fit.search.best.converged;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/psychometric/count_terms.h"
+#include "analysis/psychometric/level_bins.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/numbers.h"
 
@@ -17,6 +18,18 @@ constexpr double places_beyond = 0.6;  ///< ranges beyond the tested levels that
 constexpr std::size_t most_peaks = 3;
 constexpr double far_behind = 1;         ///< log units
 constexpr double step_tolerance = 1e-6;  ///< log units
+constexpr int most_looks = 4;            ///< at levels pooled in focus
+constexpr double scales_in_focus = 8, bins_in_focus = 3;
+constexpr double narrower = 0.5;  ///< a focus that is worth another look
+
+/// Between the levels around a place.
+double largest_gap_near(const FitProblem& problem, double t) {
+  const auto& levels = problem.levels;
+  const auto after = std::lower_bound(levels.begin() + 1, levels.end() - 1, t,
+                                      [](const UnitCounts& level, double at) { return level.t < at; });
+  return std::max((after + 1 < levels.end() ? (after + 1)->t : after->t) - after->t,
+                  after->t - (after - 1)->t);
+}
 
 std::vector<double> spread(double low, double high, std::initializer_list<double> shares) {
   std::vector<double> values;
@@ -179,6 +192,26 @@ Search search_maximum(FitProblem problem) {
   else if (search.smooth)
     search.best = *search.smooth;
   return search;
+}
+
+Search search_levels(FitProblem problem) {
+  if (problem.levels.size() <= most_unpooled_levels || problem.overdispersed)
+    return search_maximum(std::move(problem));
+  const std::vector<UnitCounts> levels = std::move(problem.levels);
+  Focus focus{.low = -0.5, .high = 0.5};
+  for (int look = 1;; ++look) {
+    problem.levels = pooled_into_bins(levels, focus);
+    set_gaps(problem);
+    Search search = search_maximum(problem);
+    const Theta& theta = search.is_step ? search.step->middle : search.best.theta;
+    const double reach = scales_in_focus * std::exp(theta[parameter::log_scale]) +
+                         bins_in_focus * largest_gap_near(problem, theta[parameter::threshold]);
+    const Focus next{.low = std::max(-0.5, theta[parameter::threshold] - reach),
+                     .high = std::min(0.5, theta[parameter::threshold] + reach)};
+    const bool is_narrower = next.high - next.low < narrower * (focus.high - focus.low);
+    if (!is_narrower || look == most_looks || problem.levels.size() < most_unpooled_levels / 2) return search;
+    focus = next;
+  }
 }
 
 Maximum refit(const FitProblem& problem, const Maximum& start) {

@@ -23,6 +23,11 @@ struct Search {
 /// step.
 [[nodiscard]] Search search_maximum(FitProblem problem);
 
+/// The same for any number of levels: more than `most_unpooled_levels` (level_bins.h) are pooled into bins,
+/// and pooled again in focus around what was found, until the bins there are far narrower than the scale or
+/// are the levels themselves. Beta-binomial fits are not pooled: their rows count one by one.
+[[nodiscard]] Search search_levels(FitProblem problem);
+
 /// The maximum for nearly the same data (bootstrap, jackknife): one climb from `start`, and the steps.
 [[nodiscard]] Maximum refit(const FitProblem& problem, const Maximum& start);
 
