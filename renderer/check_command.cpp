@@ -8,6 +8,7 @@
 #include "renderer/check.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
@@ -15,12 +16,14 @@ namespace {
 void run_check(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
   int broken = 0;
-  for (const SceneDefinition& scene : study.scenes)
+  for (const SceneDefinition& scene : study.scenes) {
+    stop_if_interrupted();
     for (const RuleResult& result : check_scene(load_truth_scene(scene, study.width_px, study.height_px))) {
       fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule,
                  result.found);
       broken += result.met ? 0 : 1;
     }
+  }
   if (broken > 0)
     throw input_error({.file = path,
                        .wanted = "scenes that keep the study's rules",

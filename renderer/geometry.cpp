@@ -15,6 +15,7 @@
 #include "renderer/ray_count.h"
 #include "renderer/ray_packet.h"
 #include "renderer/triangle_neighbours.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
@@ -41,7 +42,10 @@ void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
 
 /// Embree keeps its errors to itself until asked: a scene that could not be built would be an empty one.
 void commit(RTCScene scene) {
+  rtcSetSceneProgressMonitorFunction(
+      scene, [](void*, double) { return !interrupted(); }, nullptr);
   rtcCommitScene(scene);
+  stop_if_interrupted();
   if (rtcGetDeviceError(embree_device()) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 

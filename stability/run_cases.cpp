@@ -12,6 +12,7 @@
 #include "renderer/geometry.h"
 #include "stability/namespaces.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/interrupt.h"
 #include "stimuli/support/markdown_table.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
@@ -62,6 +63,7 @@ std::vector<CaseOutcome> run_cases(const StabilityCases& cases, const StabilityO
   };
   std::vector<std::size_t> beside;
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    stop_if_interrupted();
     if (cases[i].slow)
       run(i, options);
     else

@@ -49,6 +49,13 @@ SQLite::Database open_for_writing(const fs::path& path, int wait_ms, bool alone)
   return database;
 }
 
+/// A long statement ends when the person asks to stop; `with_log_errors` then throws Interrupted.
+void let_signals_stop(SQLite::Database& database) {
+  constexpr int steps_between = 10000;
+  sqlite3_progress_handler(
+      database.getHandle(), steps_between, [](void*) { return interrupted() ? 1 : 0; }, nullptr);
+}
+
 /// Reading a log in WAL mode needs the -shm file beside it, even when nobody writes. Where none can be made
 /// (an archive, a read-only disk, somebody else's folder) a copy is read, with all that waits in its
 /// write-ahead log. The copy's name is gone when this returns; the open file goes with the database.
@@ -57,6 +64,7 @@ SQLite::Database open_copy_for_reading(const fs::path& path) {
   const fs::path copy = folder / "log.sqlite";
   copy_log(path, copy);
   SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
+  let_signals_stop(database);
   check_log_format(database, path);
   database.exec("PRAGMA locking_mode = EXCLUSIVE");
   if (database.execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")  // one file, whole
@@ -69,6 +77,7 @@ SQLite::Database open_copy_for_reading(const fs::path& path) {
 SQLite::Database open_for_reading(const fs::path& path) {
   try {
     SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
+    let_signals_stop(database);
     database.exec("PRAGMA query_only = ON");
     check_log_format(database, path);
     return database;
@@ -183,6 +192,10 @@ SQLite::Database open_log_database(const fs::path& path, LogAccess access) {
     }
     return open_for_writing(path, log_patience_ms / 10, true);  // a session will not end soon
   });
+}
+
+bool is_stopped(const SQLite::Exception& error) {
+  return (error.getErrorCode() & 0xff) == SQLITE_INTERRUPT && interrupted();
 }
 
 bool is_trouble_outside(const SQLite::Exception& error) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 // Inside the log only: SQLite does not appear in the headers that others include.
 namespace seamline::study {
@@ -85,13 +86,17 @@ using SchemaEntry = std::tuple<std::string, std::string, std::string, std::strin
 [[nodiscard]] InputError log_error(const std::filesystem::path& path, const SQLite::Exception& error);
 [[nodiscard]] bool is_trouble_outside(const SQLite::Exception& error);
 
-/// Runs `work`; what the disk or the file did wrong becomes an InputError, a mistake of ours stays what it
-/// is.
+/// A statement that ended because the person asked to stop.
+[[nodiscard]] bool is_stopped(const SQLite::Exception& error);
+
+/// Runs `work`; what the disk or the file did wrong becomes an InputError, what the person stopped
+/// Interrupted, a mistake of ours stays what it is.
 template <class Work>
 decltype(auto) with_log_errors(const std::filesystem::path& path, Work&& work) {
   try {
     return std::forward<Work>(work)();
   } catch (const SQLite::Exception& error) {
+    if (is_stopped(error)) throw Interrupted{};
     if (!is_trouble_outside(error)) throw;
     throw log_error(path, error);
   }

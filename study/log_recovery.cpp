@@ -51,6 +51,7 @@ class Refill {
 
   /// The table's own rules decide whether a row is sound.
   bool try_insert(const std::string& table, const LogRow& row) {
+    stop_if_interrupted();
     try {
       std::string places;
       for (std::size_t i = 0; i < row.size(); ++i) places += i == 0 ? "?" : ", ?";
@@ -142,6 +143,7 @@ std::vector<LostAnswers> lost_answers(SQLite::Database& database) {
       FROM participants ORDER BY participant)sql");
   SQLite::Statement answered(database, "SELECT 1 FROM answers WHERE participant = ? AND trial_index = ?");
   while (person.executeStep()) {
+    stop_if_interrupted();
     LostAnswers lost{.code = person.getColumn(1).getString(),
                      .completed = person.getColumn(2).getInt() != 0,
                      .planned = person.getColumn(3).getInt(),

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "stimuli/support/atomic_file.h"
+#include "stimuli/support/interrupt.h"
 #include "study/log_database.h"
 #include "study/log_place.h"
 
@@ -82,6 +83,7 @@ class TableReader {
   }
 
   void keep(LogRow row) {
+    stop_if_interrupted();
     const auto end_of_key = row.begin() + static_cast<std::ptrdiff_t>(table_.key.size());
     LogRow key(row.begin(), end_of_key);
     row.erase(row.begin(), end_of_key);
@@ -112,6 +114,7 @@ class TableReader {
   }
 
   void ask(const std::vector<std::int64_t>& key) {
+    stop_if_interrupted();
     if (rows_.contains(LogRow(key.begin(), key.end()))) return;
     try {
       std::string where;

@@ -9,6 +9,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/csv.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline::analysis {
 
@@ -143,6 +144,7 @@ ResponseProbability probability_at(const FitProblem& problem, const Theta& theta
 }
 
 double log_likelihood(const FitProblem& problem, const Theta& theta, double eta) {
+  stop_if_interrupted();  // every search, profile and replicate comes by here or in objective_at
   double sum = 0;
   for (const UnitCounts& counts : counted(problem, eta))
     sum += term_of(counts, probability_at(problem, theta, counts.t), eta).value;
@@ -159,6 +161,7 @@ double objective_value(const FitProblem& problem, const Theta& theta, double eta
 }
 
 Objective objective_at(const FitProblem& problem, const Theta& theta, double eta) {
+  stop_if_interrupted();
   Objective objective{.value = 0,
                       .gradient = Eigen::Vector4d::Zero(),
                       .observed = Eigen::Matrix4d::Zero(),

@@ -8,6 +8,7 @@
 #include "stimuli/support/csv.h"
 #include "stimuli/support/csv_read.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline::analysis {
 
@@ -24,6 +25,7 @@ std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file, st
   const std::array<std::string, 3> columns = {"level", "correct", "trials"};
   std::vector<LevelCounts> counts;
   read_csv(file.string(), read_file(file, limits::largest_csv_bytes), columns, [&](const CsvRow& row) {
+    stop_if_interrupted();
     const LevelCounts read{.level = number_at(row, level),
                            .correct = count_at(row, correct, largest_count, largest_count_text),
                            .trials = count_at(row, trials, largest_count, largest_count_text)};

@@ -7,6 +7,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline::analysis {
 
@@ -84,9 +85,10 @@ PooledChoices pooled_choices(const study::LogContents& log, const std::vector<st
                              Artifact artifact) {
   std::map<std::string, std::map<int, std::pair<int, int>>> tallies;  // code -> width -> (right, all)
   std::set<int> widths;
+  const std::set<std::string> counted(codes.begin(), codes.end());
   for (const study::Answer& answer : log.answers) {
-    if (answer.artifact != artifact) continue;
-    if (std::find(codes.begin(), codes.end(), answer.participant) == codes.end()) continue;
+    stop_if_interrupted();
+    if (answer.artifact != artifact || !counted.contains(answer.participant)) continue;
     auto& [right, all] = tallies[answer.participant][answer.depth_width_px];
     right += answer.correct() ? 1 : 0;
     ++all;

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 #include "stimuli/support/temporary_folder.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -79,7 +80,9 @@ std::string svg_of(const std::string& script, const std::string& shown) {
   write_file_atomically(script_file, script);
   write_file_atomically(caller,
                         fmt::format("call {} {}\n", quoted(script_file.string()), quoted(svg.string())));
-  if (run_gnuplot(caller.string(), messages) != 0)
+  const int status = run_gnuplot(caller.string(), messages);
+  stop_if_interrupted();  // Ctrl-C ends gnuplot too
+  if (status != 0)
     throw std::runtime_error("gnuplot failed on " + shown + ": " + read_file(messages));
   std::string text = fs::exists(svg) ? read_file(svg) : std::string();
   if (!is_whole_svg(text))  // gnuplot does not notice a disk that is full

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/interrupt.h"
 
 namespace seamline {
 namespace {
@@ -47,8 +48,10 @@ std::string sha256_of_file(const std::filesystem::path& path) {
     throw input_error({.file = path.string(), .wanted = "a readable file", .found = "none"});
   const Context context = begin_sha256();
   std::array<char, 1 << 16> block{};
-  while (in.read(block.data(), block.size()) || in.gcount() > 0)
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    stop_if_interrupted();
     EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(in.gcount()));
+  }
   return finish(context.get());
 }
 

@@ -16,6 +16,7 @@
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/exr_header.h"
+#include "stimuli/support/interrupt.h"
 #include "stimuli/support/limits.h"
 
 namespace seamline {
@@ -88,8 +89,16 @@ auto with_image_errors(const fs::path& path, Read&& read) {
   }
 }
 
+/// Asked by the library between pieces of a picture.
+bool stop_here(void*, float) {
+  return interrupted();
+}
+
 void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs::path& path) {
-  if (!input.read_image(0, 0, 0, input.spec().nchannels, type, values))
+  const bool decoded = input.read_image(0, 0, 0, input.spec().nchannels, type, values, OIIO::AutoStride,
+                                        OIIO::AutoStride, OIIO::AutoStride, stop_here);
+  stop_if_interrupted();
+  if (!decoded)
     throw input_error(
         {.file = path.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
 }
@@ -99,8 +108,11 @@ void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs
 void write_image(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
   OIIO::Filesystem::IOVecOutput bytes;
   const auto output = OIIO::ImageOutput::create(path.string());
-  const bool encoded = output && output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
-                       output->write_image(type, pixels) && output->close();
+  const bool encoded =
+      output && output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
+      output->write_image(type, pixels, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride, stop_here) &&
+      output->close();
+  stop_if_interrupted();
   if (!encoded)
     throw input_error({.file = path.string(),
                        .wanted = "a kind of picture that can be written (png, exr)",

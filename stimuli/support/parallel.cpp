@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "stimuli/support/interrupt.h"
+
 namespace seamline {
 
 void run_parallel(int count, int threads, const std::function<void(int)>& work) {
@@ -18,7 +20,10 @@ void run_parallel(int count, int threads, const std::function<void(int)>& work) 
   std::exception_ptr failure;
   const auto worker = [&] {
     try {
-      for (int index = next++; index < count; index = next++) work(index);
+      for (int index = next++; index < count; index = next++) {
+        stop_if_interrupted();
+        work(index);
+      }
     } catch (...) {
       const std::lock_guard guard(failure_lock);
       if (!failure) failure = std::current_exception();

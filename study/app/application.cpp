@@ -25,17 +25,19 @@ bool is_awaiting(const Session* session) {
 
 void Application::run() {
   visit_ = store_.begin();
-  while (!stage_.leave && !stage_.close) run_frame();
+  try {
+    while (!stage_.leave && !stage_.close) run_frame();
+  } catch (const Interrupted&) {
+    visit_ = store_.flush(std::move(visit_));
+    throw;
+  }
   visit_ = store_.flush(std::move(visit_));
   if (const auto* stopped = std::get_if<StoppedScreen>(&visit_.screen)) throw InputError(stopped->message);
 }
 
 void Application::run_frame() {
   wait_for_input();
-  if (interrupted()) {
-    visit_ = store_.flush(std::move(visit_));
-    throw Interrupted{};
-  }
+  stop_if_interrupted();
   const std::int64_t begun_ns = monotonic_ns();
   if (!frame_is_due(begun_ns)) return;
   due_ns_.reset();

@@ -1,0 +1,209 @@
+// The first Ctrl-C or SIGTERM ends every command that can run longer than a second: status 130, one sentence.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <regex>
+#include <set>
+#include <thread>
+
+#include "run_program.h"
+#include "tests/app/picture_set.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace seamline {
+namespace {
+
+using test::fresh_folder;
+using test::run_seamline;
+namespace fs = std::filesystem;
+
+/// A program that is running, its output in a file.
+struct Running {
+  pid_t process = -1;
+  fs::path output;
+};
+
+Running start(const std::vector<std::string>& arguments, const fs::path& output) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                   0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  std::vector<std::string> words = {SEAMLINE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  Running running{.process = -1, .output = output};
+  if (posix_spawn(&running.process, SEAMLINE_PROGRAM, &actions, nullptr, pointers.data(), environ) != 0)
+    throw std::runtime_error("the program cannot be started");
+  posix_spawn_file_actions_destroy(&actions);
+  return running;
+}
+
+/// Whether the process catches the signal by now, so that it no longer ends it by itself.
+bool catches(pid_t process, int signal) {
+  const std::string status = test::read_text("/proc/" + std::to_string(process) + "/status");
+  const std::size_t at = status.find("SigCgt:");
+  if (at == std::string::npos) return true;  // it has ended
+  return (std::stoull(status.substr(at + 7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+}
+
+/// Exit status after one signal, sent while the command was at work.
+int status_after(const Running& running, int signal) {
+  while (!catches(running.process, signal)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  ::kill(running.process, signal);
+  int status = 0;
+  ::waitpid(running.process, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
+struct Work {
+  fs::path folder, set, long_set, log, counts, depth, photograph;
+};
+
+/// A set whose pictures go on for gigabytes after their last byte that says anything.
+void write_long_set(const fs::path& folder) {
+  const StudySet set = test::write_picture_set(folder, {.width_px = 64, .height_px = 48});
+  fs::resize_file(set.folder / "room.png", std::uintmax_t{1} << 34U);
+}
+
+const Work& work() {
+  static const Work made = [] {
+    const fs::path folder = fresh_folder("signals");
+    Work work{.folder = folder,
+              .set = folder / "set",
+              .long_set = folder / "long-set",
+              .log = folder / "log.sqlite",
+              .counts = folder / "counts.csv",
+              .depth = folder / "depth.exr",
+              .photograph = folder / "photograph.exr"};
+    (void)test::write_picture_set(
+        work.set, {.width_px = 640, .height_px = 480, .widths = "64, 128, 256, 512, 1024, 2048, 4096, 8192"});
+    write_long_set(work.long_set);
+    std::string counts = "level,correct,trials\n";
+    for (int level = 1; level <= 2000; ++level) counts += fmt::format("{},{},60\n", level, 20 + level % 41);
+    test::write_text(work.counts, counts);
+    write_exr(work.photograph, Image(1920, 1080, 3, 0.5F));
+    for (const std::string& made_by :
+         {"study " + work.set.string() + " --observer guesser --count 12000 --log " + work.log.string(),
+          "capture builtin:bedroom --width 4096 --out " + work.depth.string()})
+      if (const test::Outcome outcome = run_seamline(made_by); outcome.status != 0)
+        throw std::runtime_error(outcome.output);
+    return work;
+  }();
+  return made;
+}
+
+/// Forty scenes where the quick study has three.
+fs::path study_of_many_scenes() {
+  const fs::path file = work().folder / "many.toml";
+  const std::string text = test::read_text(test::studies() / "quick.toml");
+  const std::size_t scenes = text.find("[[scene]]"), end = text.find("[[scene]]", scenes + 1);
+  const std::regex name("(\\[\\[scene\\]\\]\\s*name = \"[a-z]+)");
+  std::string many = text.substr(0, scenes);
+  for (int i = 0; i < 40; ++i)
+    many += std::regex_replace(text.substr(scenes, end - scenes), name, "$1_" + std::to_string(i),
+                               std::regex_constants::format_first_only);
+  test::write_text(file, many);
+  return file;
+}
+
+/// Every command, and which of its ways.
+const std::vector<std::pair<std::string, std::string>> commands = {
+    {"demo", ""},         {"render", ""},    {"verify", ""},     {"check", ""},    {"convergence", ""},
+    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},    {"study", "threshold"},
+    {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},  {"fit", "levels"},
+    {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""}};
+
+std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
+  const Work& at = work();
+  const std::string out = (at.folder / ("out-" + command + what)).string();
+  const std::string quick = (test::studies() / "quick.toml").string();
+  if (command == "demo") return {"--out", out};
+  if (command == "render") return {quick, "--out", out, "--spp", "4096"};
+  if (command == "verify") return {at.long_set.string()};
+  if (command == "check") return {study_of_many_scenes().string()};
+  if (command == "convergence")
+    return {quick, "--only", "bedroom-receiver-statue-0064", "--out", out, "--seconds", "600"};
+  if (command == "capture") return {"builtin:bedroom", "--width", "16384", "--out", out + ".exr"};
+  if (command == "mesh") return {at.depth.string(), "--tolerance", "1e-7", "--out", out + ".glb"};
+  if (command == "composite")
+    return {"--background",
+            at.photograph.string(),
+            "--depth",
+            at.depth.string(),
+            "--object",
+            "builtin:statue",
+            "--position",
+            "0",
+            "-1",
+            "-3",
+            "--fov",
+            "60",
+            "--to-sun",
+            "1",
+            "1",
+            "0.5",
+            "--sun-irradiance",
+            "8",
+            "8",
+            "7",
+            "--environment",
+            "0.5",
+            "0.5",
+            "0.6",
+            "--spp",
+            "4096",
+            "--out",
+            out + ".png"};
+  if (command == "study")
+    return {at.set.string(), "--log", out + ".sqlite", "--observer", what,
+            "--gain",        "1",     "--count",       "1000000"};
+  if (command == "log" && what == "status") return {at.log.string(), "--status"};
+  if (command == "log") return {at.log.string(), "--recover", out + ".sqlite"};
+  if (command == "analyze") return {at.log.string(), "--out", out};
+  if (command == "fit" && what == "levels") return {at.counts.string(), "--alternatives", "3"};
+  if (command == "fit") return {at.counts.string(), "--alternatives", "3", "--bootstrap", "1000"};
+  if (command == "predict") return {at.set.string()};
+  if (command == "plan") return {quick, "--studies", "1000000"};
+  return {};
+}
+
+TEST(Signals, TheFirstEndsEveryCommand) {
+  int signal = SIGTERM;
+  for (const auto& [command, what] : commands) {
+    signal = signal == SIGTERM ? SIGINT : SIGTERM;
+    SCOPED_TRACE(command + " " + what);
+    std::vector<std::string> arguments = {command};
+    for (const std::string& argument : arguments_of(command, what)) arguments.push_back(argument);
+    const Running running = start(arguments, work().folder / (command + what + ".txt"));
+    EXPECT_EQ(status_after(running, signal), 130);
+    EXPECT_THAT(test::read_text(running.output), testing::HasSubstr("seamline: stopped"));
+  }
+}
+
+TEST(Signals, AreTriedOnEveryCommand) {
+  std::set<std::string> tried;
+  for (const auto& [command, what] : commands) tried.insert(command);
+  std::set<std::string> listed;
+  const std::string help = run_seamline("--help").output;
+  const std::regex line("\n  ([a-z]+)  ");
+  const std::size_t at_list = help.find("Subcommands:");
+  ASSERT_NE(at_list, std::string::npos);
+  const std::string list = help.substr(at_list);
+  for (std::sregex_iterator at(list.begin(), list.end(), line), end; at != end; ++at) listed.insert((*at)[1]);
+  EXPECT_EQ(listed, tried);
+}
+
+}  // namespace
+}  // namespace seamline
