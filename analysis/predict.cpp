@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/paper_values.h"
+#include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 #include "study/observer.h"
 #include "study/study_set.h"
@@ -23,6 +24,7 @@ struct CellSums {
 DifferenceFloors floors_of(const std::filesystem::path& none_set, double ppd, int threads) {
   if (none_set.empty()) return {};
   const Manifest manifest = read_manifest(none_set);
+  check_set_files(none_set, manifest);
   const DifferenceFloors floors =
       difference_floors(manifest, visible_differences(none_set, manifest, ppd, {}, threads));
   if (floors.empty())
@@ -106,6 +108,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 
 Prediction predict_thresholds(const PredictionRequest& request) {
   const study::StudySet set = study::load_study_set(request.set_folder);
+  check_set_files(set.folder, set.manifest);
   Prediction prediction{.observer = set.study.observer, .artifacts = {}};
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "stimuli/manifest.h"
 #include "stimuli/set_files.h"
 #include "stimuli/support/image.h"
 
@@ -118,7 +117,7 @@ void place(const ByteImage& from, const Box& window, ByteImage& sheet, int left,
 
 using Row = std::map<int, const ManifestStimulus*, std::greater<>>;  // by width, the finest first
 
-ByteImage sheet_of(const std::filesystem::path& set_folder,
+ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& manifest,
                    const std::map<std::pair<std::string, int>, Row>& rows) {
   std::set<int, std::greater<>> widths;
   for (const auto& [key, row] : rows)
@@ -140,14 +139,16 @@ ByteImage sheet_of(const std::filesystem::path& set_folder,
   int top = label_px;
   for (const auto& [key, row] : rows) {
     const ManifestStimulus& coarsest = *row.rbegin()->second;
-    const ByteImage reference = read_bytes_image(set_file_path(set_folder, coarsest.reference));
-    const Box window =
-        artifact_window(read_bytes_image(set_file_path(set_folder, coarsest.image)), reference);
+    const auto picture_of = [&](const ManifestStimulus& record) {
+      return read_set_file(set_folder, stimulus_file(manifest, record));
+    };
+    const ByteImage reference = read_set_file(
+        set_folder, reference_file(manifest, reference_of(set_folder, manifest, coarsest.stimulus.scene)));
+    const Box window = artifact_window(picture_of(coarsest), reference);
     column = 0;
     for (const int width_px : widths) {
       if (const auto found = row.find(width_px); found != row.end())
-        place(read_bytes_image(set_file_path(set_folder, found->second->image)), window, sheet,
-              left_of(column), top);
+        place(picture_of(*found->second), window, sheet, left_of(column), top);
       ++column;
     }
     place(reference, window, sheet, left_of(column), top);
@@ -167,7 +168,8 @@ void write_contact_sheets(const std::filesystem::path& set_folder) {
         rows[{record.stimulus.scene, record.stimulus.object_index}]
             [record.stimulus.condition.depth_width_px] = &record;
     if (!rows.empty())
-      write_png(set_folder / ("contact-" + std::string(word(artifact)) + ".png"), sheet_of(set_folder, rows));
+      write_png(set_folder / ("contact-" + std::string(word(artifact)) + ".png"),
+                sheet_of(set_folder, manifest, rows));
   }
 }
 

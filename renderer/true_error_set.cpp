@@ -11,7 +11,6 @@
 #include "renderer/parallel.h"
 #include "renderer/true_error.h"
 #include "renderer/worst_tile.h"
-#include "stimuli/manifest.h"
 #include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/progress.h"
@@ -117,7 +116,8 @@ class Measuring {
   }
 
   void measure(const ManifestStimulus& record, double exposure_ev, const StimulusLayers& reference) {
-    const ByteImage shown = read_bytes_image(set_file_path(request_.set_folder, record.image));
+    const ByteImage shown =
+        read_set_file(request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
     const TrueError error = true_error(
         shown, {compose_half(reference, 0).picture, compose_half(reference, 1).picture}, exposure_ev);
     const TrueErrorRecord result{.rmse = error.rmse(),

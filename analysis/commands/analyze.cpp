@@ -46,10 +46,12 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   write("report.json", report_json(analysis, methods, tables));
   write("methods.txt", plain_text(methods));
   write("report.html", report_html(analysis, numbers, figures, samples));
+  std::vector<std::string> notes = analysis.notes;
+  for (const std::string& note : notes_on(samples)) notes.push_back(note);
   return {.table = table_text(analysis),
           .checks = checks_text(analysis),
           .sections = numbers_text(numbers),
-          .notes = analysis.notes,
+          .notes = std::move(notes),
           .report_html = folder / "report.html"};
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace seamline::analysis {
 
 std::vector<std::string> otherwise_estimated_cells(const ThresholdRow& row) {
@@ -45,6 +47,14 @@ std::string who_text(const ScreenedThresholds& result, const Analysis& analysis)
   std::string codes;
   for (const std::string& code : result.left_out) codes += (codes.empty() ? "" : ", ") + code;
   return fmt::format("{} ({} left out: {})", result.who, result.left_out.size(), codes);
+}
+
+std::string sos_text(const SosParameter& sos) {
+  const bool known = std::isfinite(sos.ci95_low) && std::isfinite(sos.ci95_high);
+  return fmt::format("a = {:.3f} ({}) over {} stimuli", sos.a,
+                     known ? fmt::format("{:.3f} to {:.3f}", sos.ci95_low, sos.ci95_high)
+                           : "no interval from fewer than three people",
+                     sos.stimuli);
 }
 
 }  // namespace seamline::analysis

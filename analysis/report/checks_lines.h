@@ -18,4 +18,7 @@ namespace seamline::analysis {
 /// "everybody (20)", "without those named by correlation (2 left out: a, b)".
 [[nodiscard]] std::string who_text(const ScreenedThresholds& result, const Analysis& analysis);
 
+/// "a = 0.653 (0.512 to 0.794) over 84 stimuli"; fewer than three people have no interval.
+[[nodiscard]] std::string sos_text(const SosParameter& sos);
+
 }  // namespace seamline::analysis

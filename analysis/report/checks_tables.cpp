@@ -77,7 +77,7 @@ CsvTable corrected_curves_table(const Analysis& analysis) {
                   width_column,
                   {"uncorrected", "noticeability 0 to 4", "mean noticeability as in curves.csv"},
                   {"saw", "probability", "P(saw the insertion) by the latent-class model"},
-                  {"rating_of_seen", "1 to 4", "mean rating of those who saw; NaN when nobody did"},
+                  {"rating_of_seen", "1 to 4", "mean rating of those who saw; empty when nobody did"},
                   {"corrected", "noticeability 0 to 4", "saw times rating_of_seen"},
                   source_column},
       .rows = {}};

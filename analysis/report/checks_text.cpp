@@ -56,8 +56,7 @@ std::string checks_text(const Analysis& analysis) {
   text += screening_sentence(analysis.screening) + "\n";
   if (analysis.screened.size() > 1) text += screened_text(analysis);
   if (std::isnan(analysis.sos.a)) return text;
-  return text + fmt::format("SOS parameter a = {:.3f} ({:.3f} to {:.3f}) over {} stimuli.\n", analysis.sos.a,
-                            analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);
+  return text + "SOS parameter " + sos_text(analysis.sos) + ".\n";
 }
 
 }  // namespace seamline::analysis

@@ -40,11 +40,11 @@ CsvTable participants_table(const ReportNumbers& numbers) {
                   {"pilot", "0 or 1", "pilot data"},
                   {"answers", "count", "answers in the log"},
                   {"planned_trials", "count", "trials of the session's plan; 0 when the log does not say"},
-                  {"correct", "share 0 to 1", "share of right choices; NaN without answers"},
-                  {"mean_rating", "1 to 4", "mean rating of all answers; NaN without answers"},
+                  {"correct", "share 0 to 1", "share of right choices; empty without answers"},
+                  {"mean_rating", "1 to 4", "mean rating of all answers; empty without answers"},
                   {"screened", "0 or 1", "whether the screens judged them; only those who would be used are"},
                   {"screens", "text", "screens that name them; empty when none does"},
-                  {"median_choice_s", "s", "median time from the image to the choice; NaN when simulated"}},
+                  {"median_choice_s", "s", "median time from the image to the choice; empty when simulated"}},
       .rows = {}};
   for (const ParticipantRow& row : numbers.participants)
     table.rows.push_back({row.code, row.kind, std::string(word(row.use)), row.why, whole(row.pilot),

@@ -67,9 +67,7 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
   for (Screen screen : every_screen) html += " " + html_escape(std::string(rule_of(screen))) + ".";
   html += "</p>\n";
   if (!std::isnan(analysis.sos.a))
-    html += fmt::format(
-        "<p>Standard deviation of opinion scores (SOS): a = {:.3f} ({:.3f} to {:.3f}) over {} stimuli.</p>\n",
-        analysis.sos.a, analysis.sos.ci95_low, analysis.sos.ci95_high, analysis.sos.stimuli);
+    html += html_paragraph("Standard deviation of opinion scores (SOS): " + sos_text(analysis.sos) + ".");
   return html;
 }
 

@@ -187,7 +187,7 @@ std::vector<Field> report_fields(const std::vector<CsvTable>& tables) {
   for (const CsvTable& table : tables)
     for (const CsvColumn& column : table.columns)
       fields.push_back({"tables." + table.name + "[]." + column.name, column.unit,
-                        column.meaning + " (null instead of an empty cell or NaN)"});
+                        column.meaning + " (null instead of an empty cell)"});
   return fields;
 }
 

@@ -55,11 +55,16 @@ std::string samples_html(const StimulusSamples& samples) {
     html += fmt::format("<div class=\"sample-title\">{}: {}, {}</div>\n<div class=\"samples\">\n",
                         html_escape(artifact_title(row.artifact)), html_escape(row.scene),
                         html_escape(row.object));
+    if (!row.trouble.empty()) html += "<div>not shown: " + html_escape(row.trouble) + "</div>\n";
     for (const SampleImage& image : row.images)
-      html += fmt::format(
-          "<div><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">{}</div>\n",
-          html_escape(image.stimulus_id.empty() ? "reference" : image.stimulus_id), image.width_px,
-          image.height_px, base64(image.png), html_escape(image.label));
+      if (!image.trouble.empty())
+        html += fmt::format("<div class=\"missing\">not shown: {}<br>{}</div>\n", html_escape(image.trouble),
+                            html_escape(image.label));
+      else
+        html += fmt::format(
+            "<div><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">{}</div>\n",
+            html_escape(image.stimulus_id.empty() ? "reference" : image.stimulus_id), image.width_px,
+            image.height_px, base64(image.png), html_escape(image.label));
     html += "</div>\n";
   }
   return html +

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/report/report_html.h"
 #include "analysis/report/report_parts.h"
 
@@ -7,8 +9,15 @@ namespace seamline::analysis {
 
 namespace {
 
+/// Tenths, and two digits of what is shorter.
+std::string short_text(double seconds) {
+  return std::abs(seconds) < 0.1 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.1f}", seconds);
+}
+
 std::string quartiles_text(const Quartiles& times) {
-  return fmt::format("{:.1f} ({:.1f} to {:.1f})", times.median_s, times.lower_s, times.upper_s);
+  if (!std::isfinite(times.median_s)) return "–";
+  return fmt::format("{} ({} to {})", short_text(times.median_s), short_text(times.lower_s),
+                     short_text(times.upper_s));
 }
 
 }  // namespace

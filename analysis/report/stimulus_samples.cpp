@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <optional>
 
-#include "stimuli/manifest.h"
 #include "stimuli/set_files.h"
 #include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
@@ -17,6 +18,8 @@ namespace {
 constexpr double smallest_crop_share = 200.0 / 960;  ///< of the picture's width
 
 ByteImage cut(const ByteImage& image, const Rectangle& area) {
+  assert(area.x >= 0 && area.y >= 0 && area.x + area.width_px <= image.width_px &&
+         area.y + area.height_px <= image.height_px);
   ByteImage part{
       .width_px = area.width_px, .height_px = area.height_px, .channels = image.channels, .values = {}};
   const auto row_bytes = static_cast<std::ptrdiff_t>(area.width_px) * image.channels;
@@ -28,37 +31,64 @@ ByteImage cut(const ByteImage& image, const Rectangle& area) {
   return part;
 }
 
-/// `png` is a file of passage.
-SampleImage sample(const std::filesystem::path& file, const Rectangle& area, const std::filesystem::path& png,
-                   const std::string& label) {
-  const ByteImage part = cut(read_bytes_image(file), area);
-  write_png(png, part);
-  SampleImage image{.label = label,
-                    .stimulus_id = {},
-                    .png = read_file(png),
-                    .width_px = part.width_px,
-                    .height_px = part.height_px};
-  std::filesystem::remove(png);
-  return image;
-}
+/// Cuts samples of one artifact out of a set's pictures.
+class Scissors {
+ public:
+  /// `png` is a file of passage.
+  Scissors(const std::filesystem::path& set, std::filesystem::path png) : set_(set), png_(std::move(png)) {}
 
-SampleRow sample_row(const std::filesystem::path& set, std::vector<const ManifestStimulus*> stimuli,
-                     const std::filesystem::path& scratch) {
-  const std::filesystem::path png =
-      scratch / fmt::format("sample-{}.png", word(stimuli.front()->stimulus.artifact));
+  /// Around the pixels of object `id`; false when there is no click map to say where that is.
+  bool look_at(const SetFile& click_map, int id, std::string& trouble) {
+    const std::optional<ByteImage> ids = read(click_map, trouble);
+    if (ids) area_ = crop_around(*ids, id);
+    return ids.has_value();
+  }
+
+  SampleImage sample(const SetFile& file, const std::string& label, const std::string& stimulus_id) const {
+    SampleImage image{.label = label, .stimulus_id = stimulus_id, .png = {}, .trouble = {}};
+    const std::optional<ByteImage> picture = read(file, image.trouble);
+    if (!picture) return image;
+    const ByteImage part = cut(*picture, area_);
+    write_png(png_, part);
+    image.png = read_file(png_);
+    image.width_px = part.width_px;
+    image.height_px = part.height_px;
+    std::filesystem::remove(png_);
+    return image;
+  }
+
+ private:
+  /// Nothing and a sentence when the picture is not what the manifest says.
+  std::optional<ByteImage> read(const SetFile& file, std::string& trouble) const {
+    try {
+      return read_set_file(set_, file);
+    } catch (const InputError& error) {
+      trouble = error.what();
+      return std::nullopt;
+    }
+  }
+
+  const std::filesystem::path& set_;
+  std::filesystem::path png_;
+  Rectangle area_;
+};
+
+SampleRow sample_row(const std::filesystem::path& set, const Manifest& manifest,
+                     std::vector<const ManifestStimulus*> stimuli, const std::filesystem::path& scratch) {
+  Scissors scissors(set, scratch / fmt::format("sample-{}.png", word(stimuli.front()->stimulus.artifact)));
   std::sort(stimuli.begin(), stimuli.end(), [](const ManifestStimulus* a, const ManifestStimulus* b) {
     return a->stimulus.condition.depth_width_px > b->stimulus.condition.depth_width_px;
   });
   const Stimulus& first = stimuli.front()->stimulus;
-  const Rectangle area =
-      crop_around(read_bytes_image(set_file_path(set, stimuli.front()->object_ids)), first.object_index);
-  SampleRow row{.artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}};
-  row.images.push_back(sample(set_file_path(set, stimuli.front()->reference), area, png, "reference"));
-  for (const ManifestStimulus* stimulus : stimuli) {
-    row.images.push_back(sample(set_file_path(set, stimulus->image), area, png,
-                                std::to_string(stimulus->stimulus.condition.depth_width_px)));
-    row.images.back().stimulus_id = stimulus->id;
-  }
+  const ManifestReference& reference = reference_of(set, manifest, first.scene);
+  SampleRow row{
+      .artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}, .trouble = {}};
+  if (!scissors.look_at(click_map_file(manifest, reference), first.object_index, row.trouble)) return row;
+  row.images.push_back(scissors.sample(reference_file(manifest, reference), "reference", ""));
+  for (const ManifestStimulus* stimulus : stimuli)
+    row.images.push_back(scissors.sample(stimulus_file(manifest, *stimulus),
+                                         std::to_string(stimulus->stimulus.condition.depth_width_px),
+                                         stimulus->id));
   return row;
 }
 
@@ -119,12 +149,30 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
     std::vector<SampleRow> rows(shown.size());
     run_parallel(static_cast<int>(rows.size()), analysis.resampling.threads, [&](int index) {
       const auto i = static_cast<std::size_t>(index);
-      rows[i] = sample_row(set, shown[i], scratch);
+      rows[i] = sample_row(set, manifest, shown[i], scratch);
     });
     return rows;
   } catch (const InputError& error) {
     return std::string("The stimulus set cannot be read, so no stimuli are shown: ") + error.what();
   }
+}
+
+std::vector<std::string> notes_on(const StimulusSamples& samples) {
+  const auto* rows = std::get_if<std::vector<SampleRow>>(&samples);
+  if (rows == nullptr) return {};
+  int missing = 0;
+  std::string first;
+  const auto count = [&](const std::string& trouble) {
+    if (trouble.empty()) return;
+    if (missing++ == 0) first = trouble;
+  };
+  for (const SampleRow& row : *rows) {
+    count(row.trouble);
+    for (const SampleImage& image : row.images) count(image.trouble);
+  }
+  if (missing == 0) return {};
+  return {fmt::format("{} of the set's pictures {} not shown, because {} not what the sessions showed: {}",
+                      missing, missing == 1 ? "is" : "are", missing == 1 ? "it is" : "they are", first)};
 }
 
 }  // namespace seamline::analysis

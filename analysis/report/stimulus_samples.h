@@ -13,7 +13,8 @@ namespace seamline::analysis {
 struct SampleImage {
   std::string label;  ///< "4096", or "reference"
   std::string stimulus_id;
-  std::string png;
+  std::string png;      ///< empty when the picture cannot be shown
+  std::string trouble;  ///< why not, a sentence
   int width_px = 0, height_px = 0;
 };
 
@@ -22,14 +23,20 @@ struct SampleRow {
   Artifact artifact = Artifact::none;
   std::string scene, object;
   std::vector<SampleImage> images;
+  std::string trouble;  ///< why there are no images, a sentence
 };
 
 /// The rows, or a sentence that says why there are none.
 using StimulusSamples = std::variant<std::vector<SampleRow>, std::string>;
 
 /// Cuts samples out of the set that the log names: for each artifact its left object, around the object's own
-/// pixels in the object-id image with room for shadows. `scratch` is a folder that may be written to.
+/// pixels in the object-id image with room for shadows. Only pictures that are what the manifest says are
+/// shown: another one leaves its place empty, with the reason. `scratch` is a folder that may be written to.
 [[nodiscard]] StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::path& scratch);
+
+/// What a reader must know about the samples: a sentence that says how many pictures of the set are not shown
+/// and why the first is not; nothing when all are.
+[[nodiscard]] std::vector<std::string> notes_on(const StimulusSamples& samples);
 
 struct Rectangle {
   int x = 0, y = 0, width_px = 0, height_px = 0;

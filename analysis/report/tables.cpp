@@ -13,7 +13,7 @@ namespace {
 const std::vector<CsvColumn> mean_columns = {
     {"n", "participants", "participants in the mean"},
     {"mean", "noticeability 0 to 4", "mean over participants; 0 is a wrong choice, else the rating"},
-    {"sem", "noticeability", "standard error of the mean over participants; NaN with one participant"},
+    {"sem", "noticeability", "standard error of the mean over participants; empty with one participant"},
     {"correct", "share 0 to 1", "share of right choices; 1/3 is chance"}};
 
 CsvValue px(std::optional<double> value) {

@@ -27,7 +27,7 @@ std::string safe_text(std::string_view text) {
 struct CsvCellText {
   std::string operator()(std::monostate) const { return ""; }
   std::string operator()(const std::string& text) const { return safe_text(text); }
-  std::string operator()(double number) const { return number_text(number); }
+  std::string operator()(double number) const { return std::isfinite(number) ? number_text(number) : ""; }
   std::string operator()(std::int64_t number) const { return std::to_string(number); }
 };
 

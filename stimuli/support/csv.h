@@ -26,14 +26,13 @@ struct CsvTable {
 
 /// RFC 4180 with a header line, "\n" line ends. Text is quoted where needed, and text that a spreadsheet
 /// would run as a formula (it begins with = + - @, tab or a line end) gets a leading apostrophe. Numbers
-/// have 6 significant digits
-/// ("NaN" stays visible).
+/// have 6 significant digits; one that is infinite or not a number is an empty cell, as what does not exist.
 [[nodiscard]] std::string csv_text(const CsvTable& table);
 
 /// The columns of several tables as a table of their own: file, column, unit, meaning.
 [[nodiscard]] CsvTable data_dictionary(const std::vector<CsvTable>& tables);
 
-/// A number with at most 6 significant digits; "NaN" and "inf" in words.
+/// A number with at most 6 significant digits, for sentences about input: "NaN" and "inf" in words.
 [[nodiscard]] std::string number_text(double value);
 
 /// `value` rounded to 6 significant digits.

@@ -154,6 +154,13 @@ Image read_image(const fs::path& path) {
   });
 }
 
+PictureShape picture_shape(const fs::path& path) {
+  return with_image_errors(path, [&] {
+    const OIIO::ImageSpec spec = open_image(path)->spec();
+    return PictureShape{spec.width, spec.height, spec.nchannels};
+  });
+}
+
 ByteImage read_bytes_image(const fs::path& path) {
   return with_image_errors(path, [&] {
     const auto input = open_image(path);

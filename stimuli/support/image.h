@@ -64,6 +64,15 @@ struct ByteImage {
 /// InputError.
 [[nodiscard]] Image read_float_image(const std::filesystem::path& path);
 
+struct PictureShape {
+  int width_px = 0, height_px = 0, channels = 0;
+
+  bool operator==(const PictureShape&) const = default;
+};
+
+/// What the file's header says, which is all that is read. Throws InputError naming the file.
+[[nodiscard]] PictureShape picture_shape(const std::filesystem::path& path);
+
 /// Reads an 8-bit PNG without any conversion. Throws InputError naming the file.
 [[nodiscard]] ByteImage read_bytes_image(const std::filesystem::path& path);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace seamline {
 namespace {
@@ -15,7 +16,9 @@ struct MarkdownCellText {
     for (const char c : text) safe += c == '|' ? "\\|" : std::string(1, c == '\n' ? ' ' : c);
     return safe;
   }
-  std::string operator()(double number) const { return fmt::format("{:.{}g}", number, digits); }
+  std::string operator()(double number) const {
+    return std::isfinite(number) ? fmt::format("{:.{}g}", number, digits) : "–";
+  }
   std::string operator()(std::int64_t number) const { return std::to_string(number); }
 };
 

@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "stimuli/support/atomic_file.h"
 #include "stimuli/support/error.h"
 #include "study/app/characters.h"
+#include "study/app/glyphs.h"
 
 namespace seamline::study::app {
 namespace {
@@ -28,11 +31,66 @@ std::size_t place(Font font) {
   return static_cast<std::size_t>(font);
 }
 
-/// Texts that come with the window, and what people may type.
-void add_basic_characters(ImFontGlyphRangesBuilder& builder) {
-  builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());  // Latin-1
-  for (const ImWchar character : {0x2013, 0x2014, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2026})
-    builder.AddChar(character);
+/// Texts that come with the window, what people may type, and those of the study.
+std::u32string characters_to_set(const std::string& of_study) {
+  std::u32string characters = U"\u2013\u2014\u2018\u2019\u201C\u201D\u2022\u2026";
+  for (char32_t latin = 0x20; latin <= 0xFF; ++latin) characters += latin;
+  for (const char32_t character : characters_of(of_study))
+    if (character > 0xFF && character <= IM_UNICODE_CODEPOINT_MAX) characters += character;
+  return characters;
+}
+
+/// A shape, and the number of its place in the texture.
+struct PlacedGlyph {
+  Glyph glyph;
+  int place = 0;
+};
+
+/// Enough for all shapes in a texture that is about as high as wide.
+int texture_width_px(const std::vector<PlacedGlyph>& placed) {
+  std::int64_t area = 0, width = 512;
+  for (const PlacedGlyph& one : placed)
+    area += std::int64_t{one.glyph.width_px + 1} * (one.glyph.height_px + 1);
+  while (width < 8192 && width * width < area * 5 / 4) width *= 2;
+  return static_cast<int>(width);
+}
+
+/// Dear ImGui arranges the shapes and draws them, but never sees the font: it opens its own small one, of
+/// which nothing but the height of the line is used.
+ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, const std::u32string& characters,
+                 double size_px, std::vector<PlacedGlyph>& placed) {
+  static constexpr std::array<ImWchar, 3> space_alone = {' ', ' ', 0};
+  ImFontConfig config;
+  config.SizePixels = static_cast<float>(std::round(size_px));
+  config.GlyphRanges = space_alone.data();
+  ImFont* font = atlas.AddFontDefault(&config);
+  for (Glyph& glyph : glyphs_of(read_file(file, largest_font_bytes), file.string(), characters,
+                                static_cast<int>(std::round(size_px)))) {
+    // A row and a column more, so that no neighbour in the texture shows.
+    const int place = atlas.AddCustomRectFontGlyph(
+        font, static_cast<ImWchar>(glyph.character), glyph.width_px + 1, glyph.height_px + 1,
+        static_cast<float>(glyph.advance_px), vector(glyph.left_px, glyph.top_px));
+    placed.push_back({std::move(glyph), place});
+  }
+  return font;
+}
+
+/// Puts the shapes into the texture; false when it has no room for them.
+bool fill_texture(ImFontAtlas& atlas, const std::vector<PlacedGlyph>& placed) {
+  unsigned char* texels = nullptr;
+  int width_px = 0, height_px = 0;
+  atlas.TexDesiredWidth = texture_width_px(placed);
+  if (!atlas.Build()) return false;
+  atlas.GetTexDataAsAlpha8(&texels, &width_px, &height_px);
+  for (const auto& [glyph, place] : placed) {
+    const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(place);
+    if (!rect.IsPacked() || rect.X + glyph.width_px >= width_px || rect.Y + glyph.height_px >= height_px)
+      return false;
+    for (int y = 0; y < glyph.height_px; ++y)
+      std::copy_n(glyph.coverage.begin() + std::ptrdiff_t{y} * glyph.width_px, glyph.width_px,
+                  texels + std::ptrdiff_t{rect.Y + y} * width_px + rect.X);
+  }
+  return true;
 }
 
 /// The first character of the text that the font has no shape for, or 0.
@@ -101,26 +159,18 @@ Canvas::~Canvas() {
 void Canvas::set_font(const FontRequest& request) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  ImFontGlyphRangesBuilder builder;
-  add_basic_characters(builder);
-  builder.AddText(request.characters.data(), request.characters.data() + request.characters.size());
-  ImVector<ImWchar> ranges;
-  builder.BuildRanges(&ranges);
+  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
+  const std::u32string characters = characters_to_set(request.characters);
+  std::vector<PlacedGlyph> placed;
   const auto add = [&](const std::filesystem::path& file, double size_px) {
-    ImFontConfig config;
-    config.OversampleH = 2;
-    config.OversampleV = 2;
-    ImFont* font =
-        atlas.AddFontFromFileTTF(file.c_str(), static_cast<float>(std::round(size_px)), &config, ranges.Data);
-    if (font == nullptr)
-      throw input_error({.file = file.string(), .wanted = "a TrueType font", .found = "another file"});
-    return font;
+    return add_font(atlas, file, characters, size_px, placed);
   };
   state_->fonts = {add(request.file, request.body_px), add(request.heading_file, request.body_px * 1.5),
                    add(request.file, request.body_px * 0.8)};
-  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
-  if (!atlas.Build())
-    throw input_error({.file = request.file.string(), .wanted = "a TrueType font", .found = "another file"});
+  if (!fill_texture(atlas, placed))
+    throw input_error({.file = request.file.string(),
+                       .wanted = "texts and a size whose letters fit into one texture",
+                       .found = fmt::format("{} letters of {} px", placed.size(), request.body_px)});
   ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new type
   for (const ImFont* font : state_->fonts)
     if (const char32_t missing = missing_character(*font, request.characters); missing != 0)

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "picture_set.h"
 #include "scripted_window.h"
+#include "small_font.h"
 #include "stimuli/support/image.h"
 
 namespace seamline::study::app {
@@ -80,6 +83,22 @@ TEST_F(TroubleTest, WithoutAScreenThereIsOneSentenceAndNoLog) {
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_THAT(read_file(out), HasSubstr("display: wanted a screen to show the pictures on, found none"));
   EXPECT_FALSE(fs::exists(folder / "log.sqlite"));
+}
+
+TEST_F(TroubleTest, ADamagedFontIsOneSentence) {
+  prepare(800, 600, {.session = "font = \"letters.ttf\"\n", .more = short_study});
+  const std::string font = test::small_font();
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{3}, std::size_t{12}, font.size() / 2}) {
+    std::ofstream(folder / "set" / "letters.ttf", std::ios::binary) << font.substr(0, bytes);
+    test::WindowDriver window(*server, run());
+    EXPECT_EQ(window.wait_end(), 1) << bytes;
+    EXPECT_THAT(window.output(), HasSubstr("letters.ttf: font: wanted a TrueType or OpenType font"));
+  }
+  std::ofstream(folder / "set" / "letters.ttf", std::ios::binary) << font;
+  test::WindowDriver window(*server, run());
+  EXPECT_EQ(window.wait_end(), 1);
+  EXPECT_THAT(window.output(),
+              HasSubstr("a font with every character of the study's texts, found none for U+"));
 }
 
 TEST_F(TroubleTest, PicturesThatDoNotFitAreRefusedUnlessScalingIsAllowed) {

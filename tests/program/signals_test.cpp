@@ -19,6 +19,8 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leav
 namespace seamline {
 namespace {
 
+using study::StudySet;
+
 using test::fresh_folder;
 using test::run_seamline;
 namespace fs = std::filesystem;

@@ -28,15 +28,15 @@ class SetLinks : public testing::Test {
     manifest_.width_px = manifest_.height_px = 16;
     const ByteImage grey{
         .width_px = 16, .height_px = 16, .channels = 3, .values = std::vector<std::uint8_t>(768, 100)};
-    for (const fs::path& file : {outside_, set_ / "image.png", set_ / "reference.png", set_ / "ids.png"})
-      write_png(file, grey);
+    for (const fs::path& file : {outside_, set_ / "image.png", set_ / "reference.png"}) write_png(file, grey);
+    write_png(set_ / "ids.png", {16, 16, 1, std::vector<std::uint8_t>(256, 0)});
     const std::string hash = sha256_of_file(outside_);
     ManifestStimulus record = test::record_of(Artifact::receiver, "left", 64);
     record.image = "image.png";
     record.reference = "reference.png";
     record.object_ids = "ids.png";
     record.sha256 = hash;
-    manifest_.references = {{"room", "reference.png", "ids.png", hash, hash}};
+    manifest_.references = {{"room", "reference.png", "ids.png", hash, sha256_of_file(set_ / "ids.png")}};
     manifest_.stimuli = {record};
   }
   void put_link(const std::string& name, const fs::path& target) const {
@@ -51,7 +51,7 @@ TEST_F(SetLinks, OutOfTheFolderAreRefusedByEveryReader) {
     EXPECT_THAT(complaint_of([&] { (void)visible_differences(set_, manifest_, 60, {}, 1); }),
                 HasSubstr("leads out of it"))
         << name;
-    EXPECT_THAT(complaint_of([&] { check_set_files_exist(set_, manifest_); }), HasSubstr("leads out of it"));
+    EXPECT_THAT(complaint_of([&] { check_set_shapes(set_, manifest_); }), HasSubstr("leads out of it"));
     EXPECT_THAT(complaint_of([&] { check_set_files(set_, manifest_); }), HasSubstr("leads out of it"));
     fs::remove(set_ / name);
     fs::copy_file(outside_, set_ / name);
