@@ -58,7 +58,9 @@ TEST(PsychometricManyLevels, BinsKeepEveryAnswer) {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     k += bins[i].k;
     n += bins[i].n;
-    if (i > 0) EXPECT_LT(bins[i - 1].t, bins[i].t);
+    if (i > 0) {
+      EXPECT_LT(bins[i - 1].t, bins[i].t);
+    }
   }
   EXPECT_LE(bins.size(), most_unpooled_levels);
   EXPECT_EQ(n, 30'000);

@@ -81,7 +81,8 @@ TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {
   write_png(set.folder / first.image, small);
   EXPECT_THAT(complaint({TrialKind::stimulus, 0}), HasSubstr("found other bytes"));
   first.sha256 = sha256_of_file(set.folder / first.image);
-  EXPECT_THAT(complaint({TrialKind::stimulus, 0}), HasSubstr("32 x 16 pixels with 3 channels, found 32 x 8"));
+  EXPECT_THAT(complaint({TrialKind::stimulus, 0}),
+              HasSubstr("32 x 16 pixels with 3 channels, as in the manifest, found 32 x 8"));
   std::filesystem::remove(folder / ("set/" + set.manifest.stimuli[1].image));
   EXPECT_THAT(complaint({TrialKind::stimulus, 1}), HasSubstr(set.manifest.stimuli[1].image));
 }
