@@ -1,5 +1,6 @@
 #include "study/log.h"
 
+#include "stimuli/support/printable.h"
 #include "study/log_database.h"
 #include "study/log_values.h"
 #include "study/session_claims.h"
@@ -13,9 +14,10 @@ void read_study_row(SQLite::Database& database, LogContents& log) {
                         "SELECT study_name, study_hash, set_hash, set_folder, study_text FROM study");
   if (!row.executeStep())
     throw input_error({.file = log.file.string(), .field = "study", .wanted = "a study", .found = "none"});
-  log.study_name = row.getColumn(0).getString();
-  log.study_hash = row.getColumn(1).getString();
-  log.set_hash = row.getColumn(2).getString();
+  const LogValues values(row, log.file, "study");
+  log.study_name = values.text(0);
+  log.study_hash = values.text(1);
+  log.set_hash = values.text(2);
   log.set_folder = row.getColumn(3).getString();
   log.study_text = row.getColumn(4).getString();
 }
@@ -26,7 +28,8 @@ std::vector<FormAnswer> read_form(SQLite::Database& database, std::int64_t parti
   SQLite::bind(row, participant);
   std::vector<FormAnswer> form;
   while (row.executeStep())
-    form.push_back({.field = row.getColumn(0).getString(), .value = row.getColumn(1).getString()});
+    form.push_back({.field = clean_text(row.getColumn(0).getString()),
+                    .value = clean_text(row.getColumn(1).getString())});
   return form;
 }
 
@@ -50,7 +53,7 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
                             .pilot = values.flag(1),
                             .excluded = values.flag(2),
                             .simulated = !row.getColumn(3).isNull(),
-                            .observer = row.getColumn(3).getString(),
+                            .observer = values.text(3),
                             .completed = values.flag(4),
                             .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
                             .planned_trials = row.getColumn(6).getInt(),
@@ -88,12 +91,12 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
   const LogValues values(row, file, "answers");
   std::vector<Answer> answers;
   while (row.executeStep())
-    answers.push_back({.participant = row.getColumn(0).getString(),
+    answers.push_back({.participant = values.text(0),
                        .trial_index = values.number(1, 0),
-                       .stimulus_id = row.getColumn(2).getString(),
-                       .scene = row.getColumn(3).getString(),
+                       .stimulus_id = values.text(2),
+                       .scene = values.text(3),
                        .artifact = artifact_of(row.getColumn(4).getString(), file),
-                       .object = row.getColumn(5).getString(),
+                       .object = values.text(5),
                        .object_index = values.number(6, 1, 3),
                        .depth_width_px = values.number(7, 2),
                        .chosen_index = values.number(8, 1, 3),
@@ -115,10 +118,10 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs:
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
     const TrialKind kind = values.kind(2);
-    catches.push_back({.participant = row.getColumn(0).getString(),
+    catches.push_back({.participant = values.text(0),
                        .trial_index = values.number(1, 0),
                        .kind = kind,
-                       .scene = row.getColumn(3).getString(),
+                       .scene = values.text(3),
                        .right_index = kind == TrialKind::attention ? values.number(4, 1, 3) : 0,
                        .chosen_index = values.number(5, 1, 3),
                        .rating = values.number(6, 1, 4),

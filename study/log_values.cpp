@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/printable.h"
 
 namespace seamline::study {
 namespace {
@@ -15,7 +16,7 @@ InputError out_of_range(const std::filesystem::path& log, const char* table, con
   return input_error({.file = log.string(),
                       .field = fmt::format("{}.{}", table, column.getName()),
                       .wanted = wanted,
-                      .found = "\"" + column.getString().substr(0, 40) + "\""});
+                      .found = "\"" + printable(column.getString(), 40) + "\""});
 }
 
 }  // namespace
@@ -41,6 +42,10 @@ double LogValues::positive(int column) const {
   if (!(number > 0) || !std::isfinite(number))
     throw out_of_range(log_, table_, value, "a finite number above 0");
   return number;
+}
+
+std::string LogValues::text(int column) const {
+  return printable(row_.getColumn(column).getString());
 }
 
 std::string LogValues::code(int column) const {

@@ -23,6 +23,8 @@ class LogValues {
   [[nodiscard]] std::int64_t time(int column, std::int64_t least = 0) const;
   [[nodiscard]] double positive(int column) const;
   [[nodiscard]] bool flag(int column) const { return number(column, 0, 1) != 0; }
+  /// A text that is shown to people: as `printable` has it.
+  [[nodiscard]] std::string text(int column) const;
   /// A code as check_participant_code has it.
   [[nodiscard]] std::string code(int column) const;
   [[nodiscard]] TrialKind kind(int column) const;

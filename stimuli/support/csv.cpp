@@ -6,11 +6,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "stimuli/support/printable.h"
+
 namespace seamline {
 
 namespace {
 
-std::string safe_text(std::string_view text) {
+std::string safe_text(std::string_view outside) {
+  const std::string text = clean_text(outside);
   std::string safe;
   if (!text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos)
     safe = "'";

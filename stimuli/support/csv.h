@@ -25,8 +25,9 @@ struct CsvTable {
 };
 
 /// RFC 4180 with a header line, "\n" line ends. Text is quoted where needed, and text that a spreadsheet
-/// would run as a formula (it begins with = + - @, tab or a line end) gets a leading apostrophe. Numbers
-/// have 6 significant digits; one that is infinite or not a number is an empty cell, as what does not exist.
+/// would run as a formula (it begins with = + - @, tab or a line end) gets a leading apostrophe; what cannot be
+/// shown is replaced and what is endless is shortened (`clean_text`). Numbers have 6 significant digits; one that
+/// is infinite or not a number is an empty cell, as what does not exist.
 [[nodiscard]] std::string csv_text(const CsvTable& table);
 
 /// The columns of several tables as a table of their own: file, column, unit, meaning.

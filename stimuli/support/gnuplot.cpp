@@ -14,6 +14,7 @@
 
 #include "stimuli/support/error.h"
 #include "stimuli/support/interrupt.h"
+#include "stimuli/support/printable.h"
 #include "stimuli/support/temporary_folder.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -23,6 +24,8 @@ namespace seamline {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t longest_label = 300;  ///< letters; more leave any figure
 
 InputError no_gnuplot() {
   return input_error({.file = "gnuplot",
@@ -127,7 +130,7 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
 
 std::string gnuplot_text(const std::string& text) {
   std::string safe;
-  for (char c : text) {
+  for (char c : clean_text(text, longest_label)) {
     const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';  // a NUL ends gnuplot's line
     if (c == '\\' || c == '"' || c == '`' || control) c = c == '"' ? '\'' : ' ';
     if (std::string_view("^_@&~{}").find(c) != std::string_view::npos) safe += "\\\\";

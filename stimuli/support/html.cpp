@@ -1,11 +1,13 @@
 #include "stimuli/support/html.h"
 
+#include "stimuli/support/printable.h"
+
 namespace seamline {
 
 std::string html_escape(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
-  for (char c : text) switch (c) {
+  for (const char c : clean_text(text)) switch (c) {
       case '&':
         safe += "&amp;";
         break;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "stimuli/support/printable.h"
+
 namespace seamline {
 
 std::string duration_text(double seconds) {
@@ -16,7 +18,7 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::string title, double work_total)
-    : title_(std::move(title)),
+    : title_(printable(title, 80)),
       work_total_(std::max(work_total, 1e-9)),
       on_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
