@@ -11,6 +11,7 @@
 #include "renderer/render_set.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/number_option.h"
 #include "stimuli/support/progress.h"
 #include "study/simulation.h"
 
@@ -52,8 +53,8 @@ void add_demo_command(CLI::App& app) {
   CLI::App* demo =
       app.add_subcommand("demo", "the whole chain, small: stimuli, simulated observers, thresholds, report");
   demo->add_option("--out", *out, "folder of everything the demo makes")->capture_default_str();
-  demo->add_option("--spp", *spp, "samples a pixel, instead of the study's: fewer are faster and noisier")
-      ->check(CLI::Range(1, 1 << 16));
+  add_number(*demo, "--spp", *spp, {1, 65536},
+             "samples a pixel, instead of the study's: fewer are faster and noisier");
   demo->callback([out, spp] { run_demo(*out, *spp); });
 }
 

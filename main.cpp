@@ -1,22 +1,16 @@
-// Seamline: study file -> plan -> stimuli -> sessions -> log -> thresholds -> report.
+// One place that catches: what ends a command with which exit status.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 
-#include "analysis/commands/commands.h"
-#include "demo.h"
-#include "renderer/commands.h"
-#include "stability/commands.h"
-#include "stimuli/support/assets.h"
+#include "program.h"
 #include "stimuli/support/error.h"
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/memory.h"
-#include "study/commands.h"
-#ifdef SEAMLINE_HAS_WINDOW
-#include "study/app/run_participant.h"
-#endif
+#include "stimuli/support/printable.h"
 
 namespace {
 
@@ -24,13 +18,17 @@ constexpr int exit_wrong_input = 1;
 constexpr int exit_unstable = 1;
 constexpr int exit_bug = 2;
 constexpr int exit_interrupted = 130;
+constexpr std::size_t longest_sentence = 2000;  ///< letters; its parts are shortened already
 
 int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_wrong_input;
+    std::fprintf(stderr, "seamline: %s (see --help)\n", seamline::printable(error.what()).c_str());
+    return exit_wrong_input;
   }
 }
 
@@ -38,40 +36,28 @@ int run(CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   seamline::keep_freed_memory();
-  CLI::App app{
-      "Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
-      "seamline"};
-  app.set_version_flag("--version", "seamline " + seamline::program_version());
-  app.require_subcommand(1);
-  seamline::add_demo_command(app);
-  seamline::renderer::add_renderer_commands(app);
-#ifdef SEAMLINE_HAS_WINDOW
-  seamline::study::add_study_commands(app, seamline::study::app::run_participant_in_window);
-#else
-  seamline::study::add_study_commands(app);
-#endif
-  seamline::analysis::add_analysis_commands(app);
   bool any_case_failed = false;
-  seamline::stability::add_stability_command(app, any_case_failed);
+  const std::unique_ptr<CLI::App> app = seamline::program(any_case_failed);
   seamline::catch_interrupts();
   try {
-    const int status = run(app, argc, argv);
+    const int status = run(*app, argc, argv);
     return status == 0 && any_case_failed ? exit_unstable : status;
   } catch (const seamline::InputError& error) {
-    std::fprintf(stderr, "seamline: %s\n", error.what());
+    std::fprintf(stderr, "seamline: %s\n", seamline::printable(error.what(), longest_sentence).c_str());
     return exit_wrong_input;
   } catch (const seamline::Interrupted&) {
     std::fprintf(stderr, "seamline: stopped; run the same command again to continue\n");
     return exit_interrupted;
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "seamline: %s: wanted a path that can be used, found %s\n", error.path1().c_str(),
-                 error.code().message().c_str());
+    std::fprintf(stderr, "seamline: %s: wanted a path that can be used, found %s\n",
+                 seamline::printable(error.path1().native()).c_str(), error.code().message().c_str());
     return exit_wrong_input;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "seamline: wanted input that fits into memory, found more than there is\n");
     return exit_wrong_input;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "seamline: this is a bug in seamline: %s\n", error.what());
+    std::fprintf(stderr, "seamline: this is a bug in seamline: %s\n",
+                 seamline::printable(error.what(), longest_sentence).c_str());
     return exit_bug;
   }
 }

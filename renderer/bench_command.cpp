@@ -9,6 +9,7 @@
 #include "renderer/geometry.h"
 #include "renderer/parallel.h"
 #include "stimuli/support/assets.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::renderer {
 namespace {
@@ -93,8 +94,7 @@ void add_bench_command(CLI::App& app) {
   for (const Benchmark& benchmark : benchmarks()) names.emplace_back(benchmark.name);
   bench->add_option("--only", line->only, "one benchmark")->check(CLI::IsMember(names));
   bench->add_flag("--quick", line->options.quick, "small: whether it runs, not how fast");
-  bench->add_option("--threads", line->options.threads, "threads of builds and pictures")
-      ->check(CLI::Range(1, 1024));
+  add_number(*bench, "--threads", line->options.threads, {1, 1024}, "threads of builds and pictures");
   bench->add_flag("--json", line->json, "as data");
   bench->callback([line] { run_bench(*line); });
 }

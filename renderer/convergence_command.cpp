@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <tuple>
 
 #include "renderer/asset_root_option.h"
 #include "renderer/convergence.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::renderer {
 namespace {
@@ -20,24 +22,16 @@ struct ConvergenceOptions {
   double seconds = 120;
 };
 
-/// "480x270".
-void parse_size(const std::string& text, ConvergenceRequest& request) {
-  if (text.empty()) return;
+/// Width and height, from "480x270".
+std::pair<int, int> size_of(const std::string& text) {
   constexpr int smallest_px = 8, largest_px = 16384;
-  const std::size_t cross = text.find('x');
-  const bool digits = cross != std::string::npos && cross > 0 && cross + 1 < text.size() &&
-                      text.size() < 12 &&
-                      text.find_first_not_of("0123456789", cross + 1) == std::string::npos &&
-                      text.find_first_not_of("0123456789") == cross;
-  if (digits) {
-    request.width_px = std::stoi(text.substr(0, cross));
-    request.height_px = std::stoi(text.substr(cross + 1));
-  }
+  const std::optional<std::pair<int, int>> size = whole_pair(text, 'x');
   const auto fits = [](int px) { return px >= smallest_px && px <= largest_px; };
-  if (!digits || !fits(*request.width_px) || !fits(*request.height_px))
+  if (!size || !fits(size->first) || !fits(size->second))
     throw input_error({.field = "--size",
                        .wanted = fmt::format("WxH with both from {} to {} px", smallest_px, largest_px),
                        .found = "\"" + text + "\""});
+  return *size;
 }
 
 void parse_parts(const std::vector<std::string>& words, ConvergenceRequest& request) {
@@ -53,7 +47,7 @@ void run(const ConvergenceOptions& options) {
   ConvergenceRequest request{.only = options.only, .out = options.out, .threads = options.threads};
   request.seconds = options.seconds;
   if (options.spp > 0) request.spp = options.spp;
-  parse_size(options.size, request);
+  if (!options.size.empty()) std::tie(request.width_px, request.height_px) = size_of(options.size);
   parse_parts(options.parts, request);
   if (!options.tolerances.empty()) request.tolerances = options.tolerances;
   fmt::print("{}", run_convergence(study, request));
@@ -73,23 +67,18 @@ void add_convergence_command(CLI::App& app) {
   command->add_option("--parts", options->parts, "only these parts (default: all)")
       ->delimiter(',')
       ->check(CLI::IsMember({"samples", "mesh", "width", "compositing"}));
-  command
-      ->add_option("--tolerances", options->tolerances,
-                   "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
-      ->delimiter(',')
-      ->check(CLI::Range(1e-9, 0.5));
-  command
-      ->add_option("--seconds", options->seconds,
-                   "about how long `samples` may take; `compositing` half as long; the others take what "
-                   "they need")
-      ->check(CLI::Range(0.1, 1e6))
+  add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
+             "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
+      ->delimiter(',');
+  add_number(*command, "--seconds", options->seconds, {0.1, 1e6},
+             "about how long `samples` may take; `compositing` half as long; the others take what they need")
       ->capture_default_str();
-  command
-      ->add_option("--spp", options->spp, "samples per pixel of `mesh` and `width`, instead of the study's")
-      ->check(CLI::Range(2, 65536));
-  command->add_option("--size", options->size, "WxH of the picture in pixels, instead of the study's");
-  command->add_option("--threads", options->threads, "worker threads (default: all cores)")
-      ->check(CLI::Range(1, 4096));
+  add_number(*command, "--spp", options->spp, {2, 65536},
+             "samples per pixel of `mesh` and `width`, instead of the study's");
+  add_formed_text(*command, "--size", options->size, "WxH",
+                  "of the picture in pixels, instead of the study's",
+                  [](const std::string& text) { (void)size_of(text); });
+  add_number(*command, "--threads", options->threads, {1, 4096}, "worker threads (default: all cores)");
   command->callback([options] { run(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <set>
+#include <tuple>
 
 #include "renderer/asset_root_option.h"
 #include "renderer/errors_page.h"
@@ -15,6 +16,7 @@
 #include "stimuli/study_file.h"
 #include "stimuli/support/confined_path.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_option.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline::renderer {
@@ -30,18 +32,12 @@ struct RenderOptions {
   int true_error_spp = 64;
 };
 
-void parse_shard(const std::string& text, RenderRequest& request) {
-  if (text.empty()) return;
-  const std::size_t slash = text.find('/');
-  const bool digits = slash != std::string::npos &&
-                      text.find_first_not_of("0123456789/") == std::string::npos && slash > 0 &&
-                      slash + 1 < text.size() && text.size() < 12;
-  if (digits) {
-    request.shard = std::stoi(text.substr(0, slash));
-    request.shard_count = std::stoi(text.substr(slash + 1));
-  }
-  if (!digits || request.shard < 1 || request.shard > request.shard_count)
+/// Part I of N, from "I/N".
+std::pair<int, int> shard_of(const std::string& text) {
+  const std::optional<std::pair<int, int>> pair = whole_pair(text, '/');
+  if (!pair || pair->first < 1 || pair->first > pair->second)
     throw input_error({.field = "--shard", .wanted = "I/N with I from 1 to N", .found = "\"" + text + "\""});
+  return *pair;
 }
 
 /// The plan, for the scenes that have a stimulus asked for.
@@ -76,7 +72,7 @@ void run_render(const RenderOptions& options) {
   request.estimator = options.estimator == "path" ? Estimator::path : Estimator::fast;
   if (!options.mesh.empty())
     request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
-  parse_shard(options.shard, request);
+  if (!options.shard.empty()) std::tie(request.shard, request.shard_count) = shard_of(options.shard);
   request.omit = omissions_without(options.no_omit);
   if (options.explain) print_plan(study, request);
   if (options.set.empty()) return;
@@ -118,16 +114,12 @@ void add_render_command(CLI::App& app) {
   add_asset_root_option(*render, options->asset_root);
   render->add_option("--out", options->set, "folder of the set; an interrupted job continues there");
   render->add_option("--only", options->only, "only stimuli whose id matches; * stands for any text");
-  render->add_option("--threads", options->threads, "worker threads (default: all cores)")
-      ->check(CLI::Range(1, 4096));
-  render->add_option("--spp", options->spp, "samples per pixel, instead of the study's")
-      ->check(CLI::Range(1, 65536));
+  add_number(*render, "--threads", options->threads, {1, 4096}, "worker threads (default: all cores)");
+  add_number(*render, "--spp", options->spp, {1, 65536}, "samples per pixel, instead of the study's");
   CLI::Option* error =
-      render
-          ->add_option("--error", options->error,
-                       "instead of a number of samples: sample until each picture's estimated error is below "
-                       "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile")
-          ->check(CLI::Range(0.002, 1.0));
+      add_number(*render, "--error", options->error, {0.002, 1},
+                 "instead of a number of samples: sample until each picture's estimated error is below "
+                 "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile");
   error->excludes("--spp");
   render
       ->add_option("--estimator", options->estimator,
@@ -136,7 +128,8 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   render->add_option("--mesh", options->mesh, "depth mesh, instead of the study's")
       ->check(CLI::IsMember({"adaptive", "full"}));
-  render->add_option("--shard", options->shard, "I/N: this process renders part I of N (by object)");
+  add_formed_text(*render, "--shard", options->shard, "I/N", "this process renders part I of N (by object)",
+                  [](const std::string& text) { (void)shard_of(text); });
   render->add_flag("--layers", options->layers, "also write float EXR layers");
   render->add_flag("--contact-sheet", options->contact_sheet,
                    "also write one contact sheet for each artifact");
@@ -151,8 +144,8 @@ void add_render_command(CLI::App& app) {
       render->add_option("--true-error", options->true_error,
                          "then measure the true error of the stimuli whose id matches, against the path "
                          "estimator with another seed; takes about as long as rendering them by it");
-  render->add_option("--true-error-spp", options->true_error_spp, "samples per pixel of these references")
-      ->check(CLI::Range(2, 65536))
+  add_number(*render, "--true-error-spp", options->true_error_spp, {2, 65536},
+             "samples per pixel of these references")
       ->capture_default_str()
       ->needs(true_error);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");

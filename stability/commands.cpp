@@ -12,6 +12,7 @@
 #include "stability/namespaces.h"
 #include "stability/run_cases.h"
 #include "stimuli/support/gnuplot.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::stability {
 namespace {
@@ -66,8 +67,7 @@ void add_stability_command(CLI::App& app, bool& any_failed) {
   stability->add_flag("--list", line->list, "names of the cases; nothing is run");
   stability->add_option("--figure", line->figure,
                         "an SVG file: observed orders of convergence beside the expected ones");
-  stability->add_option("--threads", line->options.threads, "threads of renders and builds")
-      ->check(CLI::Range(1, 1024));
+  add_number(*stability, "--threads", line->options.threads, {1, 1024}, "threads of renders and builds");
   auto* json = stability->add_flag("--json", line->json, "as data");
   stability->add_flag("--markdown", line->markdown, "as the tables of the documentation")->excludes(json);
   stability->callback([line, &any_failed] { any_failed = !run_stability(*line); });

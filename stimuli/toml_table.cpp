@@ -44,16 +44,6 @@ std::string shown_list(const toml::array& array) {
   return "[" + list + "]";
 }
 
-std::string range_text(const char* kind, Range range) {
-  const std::string unit = *range.unit == '\0' ? "" : std::string(" ") + range.unit;
-  if (std::isinf(range.most)) return fmt::format("{} of at least {}{}", kind, range.least, unit);
-  return fmt::format("{} from {} to {}{}", kind, range.least, range.most, unit);
-}
-
-bool inside(double value, Range range) {
-  return value >= range.least && value <= range.most;
-}
-
 }  // namespace
 
 TomlTable::TomlTable(std::shared_ptr<const Node> node, std::string file, std::string prefix)

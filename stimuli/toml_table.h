@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_range.h"
 
 namespace seamline::inline stimuli {
 
-/// The numbers a key may hold, ends included, and their unit for the sentence of complaint.
-struct Range {
-  double least;
-  double most;
-  const char* unit = "";
-};
+using Range = NumberRange;
 
 /// A table of a TOML file that is read strictly: every key asked for is remembered, and `finish` complains
 /// about any other, suggesting the nearest known one. All complaints name file and key

@@ -7,6 +7,7 @@
 
 #include "stimuli/set_files.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_option.h"
 #include "stimuli/support/suggest.h"
 #include "study/log_admin.h"
 #include "study/log_recovery.h"
@@ -130,14 +131,12 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   command->add_option("--trace", study_options->trace)->group("");  // for tests that drive the window
   command->add_option("--observer", study_options->observer,
                       "simulated people: threshold, image (looks at the pictures), guesser or perfect");
-  command->add_option("--count", study_options->count, "how many simulated people")
-      ->check(CLI::Range(1, 1000000))
+  add_number(*command, "--count", study_options->count, {1, 1000000}, "how many simulated people")
       ->capture_default_str();
-  command->add_option("--seed", study_options->seed, "of the simulated people")->capture_default_str();
-  command
-      ->add_option("--gain", study_options->gain,
-                   "of the observer image, as `predict` prints it (else the study's observer.image_gain)")
-      ->check(CLI::Range(1e-9, 1e9));
+  add_number(*command, "--seed", study_options->seed, any_seed, "of the simulated people")
+      ->capture_default_str();
+  add_number(*command, "--gain", study_options->gain, {1e-9, 1e9},
+             "of the observer image, as `predict` prints it (else the study's observer.image_gain)");
   command->callback([study_options, run_participant] { study(*study_options, run_participant); });
 
   const auto log_options = std::make_shared<LogOptions>();

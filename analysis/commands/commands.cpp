@@ -8,6 +8,7 @@
 #include "analysis/commands/plan_command.h"
 #include "analysis/commands/predict_command.h"
 #include "analysis/psychometric/fit_command.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::analysis {
 
@@ -27,15 +28,12 @@ void add_analysis_commands(CLI::App& app) {
   const auto request = std::make_shared<AnalysisRequest>();
   command->add_option("log", request->log, "the log, LOG.sqlite")->required();
   command->add_option("--out", request->report_folder, "folder of the report; made when missing")->required();
-  command->add_option("--bootstrap", request->bootstrap_replicates, "bootstrap replicates")
-      ->check(CLI::Range(100, 1000000))
+  add_number(*command, "--bootstrap", request->bootstrap_replicates, {100, 1000000}, "bootstrap replicates")
       ->capture_default_str();
-  command->add_option("--seed", request->seed, "seed of the bootstrap")->capture_default_str();
+  add_number(*command, "--seed", request->seed, any_seed, "seed of the bootstrap")->capture_default_str();
   command->add_flag("--include-pilot", request->include_pilot, "use pilot data as well");
-  command
-      ->add_option("--field-of-view", request->field_of_view_deg,
-                   "horizontal field of view in degrees for which thresholds are also stated")
-      ->check(CLI::Range(1.0, 179.0))
+  add_number(*command, "--field-of-view", request->field_of_view_deg, {1, 179, "degrees"},
+             "horizontal field of view for which thresholds are also stated")
       ->capture_default_str();
   command->add_flag("--exclude-screened", request->exclude_screened,
                     "leave out the participants whom a screen names (else they are named and used)");

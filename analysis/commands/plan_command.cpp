@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analysis/plan_study.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::analysis {
 namespace {
@@ -24,19 +25,17 @@ void add_plan_command(CLI::App& app) {
       "plan", "how many participants and which widths a wanted interval needs, by simulated studies");
   const auto request = std::make_shared<PlanRequest>();
   command->add_option("study", request->study_file, "the study file")->required();
-  command->add_option("--wanted-octaves", request->wanted_octaves, "width of the 95 % intervals of PT and SN")
-      ->check(CLI::Range(0.01, 100.0))
+  add_number(*command, "--wanted-octaves", request->wanted_octaves, {0.01, 100},
+             "width of the 95 % intervals of PT and SN")
       ->capture_default_str();
-  command->add_option("--participants", request->participants, "numbers of participants to try")
+  add_number(*command, "--participants", request->participants, {2, 10000}, "numbers of participants to try")
       ->delimiter(',')
-      ->check(CLI::Range(2, 10000))
       ->capture_default_str();
-  command->add_option("--studies", request->studies, "simulated studies for each set of widths")
-      ->check(CLI::Range(1, 1000000))
+  add_number(*command, "--studies", request->studies, {1, 1000000},
+             "simulated studies for each set of widths")
       ->capture_default_str();
-  command->add_option("--seed", request->seed, "of the simulated people")->capture_default_str();
-  command->add_option("--threads", request->threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 1024))
+  add_number(*command, "--seed", request->seed, any_seed, "of the simulated people")->capture_default_str();
+  add_number(*command, "--threads", request->threads, {0, 1024}, "0: as many as the machine has")
       ->capture_default_str();
   command->callback([request] { plan(*request); });
 }

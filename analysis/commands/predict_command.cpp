@@ -7,6 +7,7 @@
 
 #include "analysis/commands/predict_text.h"
 #include "analysis/predict.h"
+#include "stimuli/support/number_option.h"
 
 namespace seamline::analysis {
 namespace {
@@ -37,15 +38,13 @@ void add_predict_command(CLI::App& app) {
   command->add_option("set", options->set_folder, "folder of the rendered set")->required();
   command->add_option("--none", options->none_set_folder,
                       "a set of the same scenes and objects rendered with the artifact none: the floor");
-  CLI::Option* gain =
-      command->add_option("--gain", options->gain, "instead of the study's observer.image_gain")
-          ->check(CLI::Range(1e-9, 1e9));
+  CLI::Option* gain = add_number(*command, "--gain", options->gain, {1e-9, 1e9},
+                                 "instead of the study's observer.image_gain");
   command
       ->add_flag("--calibrate", options->calibrate,
                  "choose the gain that makes the receiver's perceptual threshold the paper's 426 px")
       ->excludes(gain);
-  command->add_option("--threads", options->threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 1024))
+  add_number(*command, "--threads", options->threads, {0, 1024}, "0: as many as the machine has")
       ->capture_default_str();
   command->callback([options] { predict(*options); });
 }

@@ -1,7 +1,6 @@
 #include "analysis/psychometric/fit_command.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,13 +8,14 @@
 
 #include "analysis/psychometric/fit_report.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_option.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline::analysis {
 
 namespace {
 
-constexpr double largest_free_guess = 0.5;
+constexpr double largest_free_guess = 0.5, largest_free_lapse = 0.1;
 constexpr std::size_t rows_of_seconds = 20'000;  ///< more may take seconds, and say how far they are
 
 /// The words of the command line, before they are understood.
@@ -30,12 +30,8 @@ struct FitArguments {
 
 double number_of(const std::string& option, const std::string& text, const std::string& wanted,
                  const std::string& whole) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))
-    throw input_error({.field = option, .wanted = wanted, .found = "'" + whole + "'"});
-  return value;
+  if (const std::optional<double> value = decimal_number(text)) return *value;
+  throw input_error({.field = option, .wanted = wanted, .found = "'" + whole + "'"});
 }
 
 /// "0.02" is fixed, "free:0.1" is free to 0.1, "free" is free to the largest.
@@ -50,8 +46,7 @@ Rate rate_of(const std::string& option, const std::string& text, double largest)
 }
 
 /// "A,B".
-std::optional<std::pair<double, double>> pair_of(const std::string& option, const std::string& text) {
-  if (text.empty()) return std::nullopt;
+std::pair<double, double> pair_of(const std::string& option, const std::string& text) {
   const std::string wanted = "two numbers A,B";
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
@@ -62,18 +57,30 @@ std::optional<std::pair<double, double>> pair_of(const std::string& option, cons
 
 Priors priors_of(const FitArguments& arguments) {
   Priors priors;
-  if (const auto prior = pair_of("--threshold-prior", arguments.threshold_prior))
-    priors.threshold = NormalPrior{.mean = prior->first, .sd = prior->second};
-  if (const auto prior = pair_of("--width-prior", arguments.width_prior)) {
-    if (prior->first <= 0)
+  if (!arguments.threshold_prior.empty()) {
+    const auto [mean, sd] = pair_of("--threshold-prior", arguments.threshold_prior);
+    priors.threshold = NormalPrior{.mean = mean, .sd = sd};
+  }
+  if (!arguments.width_prior.empty()) {
+    const auto [median, sd] = pair_of("--width-prior", arguments.width_prior);
+    if (median <= 0)
       throw input_error({.field = "--width-prior",
                          .wanted = "a positive median",
                          .found = "'" + arguments.width_prior + "'"});
-    priors.log2_width = NormalPrior{.mean = std::log2(prior->first), .sd = prior->second};
+    priors.log2_width = NormalPrior{.mean = std::log2(median), .sd = sd};
   }
-  if (const auto prior = pair_of("--lapse-prior", arguments.lapse_prior))
-    priors.lapse = BetaPrior{.a = prior->first, .b = prior->second};
+  if (!arguments.lapse_prior.empty()) {
+    const auto [a, b] = pair_of("--lapse-prior", arguments.lapse_prior);
+    priors.lapse = BetaPrior{.a = a, .b = b};
+  }
   return priors;
+}
+
+void is_lapse(const std::string& text) {
+  (void)rate_of("--lapse", text, largest_free_lapse);
+}
+void is_guess(const std::string& text) {
+  (void)rate_of("--guess", text, largest_free_guess);
 }
 
 study::Axis axis_of(const FitArguments& arguments) {
@@ -87,7 +94,7 @@ FitOptions options_of(const FitArguments& arguments) {
   options.axis = axis_of(arguments);
   if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
   if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
-  options.lapse = rate_of("--lapse", arguments.lapse, 0.1);
+  options.lapse = rate_of("--lapse", arguments.lapse, largest_free_lapse);
   if (!arguments.guess.empty()) options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
   options.priors = priors_of(arguments);
   options.overdispersed = arguments.overdispersed;
@@ -116,9 +123,9 @@ void add_fit_command(CLI::App& app) {
       "fit", "a psychometric function from counts at levels: threshold, width, intervals, goodness of fit");
   const auto arguments = std::make_shared<FitArguments>();
   command->add_option("data", arguments->file, "CSV with the columns level,correct,trials")->required();
-  command->add_option("--alternatives", arguments->alternatives, "of the forced choice; 1 is yes/no")
-      ->required()
-      ->check(CLI::Range(1, 1000));
+  add_number(*command, "--alternatives", arguments->alternatives, {1, 1000},
+             "of the forced choice; 1 is yes/no")
+      ->required();
   command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel")
       ->check(CLI::IsMember({"norm", "logistic", "gumbel"}))
       ->capture_default_str();
@@ -128,24 +135,27 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
       ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
       ->capture_default_str();
-  command->add_option("--lapse", arguments->lapse, "a fixed rate, or free:MAX")->capture_default_str();
-  command->add_option("--guess", arguments->guess,
-                      "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no");
-  command->add_option("--percent", arguments->request.percents,
-                      "also the level of this percentage correct; repeat for more");
+  add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", is_lapse)
+      ->capture_default_str();
+  add_formed_text(*command, "--guess", arguments->guess, "RATE",
+                  "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no", is_guess);
+  add_number(*command, "--percent", arguments->request.percents, {0, 100},
+             "also the level of this percentage correct, between 0 and 100; repeat for more");
   command->add_flag("--overdispersed", arguments->overdispersed,
                     "beta-binomial rows: intervals allow for extra scatter");
-  command
-      ->add_option("--bootstrap", arguments->request.bootstrap_replicates,
-                   "BCa intervals from this many replicates")
-      ->check(CLI::Range(0, 1000000));
-  command->add_option("--seed", arguments->request.seed, "of bootstrap and deviance p")
+  add_number(*command, "--bootstrap", arguments->request.bootstrap_replicates, {0, 1000000},
+             "BCa intervals from this many replicates");
+  add_number(*command, "--seed", arguments->request.seed, any_seed, "of bootstrap and deviance p")
       ->capture_default_str();
-  command->add_option("--threshold-prior", arguments->threshold_prior,
-                      "MEAN,SD: normal on the axis, MEAN a level (MAP)");
-  command->add_option("--width-prior", arguments->width_prior,
-                      "MEDIAN,SD: normal in log2 of the width (MAP)");
-  command->add_option("--lapse-prior", arguments->lapse_prior, "A,B: beta distribution, e.g. 1,10 (MAP)");
+  const auto add_prior = [&](const std::string& name, std::string& target, const char* form,
+                             const char* description) {
+    add_formed_text(*command, name, target, form, description,
+                    [name](const std::string& text) { (void)pair_of(name, text); });
+  };
+  add_prior("--threshold-prior", arguments->threshold_prior, "MEAN,SD",
+            "normal on the axis, MEAN a level (MAP)");
+  add_prior("--width-prior", arguments->width_prior, "MEDIAN,SD", "normal in log2 of the width (MAP)");
+  add_prior("--lapse-prior", arguments->lapse_prior, "A,B", "beta distribution, e.g. 1,10 (MAP)");
   command->add_option("--unit", arguments->request.unit, "unit of the levels, for texts");
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([arguments] { run_fit(*arguments); });

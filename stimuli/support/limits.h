@@ -45,6 +45,11 @@ inline constexpr int largest_log_value_bytes =
 inline constexpr int largest_log_sql_bytes = 1 << 20;  ///< of a statement, or of a table in the file's schema
 inline constexpr std::size_t most_schema_entries = 1000;  ///< looked at; a log has some thirty
 
+// What scenes are made of. In single precision sums, squares and areas of these are still finite.
+inline constexpr double farthest_place_m = 1e9;  ///< of any coordinate, from the camera
+inline constexpr double strongest_light =
+    1e12;  ///< radiance W/m2/sr, irradiance W/m2, and pixels of photographs
+
 // glTF.
 inline constexpr std::int64_t largest_gltf_buffers = 1024;
 /// Of a whole file, each mesh counted as often as nodes place it. W = 8192 at full density has 33,546,242.

@@ -1,0 +1,36 @@
+// Seamline: study file -> plan -> stimuli -> sessions -> log -> thresholds -> report.
+#include "program.h"
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/commands/commands.h"
+#include "demo.h"
+#include "renderer/commands.h"
+#include "stability/commands.h"
+#include "stimuli/support/assets.h"
+#include "study/commands.h"
+#ifdef SEAMLINE_HAS_WINDOW
+#include "study/app/run_participant.h"
+#endif
+
+namespace seamline {
+
+std::unique_ptr<CLI::App> program(bool& any_case_failed) {
+  auto app = std::make_unique<CLI::App>(
+      "Seamline measures how much depth resolution mixed reality needs before people stop seeing the seam.",
+      "seamline");
+  app->set_version_flag("--version", "seamline " + program_version());
+  app->require_subcommand(1);
+  add_demo_command(*app);
+  renderer::add_renderer_commands(*app);
+#ifdef SEAMLINE_HAS_WINDOW
+  study::add_study_commands(*app, study::app::run_participant_in_window);
+#else
+  study::add_study_commands(*app);
+#endif
+  analysis::add_analysis_commands(*app);
+  stability::add_stability_command(*app, any_case_failed);
+  return app;
+}
+
+}  // namespace seamline

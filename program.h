@@ -1,0 +1,14 @@
+#pragma once
+#include <memory>
+
+namespace CLI {
+class App;
+}
+
+namespace seamline {
+
+/// Seamline's command line: every command with its options. `any_case_failed` says after `stability` whether
+/// it should end with another status than 0.
+[[nodiscard]] std::unique_ptr<CLI::App> program(bool& any_case_failed);
+
+}  // namespace seamline

@@ -1,0 +1,182 @@
+// Every number of every command is checked before anything is done. The program's own list of options is
+// walked, so that a new one is tried without being added here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <regex>
+#include <set>
+
+#include "program.h"
+#include "run_program.h"
+#include "stimuli/support/error.h"
+
+namespace seamline {
+namespace {
+
+using test::fresh_folder;
+using test::Outcome;
+using test::run_seamline;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct ListedOption {
+  std::string command, name, kind;
+  int values = 0;       ///< at least; 0 for flags
+  int positionals = 0;  ///< of its command
+};
+
+std::vector<ListedOption> every_option() {
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  std::vector<ListedOption> options;
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
+    EXPECT_TRUE(command->get_subcommands([](const CLI::App*) { return true; }).empty()) << "walk these too";
+    const std::vector<const CLI::Option*> all = command->get_options();
+    const auto positionals = std::count_if(
+        all.begin(), all.end(), [](const CLI::Option* option) { return option->get_positional(); });
+    for (const CLI::Option* option : all)
+      options.push_back(
+          {command->get_name(), (option->get_positional() ? "" : "--") + option->get_single_name(),
+           option->get_type_name(), option->get_items_expected_min(), static_cast<int>(positionals)});
+  }
+  return options;
+}
+
+/// Flags, and texts that are names of files and the like. Whatever else there is, is made of numbers.
+bool holds_numbers(const ListedOption& option) {
+  return option.values > 0 && !option.kind.starts_with("TEXT") && option.kind != "NAME";
+}
+
+/// What the program says to its arguments before it does anything.
+std::string parsed(const std::vector<std::string>& arguments) {
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  std::vector<const char*> pointers = {"seamline"};
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  try {
+    app->parse(static_cast<int>(pointers.size()), pointers.data());
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const CLI::ParseError& error) {
+    return std::string("arguments: ") + error.what();
+  }
+  return "done";
+}
+
+std::vector<std::string> wrong_values(const ListedOption& option) {
+  std::vector<std::string> wrong = {"nan", "-nan", "NaN(7)", "inf", "-inf", "infinity", "1e999", "",
+                                    " ",   "1e",   "0x10",   "1 2", "1;2",  "none",     "\xFF"};
+  const bool whole = option.kind.starts_with("INTEGER");
+  const std::regex range(R"(:(\S+) to (\S+))");
+  if (std::smatch found; std::regex_search(option.kind, found, range)) {
+    const double least = std::stod(found[1]), most = std::stod(found[2]);
+    for (const double outside :
+         {least - std::max(1.0, std::abs(least)), most + std::max(1.0, std::abs(most)), -1e300, 1e300}) {
+      std::ostringstream text;
+      text << std::setprecision(whole ? 20 : 6) << outside;
+      wrong.push_back(text.str());
+    }
+    if (whole) wrong.insert(wrong.end(), {"1.5", "99999999999999999999999"});
+  } else {
+    wrong.insert(wrong.end(), {"-1", "nan,nan", "free:nan", "free:inf", "1,inf", "nanxnan", "1/nan", "1,"});
+  }
+  return wrong;
+}
+
+/// `value` as each of the values that the option needs, the others being fine.
+std::vector<std::vector<std::string>> settings(const ListedOption& option, const std::string& value) {
+  std::vector<std::vector<std::string>> all;
+  for (int place = 0; place < option.values; ++place) {
+    std::vector<std::string> arguments = {option.command};
+    if (option.name.starts_with("-")) {
+      arguments.insert(arguments.end(), static_cast<std::size_t>(option.positionals), "x");
+      arguments.push_back(option.name);
+    }
+    for (int i = 0; i < option.values; ++i) arguments.push_back(i == place ? value : "1");
+    all.push_back(std::move(arguments));
+  }
+  return all;
+}
+
+TEST(Options, EveryNumberOfEveryCommandIsChecked) {
+  const std::set<std::string> formed = {"I/N", "WxH", "RATE", "MEAN,SD", "MEDIAN,SD", "A,B"};
+  std::set<std::string> commands;
+  int tried = 0;
+  for (const ListedOption& option : every_option()) {
+    if (!holds_numbers(option)) continue;
+    commands.insert(option.command);
+    EXPECT_TRUE(option.kind.find(" to ") != std::string::npos || formed.contains(option.kind))
+        << option.command << " " << option.name << " is a " << option.kind
+        << ": add it with add_number (stimuli/support/number_option.h)";
+    for (const std::string& value : wrong_values(option))
+      for (const std::vector<std::string>& arguments : settings(option, value)) {
+        const std::string said = parsed(arguments);
+        EXPECT_THAT(said, StartsWith(option.name + ": wanted "))
+            << option.command << " with '" << value << "'";
+        EXPECT_EQ(said.find('\n'), std::string::npos);
+        ++tried;
+      }
+  }
+  EXPECT_GE(commands.size(), 11U);
+  EXPECT_GE(tried, 1000);
+  RecordProperty("tried", tried);
+}
+
+TEST(Options, AWrongNumberIsExitStatusOneAndWritesNothing) {
+  const auto folder = fresh_folder("options");
+  std::set<std::string> commands;
+  for (const ListedOption& option : every_option()) {
+    if (!holds_numbers(option) || !commands.insert(option.command).second) continue;
+    const Outcome outcome =
+        run_seamline(option.command + " " + option.name + " nan --out " + (folder / "out.exr").string());
+    EXPECT_EQ(outcome.status, 1) << option.command;
+    EXPECT_THAT(outcome.output, StartsWith("seamline: " + option.name + ": wanted "));
+    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(Options, EndsOfARangeAreInside) {
+  const std::string required = "is required";
+  for (const char* text : {"2", "+2", "16384"})
+    EXPECT_THAT(parsed({"capture", "--width", text}), HasSubstr(required)) << text;
+  EXPECT_THAT(parsed({"composite", "--fov", "170", "--albedo", "0", "--exposure", "-60"}),
+              HasSubstr(required));
+  EXPECT_THAT(parsed({"study", "--seed", "18446744073709551615"}), HasSubstr(required));
+  EXPECT_THAT(parsed({"study", "--seed", "18446744073709551616"}), HasSubstr("--seed: wanted"));
+  EXPECT_THAT(parsed({"fit", "--lapse", "free:0.05", "--guess", "free", "--threshold-prior", "-3,1e2"}),
+              HasSubstr(required));
+  EXPECT_THAT(parsed({"plan", "--participants", "2,10000"}), HasSubstr(required));
+}
+
+TEST(Options, NumbersOnTheCommandLineAreReadInOnePlace) {
+  const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
+  const std::regex other_ways(R"(\bsto[idlfu]|\bstrto|from_chars|sscanf|CLI::(Range|Bound|PositiveNumber))");
+  int with_options = 0;
+  for (const char* folder : {"stimuli", "renderer", "study", "analysis", "stability"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      const std::string path = std::filesystem::relative(entry.path(), root).generic_string();
+      if (entry.path().extension() != ".cpp" || path == "stimuli/support/number_option.cpp") continue;
+      const std::string text = test::read_text(entry.path());
+      if (text.find("CLI/CLI.hpp") == std::string::npos) continue;
+      ++with_options;
+      EXPECT_FALSE(std::regex_search(text, other_ways)) << path;
+    }
+  EXPECT_GE(with_options, 10);
+}
+
+TEST(Options, WhatIsNoOptionIsOneLineWithoutItsEscapes) {
+  const Outcome outcome = run_seamline("verify a \"$(printf 'b\\033[31mc\\nd\\377')\"");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, Not(HasSubstr("\033")));
+  EXPECT_THAT(outcome.output, HasSubstr("\\x1B[31mc\\nd\\xFF"));
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+}
+
+}  // namespace
+}  // namespace seamline
