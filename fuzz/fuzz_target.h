@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/printable.h"
 
 /// What the fuzz targets share.
 namespace seamline::fuzz {
@@ -25,6 +26,10 @@ int only_input_errors(Read&& read) {
   } catch (const InputError& error) {
     if (std::string_view(error.what()).find("wanted ") == std::string_view::npos) {
       std::fprintf(stderr, "a complaint that does not say what was wanted: %s\n", error.what());
+      abort();
+    }
+    if (const std::string line = error.what(); printable(line, line.size()) != line) {
+      std::fprintf(stderr, "a complaint that is not one printable line: %s\n", error.what());
       abort();
     }
   }

@@ -49,12 +49,14 @@ DepthMap read_depth_map(const std::filesystem::path& path) {
   // Eight-bit formats would be decoded as colours: their numbers are no metres.
   if (path.extension() != ".exr" && path.extension() != ".EXR")
     throw refuse("a depth map as an .exr file", "the extension `" + path.extension().string() + "`");
-  Image image = read_float_image(path);
-  if (image.channels != 1)
-    throw refuse("a depth map with one channel", std::to_string(image.channels) + " channels");
-  if (image.width_px < 2 || image.width_px % 2 != 0 || image.height_px != image.width_px / 2)
-    throw refuse("an equirectangular depth map with an even width of at least 2 and half that height",
-                 std::to_string(image.width_px) + " x " + std::to_string(image.height_px));
+  Image image = read_image(path, [&](const ImageHeader& header) {
+    if (!header.floating_point) throw refuse("an image of floating-point values", "whole numbers");
+    if (header.channels != 1)
+      throw refuse("a depth map with one channel", std::to_string(header.channels) + " channels");
+    if (header.width_px < 2 || header.width_px % 2 != 0 || header.height_px != header.width_px / 2)
+      throw refuse("an equirectangular depth map with an even width of at least 2 and half that height",
+                   std::to_string(header.width_px) + " x " + std::to_string(header.height_px));
+  });
   DepthMap map{.width_px = image.width_px,
                .height_px = image.height_px,
                .distance_m = std::move(image.values),

@@ -14,12 +14,15 @@
 #include "renderer/visible_objects.h"
 #include "stimuli/support/assets.h"
 #include "stimuli/support/error.h"
+#include "stimuli/support/number_option.h"
 #include "stimuli/support/progress.h"
 
 namespace seamline::renderer {
 namespace {
 
 using Triple = std::array<double, 3>;
+
+constexpr NumberRange any_yaw_texels{-16384, 16384, "texels"};
 
 Eigen::Vector3d vector(const Triple& v) {
   return {v[0], v[1], v[2]};
@@ -38,7 +41,8 @@ void need_extension(const std::string& file, std::initializer_list<const char*> 
 struct CaptureOptions {
   std::string scene, out;
   int width_px = 2048, yaw_texels = 0;
-  std::vector<double> at;
+  Triple at{};
+  bool at_given = false;
 };
 
 void run_capture(const CaptureOptions& options) {
@@ -48,11 +52,10 @@ void run_capture(const CaptureOptions& options) {
         {.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
   const std::filesystem::path path = resolve_named_file(options.scene, "SCENE");
   const SceneFile file = read_scene_file(path);
-  if (options.at.empty() && !file.camera)
+  if (!options.at_given && !file.camera)
     throw input_error(
         {.file = path.string(), .wanted = "a camera in the scene, or --at X Y Z", .found = "neither"});
-  const Eigen::Vector3d centre_m =
-      options.at.empty() ? file.camera->position_m : Eigen::Vector3d(options.at.data());
+  const Eigen::Vector3d centre_m = options.at_given ? vector(options.at) : file.camera->position_m;
   const Geometry geometry(place_parts(file, Eigen::Affine3d::Identity(), centre_m, 0.5, 0));
   const DepthMap map = capture_depth(geometry, options.width_px, options.yaw_texels, default_thread_count());
   write_depth_map(options.out, map);
@@ -107,24 +110,7 @@ SceneDefinition scene_of(const CompositeOptions& options) {
   return scene;
 }
 
-void check_numbers(const CompositeOptions& options) {
-  const auto finite = [](const char* field, const Triple& values, double least) {
-    for (const double value : values)
-      if (!(value >= least && value <= 1e12))
-        throw input_error({.field = field,
-                           .wanted = fmt::format("finite numbers of at least {}", least),
-                           .found = fmt::format("{}", value)});
-  };
-  finite("--position", options.position_m, -1e12);
-  finite("--rotation", options.rotation_deg, -1e12);
-  finite("--look-at", options.look_at_m, -1e12);
-  finite("--to-sun", options.to_sun, -1e12);
-  finite("--sun-irradiance", options.irradiance, 0);
-  finite("--environment", options.environment, 0);
-  if (!std::isfinite(options.exposure_ev))
-    throw input_error({.field = "--exposure",
-                       .wanted = "a finite number of stops",
-                       .found = fmt::format("{}", options.exposure_ev)});
+void check_directions(const CompositeOptions& options) {
   if (!(vector(options.to_sun).norm() > 0))
     throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
   const Eigen::Vector3d view = vector(options.look_at_m);
@@ -139,14 +125,31 @@ bool covers_a_pixel(const Camera& camera, const Geometry& object) {
   return seen[1] > 0;
 }
 
+Image read_photograph(const std::string& file) {
+  Image photograph = read_image(file, [&](const ImageHeader& header) {
+    if (header.channels < 3)
+      throw input_error({.file = file,
+                         .wanted = "three colour channels",
+                         .found = std::to_string(header.channels) + " channels"});
+  });
+  std::size_t wrong = 0;
+  for (int y = 0; y < photograph.height_px; ++y)
+    for (int x = 0; x < photograph.width_px; ++x) {
+      const Rgb colour = photograph.rgb(x, y);
+      wrong += (colour.abs() <= static_cast<float>(limits::strongest_light)).all() ? 0 : 1;
+    }
+  if (wrong > 0)
+    throw input_error(
+        {.file = file,
+         .wanted = fmt::format("colours that are numbers, at most {:g}", limits::strongest_light),
+         .found = fmt::format("{} pixels of another kind", wrong)});
+  return photograph;
+}
+
 void run_composite(const CompositeOptions& options) {
   need_extension(options.out, {".png", ".exr"});
-  check_numbers(options);
-  const Image photograph = read_image(options.photograph);
-  if (photograph.channels < 3)
-    throw input_error({.file = options.photograph,
-                       .wanted = "three colour channels",
-                       .found = std::to_string(photograph.channels)});
+  check_directions(options);
+  const Image photograph = read_photograph(options.photograph);
   const SceneDefinition scene = scene_of(options);
   const SceneFile object_file = read_scene_file(resolve_named_file(options.object, "--object"));
   Eigen::Vector3d centre_m;
@@ -176,7 +179,7 @@ void run_composite(const CompositeOptions& options) {
       render_onto_photograph(photograph, depth, object, camera, scene_light(scene, object_file), pass);
   const Composite composite = compose(layers, options.additive ? Compositing::additive : Compositing::ratio);
   if (std::filesystem::path(options.out).extension() == ".exr")
-    write_exr(options.out, composite.picture);
+    write_picture_exr(options.out, composite.picture);
   else
     write_png(options.out, display_image(composite.picture, options.exposure_ev));
   fmt::print("{}: {} pixels had too little light for a ratio, {} were clamped\n", options.out,
@@ -186,9 +189,8 @@ void run_composite(const CompositeOptions& options) {
 void add_mesh_options(CLI::App* command, MeshCommandOptions& options) {
   command->add_option("--mesh", options.density, "adaptive or full")
       ->check(CLI::IsMember({"adaptive", "full"}));
-  command->add_option("--tolerance", options.tolerance, "relative error of the adaptive mesh")
-      ->check(CLI::Range(1e-9, 1.0));
-  command->add_option("--yaw", options.yaw_texels, "texels by which the map was turned");
+  add_number(*command, "--tolerance", options.tolerance, {1e-9, 1}, "relative error of the adaptive mesh");
+  add_number(*command, "--yaw", options.yaw_texels, any_yaw_texels, "by which the map was turned");
 }
 
 void add_composite(CLI::App& app) {
@@ -199,24 +201,26 @@ void add_composite(CLI::App& app) {
   command->add_option("--depth", options->mesh.depth, "equirectangular depth map (.exr, metres)")->required();
   command->add_option("--object", options->object, "object (.glb, .gltf or builtin:NAME)")->required();
   command->add_option("--out", options->out, "picture to write (.png or .exr)")->required();
-  command->add_option("--position", options->position_m, "object's place, m from the panorama's centre");
-  command->add_option("--rotation", options->rotation_deg, "pitch yaw roll in degrees");
-  command->add_option("--scale", options->scale, "object's scale")->check(CLI::PositiveNumber);
-  command->add_option("--look-at", options->look_at_m,
-                      "point that the photograph's centre shows, m from the panorama's centre");
-  command->add_option("--fov", options->fov_deg, "horizontal field of view of the photograph, degrees")
-      ->check(CLI::Range(1.0, 170.0));
-  command->add_option("--to-sun", options->to_sun, "direction towards the sun");
-  command->add_option("--sun-irradiance", options->irradiance, "W/m2 on a plane facing the sun, R G B");
-  command->add_option("--sun-radius", options->sun_radius_deg, "angular radius of the sun, degrees")
-      ->check(CLI::Range(0.0, 45.0));
-  command->add_option("--environment", options->environment, "environment radiance R G B, W/m2/sr");
-  command->add_option("--albedo", options->albedo, "albedo of the local scene")->check(CLI::Range(0.0, 1.0));
-  command->add_option("--bounces", options->bounces, "further diffuse scatterings")
-      ->check(CLI::Range(0, 1024));
-  command->add_option("--spp", options->spp, "samples per pixel")->check(CLI::Range(1, 65536));
-  command->add_option("--seed", options->seed, "seed")->check(CLI::NonNegativeNumber);
-  command->add_option("--exposure", options->exposure_ev, "stops, for .png");
+  add_number(*command, "--position", options->position_m, any_place_m,
+             "object's place from the panorama's centre");
+  add_number(*command, "--rotation", options->rotation_deg, {-1e9, 1e9, "degrees"}, "pitch yaw roll");
+  add_number(*command, "--scale", options->scale, {1e-9, 1e9}, "object's scale");
+  add_number(*command, "--look-at", options->look_at_m, any_place_m,
+             "point that the photograph's centre shows, from the panorama's centre");
+  add_number(*command, "--fov", options->fov_deg, {1, 170, "degrees"},
+             "horizontal field of view of the photograph");
+  add_number(*command, "--to-sun", options->to_sun, {-1e9, 1e9}, "direction towards the sun");
+  add_number(*command, "--sun-irradiance", options->irradiance, {0, limits::strongest_light, "W/m2"},
+             "on a plane facing the sun, R G B");
+  add_number(*command, "--sun-radius", options->sun_radius_deg, {0, 45, "degrees"},
+             "angular radius of the sun");
+  add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
+             "environment radiance R G B");
+  add_number(*command, "--albedo", options->albedo, {0, 1}, "albedo of the local scene");
+  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings");
+  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel");
+  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed");
+  add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "for .png");
   command->add_flag("--additive", options->additive, "Debevec's additive form instead of the ratio");
   add_mesh_options(command, options->mesh);
   command->callback([options] { run_composite(*options); });
@@ -228,13 +232,17 @@ void add_workbench_commands(CLI::App& app) {
   auto capture_options = std::make_shared<CaptureOptions>();
   CLI::App* capture = app.add_subcommand("capture", "capture a panoramic depth map of a scene file");
   capture->add_option("scene", capture_options->scene, ".glb, .gltf or builtin:NAME")->required();
-  capture->add_option("--width", capture_options->width_px, "width W; the height is W / 2")
-      ->check(CLI::Range(2, 16384));
-  capture->add_option("--yaw", capture_options->yaw_texels, "turn the sampling grid by so many texels");
-  capture->add_option("--at", capture_options->at, "centre X Y Z in metres (default: the scene's camera)")
-      ->expected(3);
+  add_number(*capture, "--width", capture_options->width_px, {2, 16384, "px"},
+             "width W; the height is W / 2");
+  add_number(*capture, "--yaw", capture_options->yaw_texels, any_yaw_texels,
+             "by which the sampling grid turns");
+  const CLI::Option* at = add_number(*capture, "--at", capture_options->at, any_place_m,
+                                     "centre X Y Z (default: the scene's camera)");
   capture->add_option("--out", capture_options->out, "depth map to write (.exr)")->required();
-  capture->callback([capture_options] { run_capture(*capture_options); });
+  capture->callback([capture_options, at] {
+    capture_options->at_given = at->count() > 0;
+    run_capture(*capture_options);
+  });
 
   auto mesh_options = std::make_shared<MeshCommandOptions>();
   CLI::App* mesh = app.add_subcommand("mesh", "rebuild the local scene's mesh from a depth map");

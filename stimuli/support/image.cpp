@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -18,6 +19,7 @@
 #include "stimuli/support/exr_header.h"
 #include "stimuli/support/interrupt.h"
 #include "stimuli/support/limits.h"
+#include "stimuli/support/png_file.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -38,8 +40,23 @@ std::string format_of(const fs::path& path) {
       {.file = path.string(), .wanted = "an EXR, HDR, PNG or JPEG image", .found = "another kind of file"});
 }
 
+/// Decoded bytes for each byte of a file, at most. What PNG files hold has been unpacked already
+/// (`check_png`); the bytes of its 1-bit pixels are eight times as many.
+std::uint64_t largest_expansion(const OIIO::ImageSpec& spec, const std::string& format) {
+  if (format == "hdr") return 192;  // two bytes are a run of 127, and four bytes three floats
+  if (format != "openexr") return limits::largest_picture_expansion;
+  const std::string packing = spec.get_string_attribute("compression");
+  if (packing == "none") return 1;
+  if (packing == "rle") return 64;                         // two bytes are a run of 128
+  if (packing == "zip" || packing == "zips") return 1032;  // deflate
+  if (packing == "pxr24") return 1376;                     // deflate of three bytes of four
+  if (packing == "piz") return 512;                        // ten bits are a run of 256 values of 16 bits
+  if (packing.starts_with("b44")) return 11;               // three bytes are 16 values of 16 bits
+  return limits::largest_picture_expansion;
+}
+
 /// Throws InputError unless what the header promises is bearable, and can be in a file of this size.
-void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
+void check_size(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& path) {
   using namespace limits;
   const auto refuse = [&](const std::string& wanted, const std::string& found) {
     return input_error({.file = path.string(), .wanted = wanted, .found = found});
@@ -55,22 +72,33 @@ void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
                              largest_picture_side_px, largest_picture_channels, largest_picture_values),
                  found);
   const auto file_bytes = static_cast<std::uint64_t>(fs::file_size(path));
-  if (std::uint64_t{spec.image_bytes(true)} / largest_picture_expansion > file_bytes)
+  if (std::uint64_t{spec.image_bytes(true)} / largest_expansion(spec, format) > file_bytes)
     throw refuse(fmt::format("a file that can hold {}", found), fmt::format("{} bytes", file_bytes));
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+/// Closes a picture. Errors that nobody asked the library about, it would print.
+struct CloseImage {
+  void operator()(OIIO::ImageInput* input) const {
+    input->close();
+    (void)input->geterror();
+    delete input;  // NOLINT(cppcoreguidelines-owning-memory)
+  }
+};
+using OpenedImage = std::unique_ptr<OIIO::ImageInput, CloseImage>;
+
+OpenedImage open_image(const fs::path& path) {
   if (!fs::is_regular_file(path))
     throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
   const std::string format = format_of(path);
   if (format == "openexr") check_exr_header(path);
-  auto input = OIIO::ImageInput::create(format);
+  if (format == "png") check_png(path);
+  OpenedImage input(OIIO::ImageInput::create(format).release());
   OIIO::ImageSpec spec;
   if (!input || !input->open(path.string(), spec))
     throw input_error({.file = path.string(),
                        .wanted = "an image that can be decoded",
                        .found = input ? input->geterror() : OIIO::geterror()});
-  check_size(spec, path);
+  check_size(spec, format, path);
   return input;
 }
 
@@ -98,7 +126,7 @@ void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs
   const bool decoded = input.read_image(0, 0, 0, input.spec().nchannels, type, values, OIIO::AutoStride,
                                         OIIO::AutoStride, OIIO::AutoStride, stop_here);
   stop_if_interrupted();
-  if (!decoded)
+  if (!decoded || input.has_error())
     throw input_error(
         {.file = path.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
 }
@@ -123,7 +151,17 @@ void write_image(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDe
 
 }  // namespace
 
+void require_numbers(const Image& image, const std::string& what) {
+  const auto none = std::count_if(image.values.begin(), image.values.end(),
+                                  [](float value) { return !std::isfinite(value); });
+  if (none > 0)
+    throw input_error({.file = what,
+                       .wanted = "a picture whose values are all numbers",
+                       .found = fmt::format("{} that are none: light too strong to be added up", none)});
+}
+
 ByteImage display_image(const Image& linear, double exposure_ev) {
+  require_numbers(linear);
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   ByteImage out{linear.width_px, linear.height_px, linear.channels, {}};
   out.values.reserve(linear.values.size());
@@ -132,20 +170,11 @@ ByteImage display_image(const Image& linear, double exposure_ev) {
   return out;
 }
 
-Image read_float_image(const fs::path& path) {
-  with_image_errors(path, [&] {
-    if (const auto input = open_image(path); !input->spec().format.is_floating_point())
-      throw input_error({.file = path.string(),
-                         .wanted = "an image of floating-point values",
-                         .found = input->spec().format.c_str()});
-  });
-  return read_image(path);
-}
-
-Image read_image(const fs::path& path) {
+Image read_image(const fs::path& path, const std::function<void(const ImageHeader&)>& accept) {
   return with_image_errors(path, [&] {
-    const auto input = open_image(path);
+    const OpenedImage input = open_image(path);
     const OIIO::ImageSpec spec = input->spec();
+    if (accept) accept({spec.width, spec.height, spec.nchannels, spec.format.is_floating_point()});
     Image image(spec.width, spec.height, spec.nchannels);
     decode(*input, OIIO::TypeDesc::FLOAT, image.values.data(), path);
     if (!spec.format.is_floating_point())
@@ -163,7 +192,7 @@ PictureShape picture_shape(const fs::path& path) {
 
 ByteImage read_bytes_image(const fs::path& path) {
   return with_image_errors(path, [&] {
-    const auto input = open_image(path);
+    const OpenedImage input = open_image(path);
     const OIIO::ImageSpec spec = input->spec();
     ByteImage image{spec.width, spec.height, spec.nchannels, {}};
     image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
@@ -171,6 +200,11 @@ ByteImage read_bytes_image(const fs::path& path) {
     decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), path);
     return image;
   });
+}
+
+void write_picture_exr(const fs::path& path, const Image& image) {
+  require_numbers(image, path.string());
+  write_exr(path, image);
 }
 
 void write_exr(const fs::path& path, const Image& image) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,16 +54,22 @@ struct ByteImage {
 };
 
 /// Linear to sRGB 8-bit after multiplying by 2^exposure_ev: sRGB curve, clip at 1, round to nearest, no
-/// dither.
+/// dither. Throws InputError at a picture with a value that is no number.
 [[nodiscard]] ByteImage display_image(const Image& linear, double exposure_ev = 0.0);
 
-/// Reads EXR, HDR, PNG or JPEG as float. 8- and 16-bit pictures are decoded from sRGB to linear.
-/// Throws InputError naming the file.
-[[nodiscard]] Image read_image(const std::filesystem::path& path);
+/// What a picture's header says, before anything is decoded.
+struct ImageHeader {
+  int width_px = 0;
+  int height_px = 0;
+  int channels = 0;
+  bool floating_point = false;  ///< EXR, HDR: the values are as they are meant, not sRGB codes
+};
 
-/// Reads a file that holds floating-point values (EXR, HDR); anything else, whatever its name, is an
-/// InputError.
-[[nodiscard]] Image read_float_image(const std::filesystem::path& path);
+/// Reads EXR, HDR, PNG or JPEG as float. 8- and 16-bit pictures are decoded from sRGB to linear. `accept`
+/// sees the header first and throws InputError at a picture that is not wanted, so that no memory is taken
+/// for it. Throws InputError naming the file.
+[[nodiscard]] Image read_image(const std::filesystem::path& path,
+                               const std::function<void(const ImageHeader&)>& accept = {});
 
 struct PictureShape {
   int width_px = 0, height_px = 0, channels = 0;
@@ -76,7 +83,16 @@ struct PictureShape {
 /// Reads an 8-bit PNG without any conversion. Throws InputError naming the file.
 [[nodiscard]] ByteImage read_bytes_image(const std::filesystem::path& path);
 
-/// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically.
+/// Throws InputError unless every value of a picture is a finite number. `what` says which picture, and may
+/// be empty. Whatever is written or judged as a picture is looked at first: a pixel that is none would look
+/// black.
+void require_numbers(const Image& image, const std::string& what = {});
+
+/// `write_exr` of a picture that people or programs look at, all of whose values are numbers
+/// (`require_numbers`).
+void write_picture_exr(const std::filesystem::path& path, const Image& image);
+
+/// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically. The values are not looked at.
 void write_exr(const std::filesystem::path& path, const Image& image);
 
 /// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian:

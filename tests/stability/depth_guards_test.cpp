@@ -38,7 +38,7 @@ TEST(DepthGuards, SkyThatIsTakenForAWallHidesEverything) {
 
 TEST(DepthGuards, FilesOfAnySizeAreAcceptedWithoutTheCheck) {
   const ReadRule read_anything = [](const std::filesystem::path& path) {
-    Image image = read_float_image(path);
+    Image image = read_image(path);
     return DepthMap{.width_px = image.width_px, .height_px = image.height_px, .distance_m = image.values};
   };
   for (const bool odd : {true, false}) {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "png_parts.h"
 #include "stimuli/manifest.h"
 #include "stimuli/study_file.h"
 #include "stimuli/support/assets.h"
@@ -35,21 +36,9 @@ class Limits : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-          static_cast<char>(value)};
-}
-
-/// A PNG's signature and header, and nothing of its pixels. The sums of the header are those of zlib.
+/// A PNG's signature and header, and nothing of its pixels.
 std::string png_header(std::uint32_t width_px, std::uint32_t height_px) {
-  const std::string header =
-      "IHDR" + big_endian(width_px) + big_endian(height_px) + std::string("\x08\x02\0\0\0", 5);
-  std::uint32_t sum = 0xffffffffU;
-  for (const char letter : header) {
-    sum ^= static_cast<unsigned char>(letter);
-    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? sum >> 1 ^ 0xedb88320U : sum >> 1;
-  }
-  return "\x89PNG\r\n\x1a\n" + big_endian(13) + header + big_endian(~sum) + big_endian(0) + "IDAT";
+  return test::png_head(width_px, height_px, std::string("\x08\x02\0", 3)) + test::big_endian(0) + "IDAT";
 }
 
 TEST_F(Limits, APictureThatPromisesMoreThanItsFileCanHoldIsRefused) {
