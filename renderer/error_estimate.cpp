@@ -19,6 +19,7 @@ SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangl
         const float change_b = b - pictures.sampled[1].at(x, y, c) * gain;
         if (change_a == 0.0F || change_b == 0.0F) continue;
         const double slope = display_slope(0.5F * (a + b));
+        if (slope == 0.0) continue;  // too bright to be seen, and perhaps to be subtracted
         sum.bias += slope * slope * double{change_a} * double{change_b};
       }
   const double values = 3.0 * (block.right - block.left) * (block.bottom - block.top);
@@ -50,6 +51,8 @@ double ErrorEstimate::worst_tile() const {
 }
 
 ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {
+  for (const auto& halves : {&pictures.filtered, &pictures.sampled})
+    for (const Image& half : *halves) require_numbers(half);
   const Image& any = pictures.filtered[0];
   const TileGrid grid{any.width_px, any.height_px};
   const BlockGrid blocks{any.width_px, any.height_px};

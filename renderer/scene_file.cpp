@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <set>
 
 #include "renderer/gltf_accessor.h"
@@ -15,6 +16,7 @@ namespace seamline::renderer {
 namespace {
 
 constexpr double lux_per_w_m2 = 683.0;
+constexpr int most_suns = 100;  ///< each is a ray a sample, and their light is added up
 
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
@@ -32,6 +34,7 @@ class NodeWalker {
       if (scene >= model_.scenes.size()) throw bad("scene", "a scene that exists", std::to_string(scene));
       for (const int node : model_.scenes[scene].nodes) visit(node, Eigen::Affine3d::Identity(), 0);
     }
+    out_.file = file_;
     return std::move(out_);
   }
 
@@ -172,17 +175,32 @@ class NodeWalker {
     const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(index)];
     const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
     if (base.size() >= 3) part.albedo = Rgb(base[0], base[1], base[2]).max(0.0F).min(1.0F);
-    if (material.emissiveFactor.size() == 3)
-      part.emission = Rgb(material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]);
+    double factor = 1;
     if (const auto strength = material.extensions.find("KHR_materials_emissive_strength");
         strength != material.extensions.end() && strength->second.Has("emissiveStrength"))
-      part.emission *= static_cast<float>(strength->second.Get("emissiveStrength").GetNumberAsDouble());
-    check_emission(part, where);
+      factor = strength->second.Get("emissiveStrength").GetNumberAsDouble();
+    if (material.emissiveFactor.size() == 3) {
+      part.emission = Rgb(material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]);
+      part.emission *= static_cast<float>(factor);
+      check_light(material.emissiveFactor, factor, "W/m2/sr", where + ".material.emissiveFactor");
+    }
   }
 
-  void check_emission(const FileMesh& part, const std::string& where) const {
-    if (!(part.emission >= 0).all() || !part.emission.allFinite())
-      throw bad(where + ".material", "a finite emission that is not negative", "another");
+  /// Both are the file's, and so may be anything; so may their product.
+  void check_light(const std::vector<double>& colour, double strength, const char* unit,
+                   const std::string& field) const {
+    for (const double channel : colour)
+      if (!(channel >= 0 && channel <= limits::strongest_light && strength >= 0 &&
+            strength <= limits::strongest_light && channel * strength <= limits::strongest_light))
+        throw bad(field, fmt::format("light from 0 to {:g} {}", limits::strongest_light, unit),
+                  fmt::format("{:g} times {:g}", channel, strength));
+  }
+
+  /// An axis of a node, which its transform may have made as short or long as no number can say.
+  [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& axis, const std::string& field) const {
+    if (!std::isnormal(axis.squaredNorm()))
+      throw bad(field, "a node whose axes have lengths", "one scaled to nothing or beyond numbers");
+    return axis.normalized();
   }
 
   void add_camera(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
@@ -194,8 +212,8 @@ class NodeWalker {
       throw bad(field + ".camera", "a perspective camera with yfov between 0 and pi", camera.type);
     FileCamera view;
     view.position_m = world.translation();
-    view.axes.col(2) = world.linear().col(2).normalized();
-    view.axes.col(0) = world.linear().col(1).cross(view.axes.col(2)).normalized();
+    view.axes.col(2) = direction(world.linear().col(2), field);
+    view.axes.col(0) = direction(world.linear().col(1).cross(view.axes.col(2)), field);
     view.axes.col(1) = view.axes.col(2).cross(view.axes.col(0));
     view.vertical_fov_rad = camera.perspective.yfov;
     out_.camera = view;
@@ -212,10 +230,14 @@ class NodeWalker {
       out_.other_lights.push_back(light.type + " light \"" + light.name + "\"");
       return;
     }
-    Rgb colour = Rgb::Ones();
-    if (light.color.size() == 3) colour = Rgb(light.color[0], light.color[1], light.color[2]);
-    out_.suns.push_back(
-        {world.linear().col(2).normalized(), colour * static_cast<float>(light.intensity / lux_per_w_m2)});
+    const std::vector<double> given = light.color.size() == 3 ? light.color : std::vector<double>{1, 1, 1};
+    check_light(given, light.intensity / lux_per_w_m2, "W/m2 (intensity / 683 times color)",
+                fmt::format("KHR_lights_punctual.lights[{}]", index));
+    const Rgb colour(given[0], given[1], given[2]);
+    out_.suns.push_back({direction(world.linear().col(2), field),
+                         colour * static_cast<float>(light.intensity / lux_per_w_m2)});
+    if (++suns_ > most_suns)
+      throw bad(field, fmt::format("at most {} directional lights", most_suns), "more");
   }
 
   const tinygltf::Model& model_;
@@ -223,6 +245,7 @@ class NodeWalker {
   GltfReader reader_;
   SceneFile out_;
   std::set<int> visited_;
+  int suns_ = 0;
   std::int64_t placed_meshes_ = 0, placed_vertices_ = 0, placed_triangles_ = 0;
 };
 

@@ -42,6 +42,7 @@ struct SceneFile {
   std::optional<FileCamera> camera;  ///< the first in node order
   std::vector<FileSun> suns;
   std::vector<std::string> other_lights;  ///< names of point and spot lights, which Seamline does not render
+  std::string file = {};                  ///< its path, for complaints
 };
 
 /// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an

@@ -43,17 +43,17 @@ void write_layers(const LayerTarget& target, const TruthScene& scene, const Geom
   fs::remove(folder / "inputs");
   const LayerImages images = layer_images(parts.layers);
   const Image reference = reference_image(parts.truth);
-  write_exr(folder / "background.exr", background_image(parts.truth));
-  write_exr(folder / "reference.exr", reference);
-  write_exr(folder / "with.exr", images.with);
-  write_exr(folder / "without.exr", images.without);
-  write_exr(folder / "ratio.exr", parts.composite.ratio);
-  write_exr(folder / "matte.exr", matte_image(parts.truth));
-  write_exr(folder / "difference.exr", difference(parts.composite.picture, reference));
-  write_exr(folder / "additive.exr", compose(parts.layers, Compositing::additive).picture);
+  write_picture_exr(folder / "background.exr", background_image(parts.truth));
+  write_picture_exr(folder / "reference.exr", reference);
+  write_picture_exr(folder / "with.exr", images.with);
+  write_picture_exr(folder / "without.exr", images.without);
+  write_picture_exr(folder / "ratio.exr", parts.composite.ratio);
+  write_picture_exr(folder / "matte.exr", matte_image(parts.truth));
+  write_picture_exr(folder / "difference.exr", difference(parts.composite.picture, reference));
+  write_picture_exr(folder / "additive.exr", compose(parts.layers, Compositing::additive).picture);
   if (depth != nullptr)
     write_png(folder / "local_scene.png", display_image(shaded_picture(scene.camera, *depth)));
-  write_exr(folder / "composite.exr", parts.composite.picture);
+  write_picture_exr(folder / "composite.exr", parts.composite.picture);
   write_file_atomically(folder / "inputs", target.inputs);
 }
 

@@ -19,6 +19,7 @@ std::string click_map_picture(const std::string& scene) {
 
 ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stimulus,
                                 const StimulusPicture& picture) {
+  require_numbers(picture.composite.picture, stimulus_id(stimulus));
   const StimulusLayers& layers = picture.made.layers;
   ManifestStimulus record{.id = stimulus_id(stimulus),
                           .stimulus = stimulus,
@@ -40,6 +41,7 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
 
 ManifestReference write_reference(const fs::path& set_folder, const std::string& scene,
                                   const SceneReference& reference, double exposure_ev) {
+  require_numbers(reference.radiance, "scene \"" + scene + "\"");
   ManifestReference record{.scene = scene,
                            .image = reference_picture(scene),
                            .object_ids = click_map_picture(scene),

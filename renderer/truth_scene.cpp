@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "stimuli/support/error.h"
+#include "stimuli/support/limits.h"
 
 namespace seamline::renderer {
 namespace {
@@ -61,8 +62,16 @@ std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file, cons
     part->name = mesh.name;
     part->object_index = object_index;
     part->positions_m.reserve(mesh.positions_m.size());
-    for (const Eigen::Vector3d& vertex : mesh.positions_m)
-      part->positions_m.push_back((placement * vertex - centre_m).cast<float>());
+    for (const Eigen::Vector3d& vertex : mesh.positions_m) {
+      const Eigen::Vector3d place_m = placement * vertex - centre_m;
+      if (!(place_m.array().abs() <= limits::farthest_place_m).all())
+        throw input_error(
+            {.file = file.file,
+             .field = "mesh \"" + mesh.name + "\"",
+             .wanted = fmt::format("vertices within {:g} m of the camera", limits::farthest_place_m),
+             .found = "one farther away"});
+      part->positions_m.push_back(place_m.cast<float>());
+    }
     part->normals.reserve(mesh.normals.size());
     for (const Eigen::Vector3f& normal : mesh.normals) part->normals.push_back(rotation * normal);
     part->triangles = mesh.triangles;

@@ -5,9 +5,11 @@ namespace seamline::stability {
 
 // The parts that the catalogue is put together from, a file each.
 
-[[nodiscard]] StabilityCases ratio_cases();        ///< light: tiny denominators of the ratio
-[[nodiscard]] StabilityCases radiosity_cases();    ///< light: closed spheres whose light is known
-[[nodiscard]] StabilityCases sun_cases();          ///< light: suns, skies and shadows far apart in strength
+[[nodiscard]] StabilityCases ratio_cases();      ///< light: tiny denominators of the ratio
+[[nodiscard]] StabilityCases radiosity_cases();  ///< light: closed spheres whose light is known
+[[nodiscard]] StabilityCases sun_cases();        ///< light: suns, skies and shadows far apart in strength
+[[nodiscard]] StabilityCases
+strong_light_cases();                              ///< light, space, bounds: numbers at and beyond their ends
 [[nodiscard]] StabilityCases pocket_cases();       ///< light: what depth sheets seal in
 [[nodiscard]] StabilityCases space_scale_cases();  ///< space: small, large and far scenes
 [[nodiscard]] StabilityCases contact_cases();      ///< space: surfaces that touch, rays that start on them

@@ -7,6 +7,7 @@ namespace seamline::inline stimuli {
 
 double display_rmse(const Image& a, const Image& b, double exposure_ev, const Image* mask) {
   assert(a.values.size() == b.values.size() && a.channels == b.channels);
+  for (const Image* image : {&a, &b}) require_numbers(*image);
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   const std::size_t channels = static_cast<std::size_t>(a.channels);
   double sum = 0;

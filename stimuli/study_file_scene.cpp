@@ -6,10 +6,12 @@
 #include <cmath>
 #include <set>
 
+#include "stimuli/support/limits.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr double unlimited = 1e9;
+constexpr double unlimited = limits::farthest_place_m;
 
 Eigen::Vector3d vector(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
@@ -49,7 +51,7 @@ SunDefinition read_sun(const TomlTable& table) {
   sun.to_sun = vector(table.triple("to_sun", {0, 1, 0}, {-unlimited, unlimited}));
   if (!(sun.to_sun.norm() > 0)) throw table.complaint("to_sun", "a direction that is not zero", "[0, 0, 0]");
   sun.to_sun.normalize();
-  sun.irradiance_w_m2 = table.triple("irradiance_w_m2", {0, 0, 0}, {0, 1e12, "W/m2"});
+  sun.irradiance_w_m2 = table.triple("irradiance_w_m2", {0, 0, 0}, {0, limits::strongest_light, "W/m2"});
   sun.angular_radius_deg = table.number("angular_radius_deg", 0.0, {0, 45, "degrees"});
   table.finish();
   return sun;
@@ -89,8 +91,8 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
   scene.name = read_name(table);
   scene.file = table.text("file");
   scene.artifacts = read_artifacts(table);
-  scene.environment_radiance =
-      table.triple("environment_radiance", scene.environment_radiance, {0, 1e12, "W/m2/sr"});
+  scene.environment_radiance = table.triple("environment_radiance", scene.environment_radiance,
+                                            {0, limits::strongest_light, "W/m2/sr"});
   scene.ambient_occlusion = table.boolean("ambient_occlusion", false);
   scene.ao_distance_m = table.number("ao_distance_m", scene.ao_distance_m, {1e-9, unlimited, "m"});
   scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});

@@ -43,11 +43,30 @@ TEST(Catalogue, CasesWithoutRendersPass) {
       const CaseOutcome outcome = run_case(one, {.threads = 2});
       EXPECT_TRUE(outcome.passed) << outcome_line(outcome);
     }
-  for (const char* name :
-       {"ratio-unchanged", "ratio-exposures", "albedo-0", "albedo-0.999", "albedo-1", "albedo-1-fast",
-        "bounces-0", "bounces-1", "bounces-64", "sun-1e8-lit", "sun-1e8-shadow", "grazing-sun-floor",
-        "grazing-sun-turned", "object-touches-floor", "object-1e-4-above-floor", "white-ball", "seam-full",
-        "jumps-1e6"}) {
+  for (const char* name : {"ratio-unchanged",
+                           "ratio-exposures",
+                           "albedo-0",
+                           "albedo-0.999",
+                           "albedo-1",
+                           "albedo-1-fast",
+                           "bounces-0",
+                           "bounces-1",
+                           "bounces-64",
+                           "sun-1e8-lit",
+                           "sun-1e8-shadow",
+                           "grazing-sun-floor",
+                           "grazing-sun-turned",
+                           "object-touches-floor",
+                           "object-1e-4-above-floor",
+                           "white-ball",
+                           "seam-full",
+                           "jumps-1e6",
+                           "impossible-lights",
+                           "planted-no-number",
+                           "far-products",
+                           "options-no-number",
+                           "strongest-light-fast",
+                           "strongest-light-path"}) {
     const CaseOutcome outcome = run_case(chosen_cases(name).front(), {.threads = 2});
     EXPECT_TRUE(outcome.passed) << outcome_line(outcome);
   }
