@@ -129,10 +129,13 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
 }
 
 std::string gnuplot_text(const std::string& text) {
-  std::string safe;
-  for (char c : clean_text(text, longest_label)) {
+  std::string blank, safe;
+  for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';  // a NUL ends gnuplot's line
-    if (c == '\\' || c == '"' || c == '`' || control) c = c == '"' ? '\'' : ' ';
+    blank += control ? ' ' : c;
+  }
+  for (char c : clean_text(blank, longest_label)) {
+    if (c == '\\' || c == '"' || c == '`') c = c == '"' ? '\'' : ' ';
     if (std::string_view("^_@&~{}").find(c) != std::string_view::npos) safe += "\\\\";
     safe += c;
   }

@@ -7,6 +7,7 @@
 
 #include "stimuli/support/csv.h"
 #include "stimuli/support/limits.h"
+#include "stimuli/support/printable.h"
 #include "stimuli/support/random.h"
 
 namespace seamline {
@@ -156,6 +157,7 @@ TEST(CsvRead, ReadsWhatIsWritten) {
         value += "x";
       }
       table.rows.push_back({values[1], values[0]});
+      for (std::string& value : values) value = clean_text(value);  // halves of letters are none
       expected.push_back(values);
     }
     Rows read;
