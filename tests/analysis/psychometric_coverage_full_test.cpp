@@ -8,6 +8,7 @@
 #include "tests/analysis/psychometric_people.h"
 
 namespace seamline::analysis {
+using namespace study;
 namespace {
 
 constexpr int studies = 1000;

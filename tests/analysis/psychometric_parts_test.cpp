@@ -8,6 +8,7 @@
 #include "analysis/psychometric/sigmoid_shape.h"
 
 namespace seamline::analysis {
+using namespace study;
 namespace {
 
 TEST(PsychometricParts, BetaBinomialSumsAreProbabilitiesAndMeetTheBinomial) {

@@ -7,6 +7,7 @@
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using test::Group;

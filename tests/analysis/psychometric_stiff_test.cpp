@@ -12,6 +12,7 @@
 #include "stimuli/support/random.h"
 
 namespace seamline::analysis {
+using namespace study;
 using namespace stability;
 namespace {
 
