@@ -16,6 +16,7 @@ namespace {
 using test::SimulatedSet;
 
 constexpr std::uint64_t sets = 20'000;
+constexpr std::uint64_t sets_between_tables = 1000;
 constexpr int replicates = 300;
 
 double median(std::vector<double> values) {
@@ -58,6 +59,11 @@ double milliseconds() {
   return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+void print_all(const std::map<std::string, Row>& rows) {
+  for (const auto& [name, row] : rows) row.print(name);
+  std::fflush(stdout);
+}
+
 TEST(PsychometricSimulated, TwentyThousandSetsWithoutAContradiction) {
   std::map<std::string, Row> rows;
   for (std::uint64_t seed = 0; seed < sets; ++seed) {
@@ -91,8 +97,9 @@ TEST(PsychometricSimulated, TwentyThousandSetsWithoutAContradiction) {
       row.profile.lengths.push_back(test::length_in_gaps(set, report.threshold_ci95));
       row.bootstrap.lengths.push_back(test::length_in_gaps(set, report.bootstrap->threshold));
     }
+    if ((seed + 1) % sets_between_tables == 0) print_all(rows);  // it runs for minutes: what is known so far
   }
-  for (const auto& [name, row] : rows) row.print(name);
+  print_all(rows);
   for (std::int64_t trials : test::trials_a_level) {
     const Row& inside = rows.at("inside, " + std::to_string(trials) + " trials");
     EXPECT_GE(100.0 * inside.profile.covered / inside.sets, 93.5) << trials;
