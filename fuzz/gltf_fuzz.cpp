@@ -4,6 +4,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace seamline;
+  using namespace seamline::renderer;
   static const std::filesystem::path buffer = fuzz::file_of("buffer.bin", std::string(48, '\0'));
   const std::filesystem::path file = fuzz::file_of("scene.gltf", fuzz::text_of(data, size));
   return fuzz::only_input_errors([&] {

@@ -30,6 +30,7 @@ void mend_png_sums(std::string& bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace seamline;
+  using namespace seamline::renderer;
   constexpr std::string_view magic = SEAMLINE_FUZZ_MAGIC;
   std::string bytes(fuzz::text_of(data, size));
   if (bytes.size() < magic.size()) return -1;
