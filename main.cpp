@@ -46,7 +46,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "seamline: %s\n", seamline::printable(error.what(), longest_sentence).c_str());
     return exit_wrong_input;
   } catch (const seamline::Interrupted&) {
-    std::fprintf(stderr, "seamline: stopped; run the same command again to continue\n");
+    std::fprintf(stderr,
+                 "seamline: stopped; the same command, run again, goes on from what is on the disk\n");
     return exit_interrupted;
   } catch (const std::filesystem::filesystem_error& error) {
     std::fprintf(stderr, "seamline: %s: wanted a path that can be used, found %s\n",

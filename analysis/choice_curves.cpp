@@ -7,6 +7,7 @@
 
 #include "analysis/interval.h"
 #include "analysis/psychometric/overdispersion.h"
+#include "analysis/psychometric/search.h"
 #include "analysis/psychometric/sigmoid_shape.h"
 #include "stimuli/support/numbers.h"
 #include "stimuli/support/parallel.h"
@@ -65,14 +66,18 @@ void add_band(ChoiceCurve& curve, const PooledChoices& choices, const Resampling
   }
   curve.band_replicates = std::min(request.replicates, most_band_replicates);
   std::vector<std::vector<double>> shares(places.size());
-  std::vector<double> widths, lapses;
+  const double width_of_scale = scales_in_width(fit.options.sigmoid) * problem.range;
+  std::vector<double> narrowest, widest, lapses;
   for (int r = 0; r < curve.band_replicates; ++r) {
     const FitProblem drawn = resampled(choices, problem, request.seed, r);
-    const Theta theta = refit(drawn, fit.search.best).theta;
+    const Refit refitted = refit_with_step(drawn, fit.search.best);
+    const Theta& theta = refitted.maximum.theta;
     for (std::size_t i = 0; i < places.size(); ++i)
       shares[i].push_back(probability_at(drawn, theta, places[i]).right);
-    widths.push_back(std::exp(theta[parameter::log_scale]) * scales_in_width(fit.options.sigmoid) *
-                     problem.range);
+    // A step has no scale of its own: it is as narrow as nothing, and as wide as is still as likely.
+    const double scale = std::exp(theta[parameter::log_scale]);
+    narrowest.push_back(refitted.step ? 0 : scale * width_of_scale);
+    widest.push_back((refitted.step ? std::exp(refitted.step->largest_log_scale) : scale) * width_of_scale);
     lapses.push_back(theta[parameter::lapse]);
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -81,7 +86,7 @@ void add_band(ChoiceCurve& curve, const PooledChoices& choices, const Resampling
     curve.band[i].high = band.high;
   }
   if (!has_threshold(curve)) return;
-  curve.width_ci95 = percentiles(widths);
+  curve.width_ci95 = {.low = percentiles(narrowest).low, .high = percentiles(widest).high};
   curve.lapse_ci95 = percentiles(lapses);
 }
 
