@@ -1,4 +1,5 @@
 // A log has one place, by whatever path it is opened: links, folders that cannot be written to, second names.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
