@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "analysis/commands/analyze.h"
-#include "renderer/render_set.h"
-#include "stimuli/study_file.h"
-#include "stimuli/support/assets.h"
-#include "stimuli/support/number_option.h"
-#include "stimuli/support/progress.h"
-#include "study/simulation.h"
+#include "renderer/set/render_set.h"
+#include "stimuli/study_file/study_file.h"
+#include "study/running/simulation.h"
+#include "support/files/assets.h"
+#include "support/running/progress.h"
+#include "support/text/number_option.h"
 
 namespace seamline {
 namespace {

@@ -7,10 +7,10 @@
 #include <new>
 
 #include "program.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/interrupt.h"
-#include "stimuli/support/memory.h"
-#include "stimuli/support/printable.h"
+#include "support/running/interrupt.h"
+#include "support/running/memory.h"
+#include "support/text/error.h"
+#include "support/text/printable.h"
 
 namespace {
 

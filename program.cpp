@@ -5,10 +5,10 @@
 
 #include "analysis/commands/commands.h"
 #include "demo.h"
-#include "renderer/commands.h"
+#include "renderer/commands/commands.h"
 #include "stability/commands.h"
-#include "stimuli/support/assets.h"
-#include "study/commands.h"
+#include "study/commands/commands.h"
+#include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
 #include "study/app/run_participant.h"
 #endif

@@ -2,9 +2,9 @@
 // under 2 s on two cores is `ten_thousand_replicates` (real time).
 #include <benchmark/benchmark.h>
 
-#include "analysis/analysis.h"
-#include "analysis/guess_correction.h"
-#include "study/observer.h"
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/thresholds/guess_correction.h"
+#include "study/observers/observer.h"
 
 namespace seamline {
 using namespace study;

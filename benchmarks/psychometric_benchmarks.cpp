@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "analysis/psychometric/bootstrap_intervals.h"
-#include "analysis/psychometric/fit_intervals.h"
+#include "analysis/psychometric/intervals/bootstrap_intervals.h"
+#include "analysis/psychometric/intervals/fit_intervals.h"
 
 namespace seamline {
 using namespace analysis;

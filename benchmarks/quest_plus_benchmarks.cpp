@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/quest_plus_model.h"
+#include "study/placement/quest_plus_model.h"
 
 namespace seamline {
 using namespace study;

@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "renderer/adaptive_mesh.h"
-#include "renderer/composite.h"
-#include "renderer/geometry.h"
-#include "renderer/sampler.h"
+#include "renderer/common/sampler.h"
+#include "renderer/depth/adaptive_mesh.h"
+#include "renderer/picture/composite.h"
+#include "renderer/tracing/geometry.h"
 
 namespace seamline {
 using namespace renderer;

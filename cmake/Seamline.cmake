@@ -22,7 +22,7 @@ endif()
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder ten at a time")
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 10 CACHE STRING "how many files are compiled as one; 0: all of a folder")
 
-# One library a folder. The repository root is the include root, so an include names its folder: "stimuli/manifest.h".
+# One library a folder. The repository root is the include root, so an include names its folder: "stimuli/set/manifest.h".
 function(seamline_library name)
   # Commands next to one another: the command line's library is 10 s of every compilation that sees it.
   set(commands ${ARGN})

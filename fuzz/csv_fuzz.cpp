@@ -1,12 +1,12 @@
-// Counts of answers as `seamline fit` reads them: through stimuli/support/csv_read.h, as everything that is
+// Counts of answers as `seamline fit` reads them: through support/text/csv_read.h, as everything that is
 // CSV.
 #include <fmt/format.h>
 
 #include <array>
 
-#include "analysis/psychometric/level_counts.h"
+#include "analysis/psychometric/likelihood/level_counts.h"
 #include "fuzz/fuzz_target.h"
-#include "stimuli/support/csv_read.h"
+#include "support/text/csv_read.h"
 
 namespace {
 

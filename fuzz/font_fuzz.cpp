@@ -1,6 +1,6 @@
 // A font of a study, as the window opens it. The first byte of the input chooses the size of the type.
 #include "fuzz/fuzz_target.h"
-#include "study/app/glyphs.h"
+#include "study/app/window/glyphs.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace seamline;

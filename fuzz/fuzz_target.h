@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "stimuli/support/error.h"
-#include "stimuli/support/printable.h"
+#include "support/text/error.h"
+#include "support/text/printable.h"
 
 /// What the fuzz targets share.
 namespace seamline::fuzz {

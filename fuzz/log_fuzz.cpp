@@ -7,9 +7,9 @@
 #include <iterator>
 
 #include "fuzz/fuzz_target.h"
-#include "study/log.h"
-#include "study/log_admin.h"
-#include "study/log_database.h"
+#include "study/log/log.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_database.h"
 
 namespace seamline {
 using namespace study;

@@ -1,6 +1,6 @@
 // A set's manifest, and the record of one stimulus that a continued rendering reads.
 #include "fuzz/fuzz_target.h"
-#include "stimuli/manifest.h"
+#include "stimuli/set/manifest.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "fuzz/fuzz_target.h"
-#include "renderer/depth_map.h"
-#include "stimuli/support/image.h"
+#include "renderer/depth/depth_map.h"
+#include "support/files/image.h"
 
 namespace {
 

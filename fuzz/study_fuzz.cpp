@@ -1,7 +1,7 @@
 // A study file, from the text to the list of stimuli. Also the copy that a log keeps.
 #include "fuzz/fuzz_target.h"
-#include "stimuli/stimulus.h"
-#include "stimuli/study_file.h"
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/study_file/study_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace seamline;

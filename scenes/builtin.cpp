@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "scenes/backgrounds.h"
-#include "scenes/objects.h"
-#include "scenes/polygonise.h"
+#include "scenes/objects/objects.h"
+#include "scenes/rooms/backgrounds.h"
+#include "scenes/shapes/polygonise.h"
 
 namespace seamline::scenes {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/glb_file.h"
+#include "scenes/shapes/glb_file.h"
 
 namespace seamline::scenes {
 

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "scenes/builtin.h"
-#include "scenes/lattice.h"
-#include "stimuli/support/atomic_file.h"
+#include "scenes/shapes/lattice.h"
+#include "support/files/atomic_file.h"
 
 int main(int argc, char** argv) {
   using namespace seamline;

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <string_view>
 
-#include "stability/groups.h"
-#include "stimuli/support/error.h"
+#include "stability/common/groups.h"
+#include "support/text/error.h"
 
 namespace seamline::stability {
 namespace {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "renderer/parallel.h"
+#include "renderer/common/parallel.h"
 #include "stability/catalogue.h"
+#include "stability/common/namespaces.h"
 #include "stability/convergence_cases.h"
-#include "stability/namespaces.h"
 #include "stability/run_cases.h"
-#include "stimuli/support/gnuplot.h"
-#include "stimuli/support/number_option.h"
+#include "support/files/gnuplot.h"
+#include "support/text/number_option.h"
 
 namespace seamline::stability {
 namespace {

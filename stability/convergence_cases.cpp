@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/convergence_plot.h"
-#include "renderer/convergence_slope.h"
-#include "stability/groups.h"
-#include "stability/namespaces.h"
-#include "stimuli/support/gnuplot.h"
-#include "stimuli/support/numbers.h"
+#include "renderer/convergence/convergence_plot.h"
+#include "renderer/convergence/convergence_slope.h"
+#include "stability/common/groups.h"
+#include "stability/common/namespaces.h"
+#include "support/files/gnuplot.h"
+#include "support/text/numbers.h"
 
 namespace seamline::stability {
 namespace {

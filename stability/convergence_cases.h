@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 
-#include "stability/orders.h"
-#include "stability/stability_case.h"
+#include "stability/common/orders.h"
+#include "stability/common/stability_case.h"
 
 namespace seamline::stability {
 

@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "renderer/geometry.h"
-#include "stability/namespaces.h"
-#include "stimuli/support/assets.h"
-#include "stimuli/support/interrupt.h"
-#include "stimuli/support/markdown_table.h"
-#include "stimuli/support/numbers.h"
-#include "stimuli/support/parallel.h"
+#include "renderer/tracing/geometry.h"
+#include "stability/common/namespaces.h"
+#include "support/files/assets.h"
+#include "support/files/markdown_table.h"
+#include "support/running/interrupt.h"
+#include "support/running/parallel.h"
+#include "support/text/numbers.h"
 
 namespace seamline::stability {
 namespace {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "stability/stability_case.h"
+#include "stability/common/stability_case.h"
 
 namespace seamline::stability {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 
 namespace seamline::test {
 

@@ -7,8 +7,8 @@
 #include "analysis/commands/analyze.h"
 #include "analysis/commands/plan_command.h"
 #include "analysis/commands/predict_command.h"
-#include "analysis/psychometric/fit_command.h"
-#include "stimuli/support/number_option.h"
+#include "analysis/psychometric/report/fit_command.h"
+#include "support/text/number_option.h"
 
 namespace seamline::analysis {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <set>
 
-#include "analysis/plan_study.h"
-#include "stimuli/support/number_option.h"
+#include "analysis/foresight/plan_study.h"
+#include "support/text/number_option.h"
 
 namespace seamline::analysis {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "analysis/commands/predict_text.h"
-#include "analysis/predict.h"
-#include "stimuli/support/number_option.h"
+#include "analysis/foresight/predict.h"
+#include "support/text/number_option.h"
 
 namespace seamline::analysis {
 namespace {

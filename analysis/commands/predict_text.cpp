@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/paper_values.h"
-#include "analysis/report/threshold_rows.h"
-#include "stimuli/support/markdown_table.h"
+#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/thresholds/paper_values.h"
+#include "support/files/markdown_table.h"
 
 namespace seamline::analysis {
 namespace {

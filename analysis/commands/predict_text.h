@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "analysis/predict.h"
+#include "analysis/foresight/predict.h"
 
 namespace seamline::analysis {
 

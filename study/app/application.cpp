@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "stimuli/support/error.h"
-#include "stimuli/support/interrupt.h"
-#include "study/app/instruction_pictures.h"
-#include "study/app/look.h"
-#include "study/app/screen_names.h"
+#include "study/app/screens/instruction_pictures.h"
+#include "study/app/screens/screen_names.h"
+#include "study/app/window/look.h"
+#include "support/running/interrupt.h"
+#include "support/text/error.h"
 
 namespace seamline::study::app {
 namespace {

@@ -3,19 +3,20 @@
 #include <optional>
 #include <string>
 
-#include "study/app/canvas.h"
-#include "study/app/frame_times.h"
-#include "study/app/picture_store.h"
-#include "study/app/stage.h"
-#include "study/app/trace.h"
-#include "study/app/window.h"
-#include "study/commands.h"
-#include "study/visit_store.h"
+#include "study/app/pictures/frame_times.h"
+#include "study/app/pictures/picture_store.h"
+#include "study/app/screens/stage.h"
+#include "study/app/screens/trace.h"
+#include "study/app/window/canvas.h"
+#include "study/app/window/window.h"
+#include "study/commands/commands.h"
+#include "study/running/visit_store.h"
 
 namespace seamline::study::app {
 
 /// The loop between a visit and the person: shows the visit's screen, and gives the visit what happened. What
-/// follows from it is the visit's business (study/visit.h), what is kept the store's (study/visit_store.h).
+/// follows from it is the visit's business (study/visit/visit.h), what is kept the store's
+/// (study/running/visit_store.h).
 class Application {
  public:
   /// Opens the window and checks it. Throws InputError when there is none, or when it cannot show the

@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
-#include "stimuli/support/confined_path.h"
-#include "stimuli/support/error.h"
 #include "study/app/application.h"
-#include "study/app/instruction_pictures.h"
-#include "study/app/study_texts.h"
-#include "study/app/text_size.h"
+#include "study/app/screens/instruction_pictures.h"
+#include "study/app/screens/study_texts.h"
+#include "study/app/screens/text_size.h"
+#include "support/files/confined_path.h"
+#include "support/text/error.h"
 
 namespace seamline::study::app {
 namespace {

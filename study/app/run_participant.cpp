@@ -1,6 +1,6 @@
 #include "study/app/run_participant.h"
 
-#include "stimuli/set_files.h"
+#include "stimuli/set/set_files.h"
 #include "study/app/application.h"
 
 namespace seamline::study::app {

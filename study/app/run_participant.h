@@ -1,5 +1,5 @@
 #pragma once
-#include "study/commands.h"
+#include "study/commands/commands.h"
 
 namespace seamline::study::app {
 

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/analysis.h"
-#include "analysis/report/section_tables.h"
-#include "study/log.h"
-#include "study/simulation.h"
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/report/tables/section_tables.h"
+#include "study/log/log.h"
+#include "study/running/simulation.h"
 #include "tests/study/temporary_set.h"
 
 namespace seamline::analysis {

@@ -1,15 +1,15 @@
 // Catch trials and pilot data from a log to the analysis.
-#include "analysis/catch_answers.h"
+#include "analysis/screening/catch_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/analysis.h"
-#include "analysis/report/thresholds_json.h"
-#include "stimuli/support/error.h"
-#include "study/log_writer.h"
-#include "study/participant_procedure.h"
-#include "study/simulation.h"
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/report/json/thresholds_json.h"
+#include "study/log/log_writer.h"
+#include "study/running/participant_procedure.h"
+#include "study/running/simulation.h"
+#include "support/text/error.h"
 #include "tests/study/temporary_set.h"
 
 namespace seamline::analysis {

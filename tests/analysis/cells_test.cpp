@@ -1,10 +1,10 @@
-#include "analysis/cells.h"
+#include "analysis/scores/cells.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {

@@ -1,5 +1,5 @@
 // What stands beside the thresholds: how it comes into the analysis, its tables and the report.
-#include "analysis/report/checks_tables.h"
+#include "analysis/report/tables/checks_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/report/checks_text.h"
-#include "analysis/report/report_html.h"
-#include "analysis/report/threshold_rows.h"
-#include "analysis/report/thresholds_json.h"
-#include "stimuli/support/error.h"
+#include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/page/checks_text.h"
+#include "analysis/report/page/report_html.h"
+#include "support/text/error.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {

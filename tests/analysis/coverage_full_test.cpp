@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/interval.h"
-#include "analysis/thresholds.h"
+#include "analysis/statistics/interval.h"
+#include "analysis/thresholds/thresholds.h"
 #include "tests/analysis/coverage_tally.h"
 #include "tests/analysis/threshold_people.h"
 

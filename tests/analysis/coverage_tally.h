@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/estimate.h"
+#include "analysis/statistics/estimate.h"
 
 namespace seamline::test {
 using namespace analysis;

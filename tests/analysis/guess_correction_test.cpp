@@ -1,4 +1,4 @@
-#include "analysis/guess_correction.h"
+#include "analysis/thresholds/guess_correction.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "analysis/guess_correction.h"
+#include "analysis/thresholds/guess_correction.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::test {

@@ -1,10 +1,10 @@
-#include "analysis/interval.h"
+#include "analysis/statistics/interval.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/thresholds.h"
+#include "analysis/thresholds/thresholds.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {

@@ -1,11 +1,11 @@
-#include "analysis/isotonic.h"
+#include "analysis/statistics/isotonic.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::analysis {
 namespace {

@@ -1,10 +1,10 @@
-#include "analysis/logistic4.h"
+#include "analysis/statistics/logistic4.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 #include "tests/analysis/octaves.h"
 
 namespace seamline::analysis {

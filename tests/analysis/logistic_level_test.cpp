@@ -1,10 +1,10 @@
-#include "analysis/logistic_level.h"
+#include "analysis/statistics/logistic_level.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/angular_resolution.h"
+#include "analysis/thresholds/angular_resolution.h"
 #include "tests/analysis/octaves.h"
 
 namespace seamline::analysis {

@@ -1,11 +1,11 @@
-#include "analysis/opinion_score.h"
+#include "analysis/scores/opinion_score.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stimuli/support/numbers.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/text/numbers.h"
 
 namespace seamline::analysis {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "analysis/ordinal/contrasts.h"
-#include "analysis/ordinal/max_t.h"
-#include "stimuli/support/numbers.h"
-#include "stimuli/support/random.h"
+#include "analysis/ordinal/contrasts/contrasts.h"
+#include "analysis/ordinal/contrasts/max_t.h"
+#include "support/arithmetic/random.h"
+#include "support/text/numbers.h"
 
 namespace seamline::analysis {
 namespace {

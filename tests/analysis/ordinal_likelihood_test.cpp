@@ -4,11 +4,11 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/ordinal/fixed_likelihood.h"
-#include "analysis/ordinal/gauss_hermite.h"
-#include "analysis/ordinal/link.h"
-#include "analysis/ordinal/marginal_likelihood.h"
-#include "stimuli/support/numbers.h"
+#include "analysis/ordinal/likelihood/fixed_likelihood.h"
+#include "analysis/ordinal/likelihood/gauss_hermite.h"
+#include "analysis/ordinal/likelihood/link.h"
+#include "analysis/ordinal/likelihood/marginal_likelihood.h"
+#include "support/text/numbers.h"
 #include "tests/analysis/ordinal_people.h"
 
 namespace seamline::analysis {

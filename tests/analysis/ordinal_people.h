@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/ordinal/link.h"
-#include "analysis/ordinal/ordinal_data.h"
-#include "stimuli/support/random.h"
+#include "analysis/ordinal/likelihood/link.h"
+#include "analysis/ordinal/likelihood/ordinal_data.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::test {
 using namespace analysis;

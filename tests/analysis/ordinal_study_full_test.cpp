@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "analysis/ordinal/study_model.h"
-#include "stimuli/support/parallel.h"
+#include "analysis/ordinal/contrasts/study_model.h"
+#include "support/running/parallel.h"
 #include "tests/analysis/ordinal_study_people.h"
 
 namespace seamline::analysis {

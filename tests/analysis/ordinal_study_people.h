@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/log.h"
+#include "study/log/log.h"
 #include "tests/analysis/ordinal_people.h"
 #include "tests/analysis/threshold_people.h"
 

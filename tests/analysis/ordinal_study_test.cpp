@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/ordinal_of_log.h"
-#include "stimuli/support/error.h"
+#include "analysis/log_analysis/ordinal_of_log.h"
+#include "support/text/error.h"
 #include "tests/analysis/ordinal_study_people.h"
 
 namespace seamline::analysis {

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/ordinal/ordinal_fit.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/numbers.h"
+#include "analysis/ordinal/likelihood/ordinal_fit.h"
+#include "support/text/error.h"
+#include "support/text/numbers.h"
 #include "tests/analysis/ordinal_people.h"
 #include "tests/complaint.h"
 

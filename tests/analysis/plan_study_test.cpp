@@ -1,4 +1,4 @@
-#include "analysis/plan_study.h"
+#include "analysis/foresight/plan_study.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "stimuli/study_file.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/temporary_folder.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 
 namespace seamline::analysis {
 namespace {

@@ -1,12 +1,12 @@
-#include "analysis/predict.h"
+#include "analysis/foresight/predict.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "analysis/commands/predict_text.h"
-#include "stimuli/support/error.h"
-#include "study/observer.h"
+#include "study/observers/observer.h"
+#include "support/text/error.h"
 #include "tests/stimuli/manifest_records.h"
 
 namespace seamline::analysis {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "analysis/psychometric/fit_intervals.h"
-#include "analysis/psychometric/sigmoid_shape.h"
-#include "stability/curve_fit_cases.h"
+#include "analysis/psychometric/intervals/fit_intervals.h"
+#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "stability/statistics/curve_fit_cases.h"
 #include "tests/analysis/psychometric_simulated.h"
 
 namespace seamline::analysis {

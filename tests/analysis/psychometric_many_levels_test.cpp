@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "analysis/psychometric/binomial_sampler.h"
-#include "analysis/psychometric/fit_report.h"
-#include "analysis/psychometric/level_bins.h"
+#include "analysis/psychometric/likelihood/binomial_sampler.h"
+#include "analysis/psychometric/likelihood/level_bins.h"
+#include "analysis/psychometric/report/fit_report.h"
 
 namespace seamline::analysis {
 using namespace study;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "analysis/psychometric/binomial_sampler.h"
-#include "analysis/psychometric/count_terms.h"
-#include "analysis/psychometric/sigmoid_shape.h"
+#include "analysis/psychometric/likelihood/binomial_sampler.h"
+#include "analysis/psychometric/likelihood/count_terms.h"
+#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 
 namespace seamline::analysis {
 using namespace study;

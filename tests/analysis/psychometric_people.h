@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/psychometric/pooled_fit.h"
-#include "stimuli/support/random.h"
+#include "analysis/psychometric/intervals/pooled_fit.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::test {
 using namespace analysis;

@@ -2,7 +2,7 @@
 // psychometric_coverage_full_test.cpp.
 #include <gtest/gtest.h>
 
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 #include "tests/analysis/psychometric_people.h"
 #include "tests/analysis/threshold_people.h"
 

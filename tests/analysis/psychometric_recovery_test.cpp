@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "analysis/psychometric/binomial_sampler.h"
-#include "analysis/psychometric/bootstrap_intervals.h"
-#include "analysis/psychometric/fit_intervals.h"
-#include "analysis/psychometric/goodness.h"
-#include "analysis/psychometric/overdispersion.h"
+#include "analysis/psychometric/intervals/bootstrap_intervals.h"
+#include "analysis/psychometric/intervals/fit_intervals.h"
+#include "analysis/psychometric/intervals/goodness.h"
+#include "analysis/psychometric/likelihood/binomial_sampler.h"
+#include "analysis/psychometric/likelihood/overdispersion.h"
 
 namespace seamline::analysis {
 using namespace study;

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "analysis/psychometric/fit_intervals.h"
-#include "analysis/psychometric/sigmoid_shape.h"
+#include "analysis/psychometric/intervals/fit_intervals.h"
+#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 
 namespace seamline::analysis {
 using namespace study;

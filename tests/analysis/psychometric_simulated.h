@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric/binomial_sampler.h"
-#include "analysis/psychometric/fit_quantities.h"
-#include "stimuli/support/random.h"
+#include "analysis/psychometric/likelihood/binomial_sampler.h"
+#include "analysis/psychometric/report/fit_quantities.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::test {
 using namespace analysis;

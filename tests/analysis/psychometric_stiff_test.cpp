@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/psychometric/fit_report.h"
-#include "stability/curve_fit_cases.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/random.h"
+#include "analysis/psychometric/report/fit_report.h"
+#include "stability/statistics/curve_fit_cases.h"
+#include "support/arithmetic/random.h"
+#include "support/text/error.h"
 
 namespace seamline::analysis {
 using namespace study;

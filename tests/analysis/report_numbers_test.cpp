@@ -1,12 +1,12 @@
 // What the report computes beside the thresholds, against the same from elsewhere or by hand.
-#include "analysis/report/report_numbers.h"
+#include "analysis/report/numbers/report_numbers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/report/number_tables.h"
+#include "analysis/report/tables/number_tables.h"
 #include "tests/analysis/report_people.h"
 
 namespace seamline::analysis {

@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "analysis/report/methods_text.h"
-#include "analysis/report/numbers_text.h"
-#include "analysis/report/report_dictionary.h"
-#include "analysis/report/report_html.h"
-#include "analysis/report/report_json.h"
-#include "analysis/report/thresholds_json.h"
-#include "stimuli/support/html.h"
+#include "analysis/report/json/report_json.h"
+#include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/numbers/numbers_text.h"
+#include "analysis/report/page/methods_text.h"
+#include "analysis/report/page/report_html.h"
+#include "analysis/report/tables/dictionary.h"
+#include "support/text/html.h"
 #include "tests/analysis/report_people.h"
 
 namespace seamline::analysis {

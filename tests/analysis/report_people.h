@@ -1,5 +1,5 @@
 #pragma once
-#include "study/simulation.h"
+#include "study/running/simulation.h"
 #include "tests/analysis/threshold_people.h"
 #include "tests/study/temporary_set.h"
 

@@ -4,15 +4,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "analysis/analysis.h"
-#include "analysis/report/figures.h"
-#include "analysis/report/report_html.h"
-#include "analysis/report/tables.h"
-#include "analysis/report/threshold_rows.h"
-#include "analysis/report/thresholds_json.h"
-#include "stimuli/support/csv.h"
-#include "stimuli/support/html.h"
-#include "stimuli/support/numbers.h"
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/report/figures/figures.h"
+#include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/page/report_html.h"
+#include "analysis/report/tables/tables.h"
+#include "support/text/csv.h"
+#include "support/text/html.h"
+#include "support/text/numbers.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {
@@ -81,9 +81,8 @@ TEST(Csv, TextThatASpreadsheetWouldRunIsDefused) {
                                 {std::string("-1"), std::monostate{}},
                                 {std::string("@x,y"), nan},
                                 {std::string("plain \"q\""), 1.0 / 3}}};
-  EXPECT_EQ(
-      csv_text(table),
-      "a,b\n\"'=HYPERLINK(\"\"x\"\")\",-1.5\n'+1,-2\n'-1,\n\"'@x,y\",\n\"plain \"\"q\"\"\",0.333333\n");
+  EXPECT_EQ(csv_text(table),
+            "a,b\n\"'=HYPERLINK(\"\"x\"\")\",-1.5\n'+1,-2\n'-1,\n\"'@x,y\",\n\"plain \"\"q\"\"\",0.333333\n");
 }
 
 TEST(Csv, EveryColumnOfEveryTableIsInTheDictionary) {

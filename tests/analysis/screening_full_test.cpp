@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 
-#include "analysis/screening.h"
+#include "analysis/screening/screening.h"
 #include "tests/analysis/guessing_people.h"
 #include "tests/analysis/random_raters.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/screening.h"
+#include "analysis/screening/screening.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "stimuli/support/numbers.h"
+#include "support/text/numbers.h"
 #include "tests/analysis/guessing_people.h"
 #include "tests/analysis/random_raters.h"
 

@@ -1,12 +1,12 @@
 // Pictures in the report are those that the sessions showed, or a sentence.
-#include "analysis/report/stimulus_samples.h"
+#include "analysis/report/figures/stimulus_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "analysis/report/report_html.h"
+#include "analysis/report/page/report_html.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline::analysis {

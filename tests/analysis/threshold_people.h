@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/cells.h"
-#include "analysis/thresholds.h"
-#include "study/log.h"
-#include "study/observer.h"
+#include "analysis/scores/cells.h"
+#include "analysis/thresholds/thresholds.h"
+#include "study/log/log.h"
+#include "study/observers/observer.h"
 
 namespace seamline::test {
 using namespace study;

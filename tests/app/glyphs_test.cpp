@@ -1,5 +1,5 @@
 // Fonts from outside: shapes where they are right, one sentence where they are not.
-#include "study/app/glyphs.h"
+#include "study/app/window/glyphs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "small_font.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 
 namespace seamline::study::app {

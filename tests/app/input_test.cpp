@@ -1,4 +1,4 @@
-#include "study/app/input.h"
+#include "study/app/window/input.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/app/object_map.h"
+#include "study/app/pictures/object_map.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <atomic>
 
 #include "picture_set.h"
-#include "stimuli/support/error.h"
-#include "study/app/characters.h"
-#include "study/app/display_profile.h"
-#include "study/app/picture_loader.h"
-#include "study/app/picture_place.h"
+#include "study/app/pictures/display_profile.h"
+#include "study/app/pictures/picture_loader.h"
+#include "study/app/pictures/picture_place.h"
+#include "study/app/window/characters.h"
+#include "support/text/error.h"
 
 namespace seamline::study::app {
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "stimuli/support/hash.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/files/hash.h"
+#include "support/files/image.h"
 #include "tests/study/temporary_set.h"
 
 namespace seamline::test {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "picture_set.h"
-#include "study/log.h"
-#include "study/trial_picture.h"
+#include "study/log/log.h"
+#include "study/trials/trial_picture.h"
 #include "window_driver.h"
 
 namespace seamline::study::app {

@@ -8,7 +8,7 @@
 #include "picture_set.h"
 #include "scripted_window.h"
 #include "small_font.h"
-#include "stimuli/support/image.h"
+#include "support/files/image.h"
 
 namespace seamline::study::app {
 namespace {

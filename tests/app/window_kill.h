@@ -10,8 +10,8 @@
 
 #include "picture_set.h"
 #include "scripted_window.h"
-#include "stimuli/support/random.h"
-#include "study/log.h"
+#include "study/log/log.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::test {
 using namespace study;

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/image.h"
+#include "support/files/atomic_file.h"
+#include "support/files/image.h"
 
 namespace seamline::test {
 

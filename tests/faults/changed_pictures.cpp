@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "lab.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::faults {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 
 #include "compare.h"
 #include "damage.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::faults {
 namespace fs = std::filesystem;

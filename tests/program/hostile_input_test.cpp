@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "run_program.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/printable.h"
+#include "support/files/image.h"
+#include "support/text/printable.h"
 
 namespace seamline {
 namespace {

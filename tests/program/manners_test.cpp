@@ -24,7 +24,7 @@ std::map<std::string, std::string> sources() {
     text << std::ifstream(path, std::ios::binary).rdbuf();
     found[fs::relative(path, root).generic_string()] = text.str();
   };
-  for (const char* folder : {"stimuli", "scenes", "renderer", "study", "analysis", "stability"})
+  for (const char* folder : {"support", "stimuli", "scenes", "renderer", "study", "analysis", "stability"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) take(entry.path());
   for (const auto& entry : fs::directory_iterator(root)) take(entry.path());
   return found;
@@ -43,14 +43,14 @@ TEST(Manners, OneFunctionWritesFiles) {
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
   // name, and the lock beside it; the lock of a set; gnuplot's messages.
-  const std::set<std::string> openers = {"renderer/set_claim.cpp",      "stimuli/support/atomic_file.cpp",
-                                         "stimuli/support/gnuplot.cpp", "study/app/frame_times.cpp",
-                                         "study/app/trace.cpp",         "study/log_create.cpp",
-                                         "study/session_claims.cpp"};
+  const std::set<std::string> openers = {"renderer/set/set_claim.cpp",  "support/files/atomic_file.cpp",
+                                         "support/files/gnuplot.cpp",   "study/app/pictures/frame_times.cpp",
+                                         "study/app/screens/trace.cpp", "study/log/log_create.cpp",
+                                         "study/log/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
   // A recovered log takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
-            (std::set<std::string>{"stimuli/support/atomic_file.cpp", "study/log_recovery.cpp"}));
+            (std::set<std::string>{"support/files/atomic_file.cpp", "study/log/recovery/log_recovery.cpp"}));
   // Libraries that could open files for writing by themselves give their bytes to it.
   for (const std::string& file : files_with(R"(ImageOutput::create|WriteGltfSceneToFile|set output)"))
     EXPECT_NE(sources().at(file).find("write_file_atomically"), std::string::npos) << file;
@@ -59,7 +59,7 @@ TEST(Manners, OneFunctionWritesFiles) {
 TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
   // A folder among the system's temporary files that was not made by mkdtemp may be another user's, with what
   // they laid into it.
-  const std::set<std::string> maker = {"stimuli/support/temporary_folder.cpp"};
+  const std::set<std::string> maker = {"support/files/temporary_folder.cpp"};
   EXPECT_EQ(
       files_with(R"(temp_directory_path|\bmkdtemp\(|"TMPDIR"|"/(var/)?tmp|\btmpnam\(|\btempnam\(|P_tmpdir)"),
       maker);
@@ -67,30 +67,30 @@ TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
   EXPECT_EQ(files_with(R"(\bgetpid\()"), std::set<std::string>());
   // What runs other programs, and with what: gnuplot on a script in a folder of its own.
   EXPECT_EQ(files_with(R"(\bposix_spawnp?\(|\bexec[lv][pe]*\(|\bpopen\(|\bsystem\()"),
-            std::set<std::string>{"stimuli/support/gnuplot.cpp"});
-  EXPECT_NE(sources().at("stimuli/support/gnuplot.cpp").find("const TemporaryFolder folder;"),
+            std::set<std::string>{"support/files/gnuplot.cpp"});
+  EXPECT_NE(sources().at("support/files/gnuplot.cpp").find("const TemporaryFolder folder;"),
             std::string::npos);
 }
 
 TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
   // A set may have come from somebody else, with links out of its folder: whoever opens what a manifest names
   // asks set_file_path. Its own two files know better, and so does what writes a set.
-  const std::set<std::string> known = {"renderer/set_pictures.cpp", "stimuli/set_files.cpp"};
+  const std::set<std::string> known = {"renderer/set/set_pictures.cpp", "stimuli/set/set_files.cpp"};
   EXPECT_EQ(files_with(R"((folder|set)[a-z_]*(\(\))? / [a-z_.>()-]+(\.|->)(image|reference|object_ids)\b)"),
-            std::set<std::string>{"renderer/set_pictures.cpp"});
+            std::set<std::string>{"renderer/set/set_pictures.cpp"});
   for (const std::string& file : files_with(R"(\bread_bytes_image\()")) {
     const std::string& text = sources().at(file);
     const bool confined = text.find("set_file_path") != std::string::npos ||
                           text.find("path_below") != std::string::npos || known.contains(file) ||
-                          file.starts_with("stimuli/support/");
+                          file.starts_with("support/files/");
     EXPECT_TRUE(confined) << file;
   }
 }
 
 TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
-  // Beside the path that was given there may be a link's folder (study/log_place.h).
+  // Beside the path that was given there may be a link's folder (study/log/log_place.h).
   EXPECT_EQ(files_with(R"re("-(wal|shm|journal|lock)")re"),
-            (std::set<std::string>{"demo.cpp", "study/log_place.cpp"}));
+            (std::set<std::string>{"demo.cpp", "study/log/log_place.cpp"}));
 }
 
 TEST(Manners, SqlIsNeverPutTogetherFromValues) {
@@ -110,10 +110,11 @@ TEST(Manners, SqlIsNeverPutTogetherFromValues) {
     if (std::regex_search(text, joined)) joining.insert(file);
   }
   EXPECT_GE(with_sql, 6);
-  EXPECT_EQ(formatting, (std::set<std::string>{"study/log_recovery.cpp", "study/log_salvage.cpp"}));
-  EXPECT_EQ(joining, (std::set<std::string>{"study/log_records.cpp"}));
+  EXPECT_EQ(formatting, (std::set<std::string>{"study/log/recovery/log_recovery.cpp",
+                                               "study/log/recovery/log_salvage.cpp"}));
+  EXPECT_EQ(joining, (std::set<std::string>{"study/log/log_records.cpp"}));
   // What is joined there is a constant of the file.
-  const std::string records = sources().at("study/log_records.cpp");
+  const std::string records = sources().at("study/log/log_records.cpp");
   const std::regex operand(R"(\+\s*([A-Za-z_]+)\s*\+)");
   for (auto match = std::sregex_iterator(records.begin(), records.end(), operand);
        match != std::sregex_iterator(); ++match)

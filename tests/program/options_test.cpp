@@ -12,7 +12,7 @@
 
 #include "program.h"
 #include "run_program.h"
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 
 namespace seamline {
 namespace {
@@ -112,7 +112,7 @@ TEST(Options, EveryNumberOfEveryCommandIsChecked) {
     commands.insert(option.command);
     EXPECT_TRUE(option.kind.find(" to ") != std::string::npos || formed.contains(option.kind))
         << option.command << " " << option.name << " is a " << option.kind
-        << ": add it with add_number (stimuli/support/number_option.h)";
+        << ": add it with add_number (support/text/number_option.h)";
     for (const std::string& value : wrong_values(option))
       for (const std::vector<std::string>& arguments : settings(option, value)) {
         const std::string said = parsed(arguments);
@@ -161,7 +161,7 @@ TEST(Options, NumbersOnTheCommandLineAreReadInOnePlace) {
   for (const char* folder : {"stimuli", "renderer", "study", "analysis", "stability"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
       const std::string path = std::filesystem::relative(entry.path(), root).generic_string();
-      if (entry.path().extension() != ".cpp" || path == "stimuli/support/number_option.cpp") continue;
+      if (entry.path().extension() != ".cpp" || path == "support/text/number_option.cpp") continue;
       const std::string text = test::read_text(entry.path());
       if (text.find("CLI/CLI.hpp") == std::string::npos) continue;
       ++with_options;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "run_program.h"
-#include "stimuli/manifest.h"
-#include "stimuli/support/image.h"
+#include "stimuli/set/manifest.h"
+#include "support/files/image.h"
 
 namespace seamline {
 namespace {

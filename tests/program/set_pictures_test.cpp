@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "run_program.h"
-#include "stimuli/set_files.h"
-#include "stimuli/support/error.h"
+#include "stimuli/set/set_files.h"
+#include "support/text/error.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "run_program.h"
-#include "stimuli/support/image.h"
+#include "support/files/image.h"
 
 namespace seamline {
 namespace {

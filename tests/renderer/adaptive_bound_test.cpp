@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/adaptive_mesh_bound.h"
+#include "renderer/depth/adaptive_mesh_bound.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

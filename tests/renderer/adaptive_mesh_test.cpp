@@ -1,4 +1,4 @@
-#include "renderer/adaptive_mesh.h"
+#include "renderer/depth/adaptive_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "renderer/full_mesh.h"
+#include "renderer/depth/full_mesh.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

@@ -1,4 +1,4 @@
-#include "renderer/answers.h"
+#include "renderer/transport/answers.h"
 
 #include <gtest/gtest.h>
 

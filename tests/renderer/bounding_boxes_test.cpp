@@ -1,10 +1,10 @@
 // Rays that miss the boxes around virtual objects miss the objects.
-#include "renderer/bounding_boxes.h"
+#include "renderer/tracing/bounding_boxes.h"
 
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
 namespace {

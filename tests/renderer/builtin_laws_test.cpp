@@ -3,11 +3,11 @@
 
 #include <map>
 
-#include "renderer/capture.h"
-#include "renderer/composite.h"
-#include "renderer/stimulus_pass.h"
-#include "stimuli/difference.h"
-#include "stimuli/study_file.h"
+#include "renderer/depth/capture.h"
+#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/picture/composite.h"
+#include "stimuli/pictures/difference.h"
+#include "stimuli/study_file/study_file.h"
 #include "tests/renderer/small_pictures.h"
 
 namespace seamline::renderer {

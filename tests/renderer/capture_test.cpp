@@ -1,4 +1,4 @@
-#include "renderer/capture.h"
+#include "renderer/depth/capture.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/composite.h"
+#include "renderer/picture/composite.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,12 +1,12 @@
 // Laws of the pixel formula and of artifact isolation on scenes small enough to know by hand.
-#include "renderer/composite.h"
+#include "renderer/picture/composite.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/capture.h"
-#include "renderer/stimulus_pass.h"
+#include "renderer/depth/capture.h"
+#include "renderer/estimators/stimulus_pass.h"
 #include "shapes.h"
-#include "stimuli/difference.h"
+#include "stimuli/pictures/difference.h"
 
 namespace seamline::renderer {
 namespace {

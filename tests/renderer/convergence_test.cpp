@@ -1,15 +1,15 @@
 // What error against run time rests on: the slope fit, the two renderings that the coupled one stands for,
 // and the rule for the mesh tolerance.
-#include "renderer/convergence_runs.h"
+#include "renderer/convergence/convergence_runs.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "renderer/convergence_mesh.h"
-#include "renderer/convergence_slope.h"
-#include "stimuli/study_file.h"
+#include "renderer/convergence/convergence_mesh.h"
+#include "renderer/convergence/convergence_slope.h"
+#include "stimuli/study_file/study_file.h"
 
 namespace seamline::renderer {
 namespace {

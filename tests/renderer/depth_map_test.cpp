@@ -1,4 +1,4 @@
-#include "renderer/depth_map.h"
+#include "renderer/depth/depth_map.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "stimuli/support/error.h"
-#include "stimuli/support/image.h"
+#include "support/files/image.h"
+#include "support/text/error.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

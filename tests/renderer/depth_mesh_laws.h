@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/dense_sphere.h"
-#include "renderer/depth_mesh.h"
+#include "renderer/depth/dense_sphere.h"
+#include "renderer/depth/depth_mesh.h"
 
 /// What the tests of depth meshes share: maps to make them from, and laws that are checked without the code
 /// under test.

@@ -1,10 +1,10 @@
-#include "renderer/depth_mesh.h"
+#include "renderer/depth/depth_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "renderer/full_mesh.h"
+#include "renderer/depth/full_mesh.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

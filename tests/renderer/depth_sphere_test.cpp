@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/dense_sphere.h"
+#include "renderer/depth/dense_sphere.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

@@ -1,12 +1,12 @@
-#include "renderer/error_estimate.h"
+#include "renderer/picture/error_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/bounce_filter.h"
-#include "renderer/sampling_rounds.h"
-#include "stimuli/support/random.h"
+#include "renderer/picture/bounce_filter.h"
+#include "renderer/picture/sampling_rounds.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
 namespace {

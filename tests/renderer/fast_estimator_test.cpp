@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "renderer/capture.h"
-#include "renderer/estimator.h"
-#include "stimuli/difference.h"
-#include "stimuli/study_file.h"
+#include "renderer/depth/capture.h"
+#include "renderer/estimators/estimator.h"
+#include "stimuli/pictures/difference.h"
+#include "stimuli/study_file/study_file.h"
 #include "tests/renderer/small_pictures.h"
 
 namespace seamline::renderer {

@@ -1,8 +1,8 @@
 // What a virtual object emits is in its picture once, whoever answers for its light.
 #include <gtest/gtest.h>
 
-#include "renderer/composite.h"
-#include "renderer/estimator.h"
+#include "renderer/estimators/estimator.h"
+#include "renderer/picture/composite.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

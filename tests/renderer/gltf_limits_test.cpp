@@ -7,11 +7,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "renderer/scene_file.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/limits.h"
-#include "stimuli/support/temporary_folder.h"
+#include "renderer/scene/scene_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
+#include "support/text/limits.h"
 
 namespace seamline::renderer {
 namespace {

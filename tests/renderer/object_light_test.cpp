@@ -1,5 +1,5 @@
 // Many points of the object asked together are lit as each of them alone.
-#include "renderer/object_light.h"
+#include "renderer/transport/object_light.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "renderer/capture.h"
-#include "renderer/light.h"
+#include "renderer/depth/capture.h"
+#include "renderer/scene/light.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

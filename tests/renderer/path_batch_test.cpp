@@ -1,5 +1,5 @@
 // Paths followed together against paths followed one at a time.
-#include "renderer/path_batch.h"
+#include "renderer/transport/path_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Triangles paired for the search tree stay the same surface.
-#include "renderer/quads.h"
+#include "renderer/tracing/quads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "renderer/triangle_neighbours.h"
+#include "renderer/tracing/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

@@ -1,14 +1,14 @@
 // Every omission of the plan: the picture with it and without it differ by no more than the plan says.
-#include "renderer/render_plan.h"
+#include "renderer/set/render_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/capture.h"
-#include "renderer/estimator.h"
-#include "stimuli/difference.h"
-#include "stimuli/study_file.h"
+#include "renderer/depth/capture.h"
+#include "renderer/estimators/estimator.h"
+#include "stimuli/pictures/difference.h"
+#include "stimuli/study_file/study_file.h"
 
 namespace seamline::renderer {
 namespace {

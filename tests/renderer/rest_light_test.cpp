@@ -1,5 +1,5 @@
 // Many points off the object asked together are lit as each of them alone.
-#include "renderer/rest_light.h"
+#include "renderer/transport/rest_light.h"
 
 #include <gtest/gtest.h>
 

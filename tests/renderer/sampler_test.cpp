@@ -1,4 +1,4 @@
-#include "renderer/sampler.h"
+#include "renderer/common/sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/light.h"
+#include "renderer/scene/light.h"
 
 namespace seamline::renderer {
 namespace {

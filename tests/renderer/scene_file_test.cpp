@@ -1,4 +1,4 @@
-#include "renderer/scene_file.h"
+#include "renderer/scene/scene_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "renderer/truth_scene.h"
-#include "stimuli/support/error.h"
+#include "renderer/scene/truth_scene.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 
 namespace seamline::renderer {

@@ -1,4 +1,4 @@
-#include "renderer/set_claim.h"
+#include "renderer/set/set_claim.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {

@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/errors_page.h"
-#include "renderer/set_records.h"
-#include "renderer/true_error_set.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/hash.h"
-#include "stimuli/support/html.h"
-#include "stimuli/support/temporary_folder.h"
+#include "renderer/set/pages/errors_page.h"
+#include "renderer/set/set_records.h"
+#include "renderer/set/true_error_set.h"
+#include "support/files/atomic_file.h"
+#include "support/files/hash.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/html.h"
 #include "tests/stimuli/manifest_records.h"
 
 namespace seamline::renderer {

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "renderer/truth_pass.h"
-#include "stability/shapes.h"
+#include "renderer/estimators/truth_pass.h"
+#include "stability/common/shapes.h"
 
 /// Small shapes and scenes whose light is known by hand.
 namespace seamline::test {

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "stimuli/study_file.h"
+#include "stimuli/study_file/study_file.h"
 
 namespace seamline::test {
 

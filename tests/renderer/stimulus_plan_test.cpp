@@ -1,4 +1,4 @@
-#include "renderer/stimulus_plan.h"
+#include "renderer/estimators/fast/stimulus_plan.h"
 
 #include <gtest/gtest.h>
 

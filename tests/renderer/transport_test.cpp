@@ -1,9 +1,9 @@
 // Laws of light: what a renderer must give whatever the pixels look like.
-#include "renderer/transport.h"
+#include "renderer/transport/transport.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/rest_light.h"
+#include "renderer/transport/rest_light.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

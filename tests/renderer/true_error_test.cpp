@@ -1,12 +1,12 @@
 // A planted error comes back whatever the reference's own noise.
-#include "renderer/true_error.h"
+#include "renderer/picture/true_error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/error_estimate.h"
-#include "stimuli/support/random.h"
+#include "renderer/picture/error_estimate.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "scenes/builtin.h"
-#include "stimuli/support/assets.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
 
 namespace seamline::scenes {
 namespace {

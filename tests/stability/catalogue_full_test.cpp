@@ -1,7 +1,7 @@
 // The whole catalogue, as `seamline stability` runs it.
 #include <gtest/gtest.h>
 
-#include "renderer/parallel.h"
+#include "renderer/common/parallel.h"
 #include "stability/catalogue.h"
 #include "stability/run_cases.h"
 

@@ -10,7 +10,7 @@
 
 #include "stability/convergence_cases.h"
 #include "stability/run_cases.h"
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 
 namespace seamline::stability {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <limits>
 
-#include "renderer/full_mesh.h"
-#include "stability/bound_cases.h"
-#include "stability/depth_size_cases.h"
-#include "stability/depth_value_cases.h"
-#include "stimuli/support/image.h"
+#include "renderer/depth/full_mesh.h"
+#include "stability/depth/bound_cases.h"
+#include "stability/depth/depth_size_cases.h"
+#include "stability/depth/depth_value_cases.h"
+#include "support/files/image.h"
 
 namespace seamline::stability {
 using namespace renderer;

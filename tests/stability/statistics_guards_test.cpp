@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/ordinal/fixed_likelihood.h"
-#include "analysis/ordinal/newton.h"
-#include "analysis/psychometric/goodness.h"
-#include "stability/interval_cases.h"
-#include "stability/quest_plus_cases.h"
-#include "stability/rating_cases.h"
+#include "analysis/ordinal/likelihood/fixed_likelihood.h"
+#include "analysis/ordinal/likelihood/newton.h"
+#include "analysis/psychometric/intervals/goodness.h"
+#include "stability/statistics/interval_cases.h"
+#include "stability/statistics/quest_plus_cases.h"
+#include "stability/statistics/rating_cases.h"
 
 namespace seamline::stability {
 using namespace analysis;

@@ -1,11 +1,11 @@
-#include "stimuli/attention_image.h"
+#include "stimuli/pictures/attention_image.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stimuli/support/error.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/text/error.h"
 
 namespace seamline {
 namespace {

@@ -1,14 +1,14 @@
-#include "stimuli/support/csv_read.h"
+#include "support/text/csv_read.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "stimuli/support/csv.h"
-#include "stimuli/support/limits.h"
-#include "stimuli/support/printable.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/text/csv.h"
+#include "support/text/limits.h"
+#include "support/text/printable.h"
 
 namespace seamline {
 namespace {

@@ -1,4 +1,4 @@
-#include "stimuli/support/csv.h"
+#include "support/text/csv.h"
 
 #include <gtest/gtest.h>
 

@@ -8,12 +8,12 @@
 #include <functional>
 
 #include "png_parts.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/png_file.h"
-#include "stimuli/support/random.h"
-#include "stimuli/support/temporary_folder.h"
+#include "support/arithmetic/random.h"
+#include "support/files/atomic_file.h"
+#include "support/files/image.h"
+#include "support/files/png_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 
 namespace seamline {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "stimuli/support/image.h"
+#include "support/files/image.h"
 
 namespace seamline {
 

@@ -1,4 +1,4 @@
-#include "stimuli/flip.h"
+#include "stimuli/pictures/flip.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "flip_by_hand.h"
-#include "stimuli/flip_colour.h"
-#include "stimuli/flip_filters.h"
-#include "stimuli/support/random.h"
+#include "stimuli/pictures/flip_colour.h"
+#include "stimuli/pictures/flip_filters.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline {
 namespace {

@@ -1,5 +1,5 @@
 // What comes from outside is bounded before memory is taken, and stays in its folder.
-#include "stimuli/support/limits.h"
+#include "support/text/limits.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,15 +8,15 @@
 #include <filesystem>
 
 #include "png_parts.h"
-#include "stimuli/manifest.h"
-#include "stimuli/study_file.h"
-#include "stimuli/support/assets.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/confined_path.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/temporary_folder.h"
-#include "stimuli/support/text_bounds.h"
+#include "stimuli/set/manifest.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/files/confined_path.h"
+#include "support/files/image.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
+#include "support/text/text_bounds.h"
 #include "tests/complaint.h"
 
 namespace seamline {

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "stimuli/manifest.h"
-#include "stimuli/stimulus.h"
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/set/manifest.h"
 
 namespace seamline::test {
 

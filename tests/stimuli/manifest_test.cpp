@@ -1,11 +1,11 @@
-#include "stimuli/manifest.h"
+#include "stimuli/set/manifest.h"
 
 #include <gtest/gtest.h>
 
-#include "stimuli/difference.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/temporary_folder.h"
+#include "stimuli/pictures/difference.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 
 namespace seamline {
 namespace {

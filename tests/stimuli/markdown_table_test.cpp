@@ -1,4 +1,4 @@
-#include "stimuli/support/markdown_table.h"
+#include "support/files/markdown_table.h"
 
 #include <gtest/gtest.h>
 

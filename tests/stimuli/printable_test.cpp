@@ -1,14 +1,14 @@
 // Text from outside: in messages, pages, tables and figures it is UTF-8 that can be shown, and not too long.
-#include "stimuli/support/printable.h"
+#include "support/text/printable.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/support/csv.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/gnuplot.h"
-#include "stimuli/support/html.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
+#include "support/files/gnuplot.h"
+#include "support/text/csv.h"
+#include "support/text/error.h"
+#include "support/text/html.h"
 
 namespace seamline {
 namespace {

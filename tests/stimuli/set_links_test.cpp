@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/set_files.h"
-#include "stimuli/support/hash.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/temporary_folder.h"
-#include "stimuli/visible_difference.h"
+#include "stimuli/pictures/visible_difference.h"
+#include "stimuli/set/set_files.h"
+#include "support/files/hash.h"
+#include "support/files/image.h"
+#include "support/files/temporary_folder.h"
 #include "tests/complaint.h"
 #include "tests/stimuli/manifest_records.h"
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <set>
 
-#include "stimuli/study_file.h"
-#include "stimuli/study_files.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/temporary_folder.h"
+#include "stimuli/study_file/session_files.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 #include "tests/stimuli/study_of_no_files.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "stimuli/study_file.h"
-#include "stimuli/support/error.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 #include "tests/stimuli/study_of_no_files.h"
 

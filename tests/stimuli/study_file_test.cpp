@@ -1,12 +1,12 @@
-#include "stimuli/study_file.h"
+#include "stimuli/study_file/study_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "stimuli/stimulus.h"
-#include "stimuli/support/error.h"
+#include "stimuli/definition/stimulus.h"
+#include "support/text/error.h"
 #include "tests/complaint.h"
 
 namespace seamline {

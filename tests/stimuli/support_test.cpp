@@ -8,15 +8,15 @@
 #include <thread>
 #include <vector>
 
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/colour.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/gnuplot.h"
-#include "stimuli/support/hash.h"
-#include "stimuli/support/image.h"
-#include "stimuli/support/progress.h"
-#include "stimuli/support/suggest.h"
-#include "stimuli/support/temporary_folder.h"
+#include "support/arithmetic/colour.h"
+#include "support/files/atomic_file.h"
+#include "support/files/gnuplot.h"
+#include "support/files/hash.h"
+#include "support/files/image.h"
+#include "support/files/temporary_folder.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+#include "support/text/suggest.h"
 
 namespace seamline {
 namespace {

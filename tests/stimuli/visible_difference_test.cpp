@@ -1,13 +1,13 @@
-#include "stimuli/visible_difference.h"
+#include "stimuli/pictures/visible_difference.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "stimuli/flip.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/temporary_folder.h"
+#include "stimuli/pictures/flip.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 #include "tests/stimuli/manifest_records.h"
 
 namespace seamline {

@@ -1,4 +1,4 @@
-#include "study/catch_plan.h"
+#include "study/trials/catch_plan.h"
 
 #include <gtest/gtest.h>
 

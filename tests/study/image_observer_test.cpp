@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
-#include "stimuli/support/error.h"
-#include "stimuli/support/image.h"
-#include "study/log.h"
-#include "study/observer.h"
-#include "study/simulation.h"
+#include "study/log/log.h"
+#include "study/observers/observer.h"
+#include "study/running/simulation.h"
+#include "support/files/image.h"
+#include "support/text/error.h"
 #include "tests/study/temporary_set.h"
 
 namespace seamline::study {

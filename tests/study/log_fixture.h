@@ -1,11 +1,11 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "stimuli/support/error.h"
-#include "study/catch_plan.h"
-#include "study/log.h"
-#include "study/log_writer.h"
-#include "study/plan.h"
+#include "study/log/log.h"
+#include "study/log/log_writer.h"
+#include "study/trials/catch_plan.h"
+#include "study/trials/trial_order.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

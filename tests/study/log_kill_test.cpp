@@ -10,11 +10,11 @@
 #include <map>
 
 #include "sound_log.h"
-#include "stimuli/support/random.h"
-#include "study/catch_plan.h"
-#include "study/log.h"
-#include "study/log_writer.h"
-#include "study/plan.h"
+#include "study/log/log.h"
+#include "study/log/log_writer.h"
+#include "study/trials/catch_plan.h"
+#include "study/trials/trial_order.h"
+#include "support/arithmetic/random.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

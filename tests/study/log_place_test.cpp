@@ -12,10 +12,10 @@
 #include <functional>
 
 #include "log_fixture.h"
-#include "study/log_admin.h"
-#include "study/log_place.h"
-#include "study/log_recovery.h"
-#include "study/session_claims.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_place.h"
+#include "study/log/recovery/log_recovery.h"
+#include "study/log/session_claims.h"
 
 namespace seamline::study {
 namespace {

@@ -1,5 +1,5 @@
 // A damaged log is refused in a sentence, and what can be read of it is saved.
-#include "study/log_recovery.h"
+#include "study/log/recovery/log_recovery.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <set>
 
-#include "stimuli/support/error.h"
-#include "study/log.h"
-#include "study/simulation.h"
+#include "study/log/log.h"
+#include "study/running/simulation.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

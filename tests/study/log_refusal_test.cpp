@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "log_fixture.h"
-#include "study/log_admin.h"
+#include "study/log/log_admin.h"
 
 namespace seamline::study {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "log_fixture.h"
-#include "study/log_admin.h"
-#include "study/log_database.h"
-#include "study/log_recovery.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_database.h"
+#include "study/log/recovery/log_recovery.h"
 
 namespace seamline::study {
 namespace {

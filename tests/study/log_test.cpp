@@ -1,4 +1,4 @@
-#include "study/log.h"
+#include "study/log/log.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -8,11 +8,11 @@
 #include <fstream>
 
 #include "log_fixture.h"
-#include "stimuli/support/error.h"
-#include "study/catch_plan.h"
-#include "study/log_admin.h"
-#include "study/log_writer.h"
-#include "study/plan.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_writer.h"
+#include "study/trials/catch_plan.h"
+#include "study/trials/trial_order.h"
+#include "support/text/error.h"
 
 namespace seamline::study {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "scripted_person.h"
 #include "sound_log.h"
-#include "study/log.h"
-#include "study/visit_store.h"
+#include "study/log/log.h"
+#include "study/running/visit_store.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

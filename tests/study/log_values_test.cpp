@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/support/error.h"
-#include "study/log.h"
-#include "study/log_values.h"
-#include "study/simulation.h"
+#include "study/log/log.h"
+#include "study/log/log_values.h"
+#include "study/running/simulation.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

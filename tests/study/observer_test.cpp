@@ -1,10 +1,10 @@
-#include "study/observer.h"
+#include "study/observers/observer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stimuli/support/error.h"
+#include "support/text/error.h"
 
 namespace seamline::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/plan.h"
+#include "study/trials/trial_order.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 namespace {

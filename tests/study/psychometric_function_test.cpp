@@ -1,4 +1,4 @@
-#include "study/psychometric_function.h"
+#include "study/placement/psychometric_function.h"
 
 #include <gtest/gtest.h>
 

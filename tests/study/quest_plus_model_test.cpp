@@ -1,5 +1,5 @@
 // Probabilities of outcomes, the grid, its marginals, intervals and alarms.
-#include "study/quest_plus_model.h"
+#include "study/placement/quest_plus_model.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "quest_plus_task.h"
-#include "study/psychometric_function.h"
+#include "study/placement/psychometric_function.h"
 
 namespace seamline::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "quest_plus_task.h"
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 namespace {

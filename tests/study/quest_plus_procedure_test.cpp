@@ -1,5 +1,5 @@
 // Tracks: what may be shown, in which order, when it ends, and that a session can be taken up again.
-#include "study/quest_plus_procedure.h"
+#include "study/placement/quest_plus_procedure.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 
 #include "quest_plus_task.h"
-#include "stimuli/support/random.h"
-#include "study/observer.h"
-#include "study/procedure.h"
+#include "study/observers/observer.h"
+#include "study/placement/procedure.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 namespace {

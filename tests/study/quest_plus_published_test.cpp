@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "study/quest_plus_model.h"
+#include "study/placement/quest_plus_model.h"
 
 namespace seamline::study {
 namespace {

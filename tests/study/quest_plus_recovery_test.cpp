@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "quest_plus_task.h"
-#include "stimuli/support/random.h"
-#include "study/observer.h"
+#include "study/observers/observer.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 namespace {

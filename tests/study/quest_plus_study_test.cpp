@@ -6,12 +6,12 @@
 #include <map>
 #include <set>
 
-#include "stimuli/support/error.h"
-#include "study/log.h"
-#include "study/log_writer.h"
-#include "study/participant_procedure.h"
-#include "study/quest_plus_results.h"
-#include "study/simulation.h"
+#include "study/log/log.h"
+#include "study/log/log_writer.h"
+#include "study/running/participant_procedure.h"
+#include "study/running/quest_plus_results.h"
+#include "study/running/simulation.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

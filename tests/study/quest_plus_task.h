@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "study/quest_plus_model.h"
+#include "study/placement/quest_plus_model.h"
 
 namespace seamline::study {
 

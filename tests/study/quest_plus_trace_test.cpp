@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "study/quest_plus_grid.h"
+#include "study/placement/quest_plus_grid.h"
 
 namespace seamline::study {
 namespace {

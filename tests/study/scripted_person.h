@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "stimuli/support/random.h"
-#include "study/visit.h"
+#include "study/visit/visit.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 

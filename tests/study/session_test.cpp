@@ -1,10 +1,10 @@
-#include "study/session.h"
+#include "study/visit/session.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "stimuli/support/random.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::study {
 namespace {

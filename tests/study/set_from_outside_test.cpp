@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
-#include "study/log.h"
-#include "study/simulation.h"
+#include "study/log/log.h"
+#include "study/running/simulation.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

@@ -1,4 +1,4 @@
-#include "study/simulation.h"
+#include "study/running/simulation.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -11,12 +11,12 @@
 #include <map>
 #include <set>
 
-#include "stimuli/support/error.h"
-#include "study/catch_plan.h"
-#include "study/log.h"
-#include "study/log_admin.h"
-#include "study/log_writer.h"
-#include "study/plan.h"
+#include "study/log/log.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_writer.h"
+#include "study/trials/catch_plan.h"
+#include "study/trials/trial_order.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scripted_person.h"
-#include "study/visit.h"
+#include "study/visit/visit.h"
 
 /// A visit of a few trials, stored nowhere.
 namespace seamline::study {

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "stimuli/manifest.h"
-#include "stimuli/stimulus.h"
-#include "stimuli/study_file.h"
-#include "stimuli/support/atomic_file.h"
-#include "stimuli/support/temporary_folder.h"
-#include "study/study_set.h"
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/set/manifest.h"
+#include "stimuli/study_file/study_file.h"
+#include "study/trials/study_set.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
 
 namespace seamline::study {
 

@@ -1,11 +1,11 @@
-#include "study/trial_picture.h"
+#include "study/trials/trial_picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/attention_image.h"
-#include "stimuli/support/error.h"
-#include "stimuli/support/hash.h"
+#include "stimuli/pictures/attention_image.h"
+#include "support/files/hash.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "scripted_person.h"
-#include "study/catch_plan.h"
-#include "study/log.h"
-#include "study/visit_store.h"
+#include "study/log/log.h"
+#include "study/running/visit_store.h"
+#include "study/trials/catch_plan.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "study/log.h"
-#include "study/log_admin.h"
+#include "study/log/log.h"
+#include "study/log/log_admin.h"
 #include "visit_store_fixture.h"
 
 namespace seamline::study {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "scripted_person.h"
-#include "stimuli/support/error.h"
-#include "study/visit_store.h"
+#include "study/running/visit_store.h"
+#include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
 

@@ -1,13 +1,13 @@
 // A whole visit with scripted events into a real log.
-#include "study/visit_store.h"
+#include "study/running/visit_store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/support/error.h"
-#include "study/log.h"
-#include "study/log_admin.h"
+#include "study/log/log.h"
+#include "study/log/log_admin.h"
+#include "support/text/error.h"
 #include "visit_store_fixture.h"
 
 namespace seamline::study {

@@ -1,4 +1,4 @@
-#include "study/visit.h"
+#include "study/visit/visit.h"
 
 #include <gtest/gtest.h>
 

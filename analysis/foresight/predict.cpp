@@ -1,0 +1,150 @@
+#include "analysis/foresight/predict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/thresholds/paper_values.h"
+#include "stimuli/set/set_files.h"
+#include "study/observers/observer.h"
+#include "study/trials/study_set.h"
+#include "support/text/error.h"
+
+namespace seamline::analysis {
+namespace {
+
+struct CellSums {
+  double difference = 0, noticeability = 0;
+  int count = 0;
+};
+
+/// The floors that a set of `none` stimuli tells.
+DifferenceFloors floors_of(const std::filesystem::path& none_set, double ppd, int threads) {
+  if (none_set.empty()) return {};
+  const Manifest manifest = read_manifest(none_set);
+  check_set_files(none_set, manifest);
+  const DifferenceFloors floors =
+      difference_floors(manifest, visible_differences(none_set, manifest, ppd, {}, threads));
+  if (floors.empty())
+    throw input_error({.file = (none_set / "manifest.json").string(),
+                       .field = "stimuli",
+                       .wanted = "stimuli of the artifact none",
+                       .found = "none of them"});
+  return floors;
+}
+
+/// log2 of the receiver artifact's PT; infinite when its curve is above or below the level everywhere.
+double receiver_threshold(const Manifest& manifest, const VisibleDifferences& differences,
+                          const ObserverDefinition& observer) {
+  for (const PredictedArtifact& artifact : predict_artifacts(manifest, differences, observer)) {
+    if (artifact.artifact != Artifact::receiver) continue;
+    std::vector<double> widths;
+    for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.width_px));
+    return largest_log2_width_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
+  }
+  throw input_error(
+      {.field = "the gain",
+       .wanted = "--gain, observer.image_gain, or a set with the artifact receiver to fix it on",
+       .found = "none of them"});
+}
+
+/// For sorting: a missing threshold is beyond the widths on the side that its reason says.
+double log2_or_beyond(const WidthEstimate& estimate) {
+  if (estimate.log2_px) return *estimate.log2_px;
+  return estimate.reason.starts_with("above") ? above_every_width : below_every_width;
+}
+
+}  // namespace
+
+std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
+                                                 const VisibleDifferences& differences,
+                                                 const ObserverDefinition& observer) {
+  std::map<Artifact, std::map<int, CellSums>> sums;
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    if (record.stimulus.artifact == Artifact::none) continue;
+    CellSums& cell = sums[record.stimulus.artifact][record.stimulus.condition.depth_width_px];
+    const double difference = differences.at(record.id).above_floor;
+    cell.difference += difference;
+    cell.noticeability += study::expected_noticeability_of_difference(observer, difference);
+    ++cell.count;
+  }
+  std::vector<PredictedArtifact> artifacts;
+  for (const auto& [artifact, cells] : sums) {
+    PredictedArtifact predicted{.artifact = artifact, .cells = {}, .thresholds = {}};
+    std::vector<double> widths, means;
+    for (const auto& [width_px, cell] : cells) {
+      predicted.cells.push_back({.width_px = width_px,
+                                 .visible_difference = cell.difference / cell.count,
+                                 .expected_noticeability = cell.noticeability / cell.count});
+      widths.push_back(std::log2(width_px));
+      means.push_back(predicted.cells.back().expected_noticeability);
+    }
+    predicted.thresholds = thresholds_of_means(widths, means);
+    artifacts.push_back(std::move(predicted));
+  }
+  return artifacts;
+}
+
+double calibrated_gain(const Manifest& manifest, const VisibleDifferences& differences,
+                       ObserverDefinition observer, double receiver_px) {
+  const double wanted = std::log2(receiver_px);
+  double low = -60, high = 60;  // log2 of the gain
+  while (high - low > 1e-9) {
+    const double middle = (low + high) / 2;
+    observer.image_gain = std::exp2(middle);
+    (receiver_threshold(manifest, differences, observer) < wanted ? low : high) = middle;
+  }
+  observer.image_gain = std::exp2((low + high) / 2);
+  const double found = receiver_threshold(manifest, differences, observer);
+  if (!(std::abs(found - wanted) < 1e-3))
+    throw input_error(
+        {.field = "--calibrate",
+         .wanted = fmt::format("a gain that puts the receiver's threshold at {:.0f} px", receiver_px),
+         .found = "none: the threshold jumps over that width"});
+  return *observer.image_gain;
+}
+
+Prediction predict_thresholds(const PredictionRequest& request) {
+  const study::StudySet set = study::load_study_set(request.set_folder);
+  check_set_files(set.folder, set.manifest);
+  Prediction prediction{.observer = set.study.observer, .artifacts = {}};
+  const double ppd = prediction.observer.pixels_per_degree;
+  const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);
+  const VisibleDifferences differences =
+      visible_differences(set.folder, set.manifest, ppd, floors, request.threads);
+  DifferenceFloors known = difference_floors(set.manifest, differences);
+  known.insert(floors.begin(), floors.end());
+  prediction.floor_known = !known.empty();
+  for (const auto& [key, floor] : known) prediction.highest_floor = std::max(prediction.highest_floor, floor);
+  if (request.gain) prediction.observer.image_gain = *request.gain;
+  prediction.calibrated = request.calibrate || !prediction.observer.image_gain;
+  if (prediction.calibrated)
+    prediction.observer.image_gain =
+        calibrated_gain(set.manifest, differences, prediction.observer,
+                        paper_thresholds(Artifact::receiver).value().perceptual_px.value());
+  prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer);
+  if (prediction.artifacts.empty())
+    throw input_error({.file = (request.set_folder / "manifest.json").string(),
+                       .field = "stimuli",
+                       .wanted = "stimuli with a seam",
+                       .found = "only the artifact none"});
+  return prediction;
+}
+
+std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts) {
+  std::vector<PredictedArtifact> sorted = artifacts;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const PredictedArtifact& a, const PredictedArtifact& b) {
+    const auto key = [](const PredictedArtifact& artifact) {
+      return std::pair(log2_or_beyond(artifact.thresholds.perceptual),
+                       log2_or_beyond(artifact.thresholds.slightly_noticeable));
+    };
+    return key(a) > key(b);
+  });
+  std::vector<Artifact> order;
+  for (const PredictedArtifact& artifact : sorted) order.push_back(artifact.artifact);
+  return order;
+}
+
+}  // namespace seamline::analysis

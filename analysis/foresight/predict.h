@@ -1,0 +1,62 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/thresholds/thresholds.h"
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/pictures/visible_difference.h"
+#include "stimuli/set/manifest.h"
+
+namespace seamline::analysis {
+
+/// What `seamline predict SET` asks for.
+struct PredictionRequest {
+  std::filesystem::path set_folder;
+  std::filesystem::path none_set_folder;  ///< empty: floors come from the set's own `none` stimuli, or are 0
+  std::optional<double> gain;             ///< none: the study's `observer.image_gain`
+  bool calibrate = false;  ///< fixes the gain on this set; also done when neither request nor study has one
+  int threads = 0;
+};
+
+/// One artifact at one width: what the `image` observer is expected to answer on average.
+struct PredictedCell {
+  int width_px = 0;
+  double visible_difference = 0;      ///< above the floor, mean over scenes and objects
+  double expected_noticeability = 0;  ///< 0 to 4, mean over scenes and objects, guessing included
+};
+
+struct PredictedArtifact {
+  Artifact artifact = Artifact::none;
+  std::vector<PredictedCell> cells;  ///< widths rising
+  CurveThresholds thresholds;        ///< without intervals
+};
+
+struct Prediction {
+  ObserverDefinition observer;  ///< with the gain that was used
+  bool calibrated = false;      ///< the gain was fixed so that the receiver's PT is the paper's
+  bool floor_known = false;     ///< some stimulus without a seam told what rendering noise looks like
+  double highest_floor = 0;
+  std::vector<PredictedArtifact> artifacts;  ///< in the order of `every_artifact`, without `none`
+};
+
+/// Thresholds predicted from the pictures of a set alone, before anyone is asked: the functionals of
+/// `thresholds_of_means` on the expected means of the `image` observer. Throws InputError when the set cannot
+/// be read, holds no seam, or no gain gives the wanted receiver threshold.
+[[nodiscard]] Prediction predict_thresholds(const PredictionRequest& request);
+
+/// The same from visible differences that are at hand.
+[[nodiscard]] std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
+                                                               const VisibleDifferences& differences,
+                                                               const ObserverDefinition& observer);
+
+/// The gain with which the receiver artifact's perceptual threshold is `receiver_px`, by bisection to 1e-9
+/// octaves (a larger gain never lowers a threshold). Throws InputError when there is none.
+[[nodiscard]] double calibrated_gain(const Manifest& manifest, const VisibleDifferences& differences,
+                                     ObserverDefinition observer, double receiver_px);
+
+/// The artifacts from the most to the least demanding, by PT, then SN; "above at every width" comes first.
+[[nodiscard]] std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts);
+
+}  // namespace seamline::analysis

@@ -1,0 +1,177 @@
+#include "analysis/log_analysis/analysis.h"
+
+#include <fmt/format.h>
+
+#include "analysis/log_analysis/adaptive_log.h"
+#include "analysis/screening/catch_answers.h"
+#include "stimuli/study_file/study_file.h"
+#include "study/observers/observer.h"
+#include "support/text/error.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::vector<std::string> notes_on_people(const Analysis& analysis) {
+  std::vector<std::string> notes;
+  const ParticipantCounts& counts = analysis.counts;
+  if (counts.used < counts.in_log)
+    notes.push_back(
+        fmt::format("Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
+                    "not finish{}.",
+                    counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
+                    counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : ""));
+  if (analysis.log.forgotten_participants > 0)
+    notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
+                                analysis.log.forgotten_participants));
+  if (counts.simulated > 0 && counts.simulated < counts.used)
+    notes.push_back(fmt::format("{} of the {} participants used are simulated observers.", counts.simulated,
+                                counts.used));
+  if (counts.used < 2)
+    notes.emplace_back("With one participant there are no standard errors and no intervals.");
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    if (scores.width_px.size() == 4)
+      notes.push_back(fmt::format(
+          "'{}' was tested at four widths only: the logistic has as many parameters, so its inflection "
+          "point rests on no spare data.",
+          word(scores.artifact)));
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    if (!scores.left_out.empty())
+      notes.push_back(
+          fmt::format("{} of the participants used have no answer at one of the widths of '{}' and are left "
+                      "out of its curve.",
+                      scores.left_out.size(), word(scores.artifact)));
+  return notes;
+}
+
+std::string joined(const std::vector<std::string>& codes) {
+  std::string text;
+  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
+  return text;
+}
+
+/// Whom each screen names, and whether they are used all the same.
+void add_notes_on_screening(Analysis& analysis) {
+  for (Screen screen : every_screen)
+    if (const std::vector<std::string> named = analysis.screening.named_by(screen); !named.empty())
+      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(screen),
+                                           named.size(), named.size() == 1 ? "" : "s", joined(named),
+                                           analysis.options.exclude_screened
+                                               ? "left out"
+                                               : "used all the same unless --exclude-screened is given"));
+}
+
+void leave_out_screened(Analysis& analysis) {
+  analysis.people = leave_out(analysis.people, analysis.screening.named());
+  if (count_participants(analysis.people).used == 0)
+    throw input_error({.file = analysis.log.file.string(),
+                       .field = "",
+                       .wanted = "at least one participant whom no screen names",
+                       .found = "all of them named (leave out --exclude-screened)"});
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+}
+
+/// What stands beside the thresholds: single objects, guessing, opinion scores.
+void add_checks(Analysis& analysis) {
+  analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
+  analysis.guessing =
+      correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
+                           analysis.data, analysis.resampling);
+  analysis.opinion = opinion_scores(analysis.scores.score);
+  analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = study::highest_rating});
+  add_notes_on_screening(analysis);
+  analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
+}
+
+constexpr const char* rising_note =
+    "The study's simulated observers notice more as maps grow finer; PT, SN and IP are of noticeability that "
+    "falls, and no values are planted for them.";
+
+/// The options, with the log's catch trials beside those that were given.
+AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogContents& log) {
+  for (const ReferenceAnswer& answer : reference_answers(log)) options.references.push_back(answer);
+  for (const CatchAnswer& answer : attention_answers(log)) options.catches.push_back(answer);
+  return options;
+}
+
+}  // namespace
+
+Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingRequest& resampling,
+                 const AnalysisOptions& options) {
+  Analysis analysis;
+  analysis.log = std::move(log);
+  analysis.include_pilot = include_pilot;
+  analysis.resampling = resampling;
+  analysis.options = with_catch_trials(options, analysis.log);
+  analysis.people = select_participants(analysis.log, include_pilot);
+  analysis.scores = score_matrix(analysis.log, analysis.people);
+  analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
+  static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
+  std::vector<std::string> notes_on_study;
+  const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
+  analysis.adaptive = is_adaptive(study);
+  if (!analysis.adaptive)
+    analysis.screened =
+        thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling);
+  if (options.exclude_screened) leave_out_screened(analysis);
+  analysis.counts = count_participants(analysis.people);
+  analysis.data = average_answers(analysis.log, analysis.people);
+  if (analysis.adaptive) set_aside_adaptive(analysis);
+  analysis.notes = notes_on_people(analysis);
+  analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
+  if (analysis.adaptive) {
+    analysis.notes.emplace_back(adaptive_note);
+  } else {
+    analysis.thresholds =
+        (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
+    add_checks(analysis);
+  }
+  const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
+  const bool rising = simulated && study->observer.direction == Direction::increasing;
+  if (rising && !analysis.adaptive) analysis.notes.emplace_back(rising_note);
+  if (simulated && !rising) analysis.planted = planted_values(study->observer, analysis.data);
+  return analysis;
+}
+
+std::string source_text(const Analysis& analysis) {
+  const ParticipantCounts& counts = analysis.counts;
+  if (counts.simulated == 0) return fmt::format("{} participant{}", counts.used, counts.used == 1 ? "" : "s");
+  if (counts.simulated < counts.used)
+    return fmt::format("{} participants, {} of them simulated observers", counts.used, counts.simulated);
+  const std::string_view kind = common_observer(analysis.people);
+  return fmt::format("{} simulated observer{} ({})", counts.used, counts.used == 1 ? "" : "s",
+                     kind.empty() ? "several kinds" : kind);
+}
+
+PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data) {
+  PlantedValues planted;
+  for (const ArtifactScores& scores : data.artifacts) {
+    if (!observer.midpoint_width_px.contains(scores.artifact)) continue;
+    std::vector<double> expected;
+    for (int width_px : scores.width_px)
+      expected.push_back(study::expected_noticeability(observer, scores.artifact, width_px));
+    planted[scores.artifact] = thresholds_of_means(log2_widths(scores.width_px), expected);
+  }
+  return planted;
+}
+
+std::optional<StudyDefinition> study_of_log(const study::LogContents& log, std::vector<std::string>& notes) {
+  if (log.study_text.empty()) {
+    notes.emplace_back(
+        "The log keeps no study text: planted values are not known, and widths are taken as not placed by "
+        "the "
+        "answers.");
+    return std::nullopt;
+  }
+  try {
+    return read_study_text(log.study_text, "study text of the log");
+  } catch (const InputError& error) {
+    notes.push_back(
+        "The study of the log cannot be read, so planted values are not known and widths are taken as not "
+        "placed by the answers: " +
+        std::string(error.what()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,70 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/scores/cells.h"
+#include "analysis/scores/opinion_score.h"
+#include "analysis/scores/participants.h"
+#include "analysis/screening/screening.h"
+#include "analysis/screening/screening_effect.h"
+#include "analysis/statistics/resampling.h"
+#include "analysis/thresholds/guess_correction.h"
+#include "analysis/thresholds/object_influence.h"
+#include "analysis/thresholds/thresholds.h"
+#include "stimuli/definition/study_definition.h"
+#include "study/log/log.h"
+
+namespace seamline::analysis {
+
+/// What the threshold observers of a log were made of, as the same functionals of their expected means at the
+/// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
+using PlantedValues = std::map<Artifact, CurveThresholds>;
+
+/// What may be asked of an analysis besides.
+struct AnalysisOptions {
+  double field_of_view_deg = 90;  ///< horizontal, for which thresholds are also stated; over 0, under 180
+  bool exclude_screened = false;  ///< leave out whom any screen names; else they are named and used
+  std::vector<ReferenceAnswer> references;  ///< where nothing was inserted, besides the log's own
+  std::vector<CatchAnswer> catches;         ///< where nobody who looks can be wrong, besides the log's own
+};
+
+/// Everything that is computed from a log; what tables, figures and report are written from.
+struct Analysis {
+  study::LogContents log;
+  bool include_pilot = false;
+  ResamplingRequest resampling;
+  AnalysisOptions options;
+  bool adaptive = false;  ///< widths were placed by the answers, so no curve is made of mean noticeability
+  std::vector<ParticipantUse> people;
+  ParticipantCounts counts;
+  NoticeabilityData data;
+  std::vector<ArtifactThresholds> thresholds;     ///< in the order of `data.artifacts`
+  std::vector<ObjectInfluence> object_influence;  ///< in the same order
+  GuessCorrection guessing;                       ///< its curves in the same order
+  Screening screening;                            ///< of everybody, also when those named are left out
+  std::vector<ScreenedThresholds> screened;       ///< everybody first
+  ScoreMatrix scores;                             ///< of the people used
+  std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
+  SosParameter sos;                               ///< of noticeability, 0 to 4
+  PlantedValues planted;           ///< empty unless every used participant is a `threshold` observer
+  std::vector<std::string> notes;  ///< what a reader must know, a sentence each
+};
+
+/// Computes everything. Throws InputError when no participant can be used.
+[[nodiscard]] Analysis analyze(study::LogContents log, bool include_pilot,
+                               const ResamplingRequest& resampling, const AnalysisOptions& options = {});
+
+/// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
+/// observers": goes on every figure and table.
+[[nodiscard]] std::string source_text(const Analysis& analysis);
+
+/// The planted values of `threshold` observers at the widths in `data`.
+[[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);
+
+/// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.
+[[nodiscard]] std::optional<StudyDefinition> study_of_log(const study::LogContents& log,
+                                                          std::vector<std::string>& notes);
+
+}  // namespace seamline::analysis

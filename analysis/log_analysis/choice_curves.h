@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/psychometric/intervals/goodness.h"
+#include "analysis/psychometric/intervals/pooled_fit.h"
+
+namespace seamline::analysis {
+
+/// The fitted share of right choices at a width, with a pointwise 95 % band.
+struct BandPoint {
+  double width_px = 0;
+  double fitted = 0;         ///< 0 to 1
+  double low = 0, high = 0;  ///< 0 to 1
+};
+
+/// The psychometric function of one artifact: right choices against width, everybody's answers together.
+struct ChoiceCurve {
+  Artifact artifact = Artifact::none;
+  std::string missing;              ///< a sentence: why there is no fit; everything below is empty then
+  int people = 0;                   ///< with an answer to the artifact
+  std::optional<PooledFit> pooled;  ///< threshold interval over participants, verdict
+  /// 95 % percentile intervals over the same replicates of participants as the band; open without a
+  /// threshold. Width in octaves between F = 0.05 and 0.95, lapse 0 to 1.
+  Interval width_ci95, lapse_ci95;
+  Goodness goodness;            ///< residuals a width
+  double deviance_p = 0;        ///< as if answers were independent; NaN: not tested
+  std::vector<BandPoint> band;  ///< widths rising, evenly spaced in log2, the tested range
+  int band_replicates = 0;
+  std::vector<std::string> warnings;  ///< what a reader of the fit must know, a sentence each
+};
+
+/// Whether the data say where the threshold is, so that it may be printed as a number.
+[[nodiscard]] bool has_threshold(const ChoiceCurve& curve);
+
+/// At most this many replicates of participants make a band: percentiles of a drawing need no more.
+inline constexpr int most_band_replicates = 1000;
+inline constexpr int deviance_replicates = 1000;
+
+/// Fits every artifact of `analysis`, in its order: cumulative normal in log2 width, guess 1/3, lapse free to
+/// 0.1, falling. Bands are percentiles over participants drawn with replacement, each replicate fitted again.
+/// Same numbers for any number of threads. Adaptive logs have no curves; each says so in `missing`.
+[[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis);
+
+}  // namespace seamline::analysis

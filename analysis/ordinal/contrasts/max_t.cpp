@@ -1,0 +1,109 @@
+#include "analysis/ordinal/contrasts/max_t.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+#include "analysis/statistics/distributions.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr int lattice_points = 16384;
+constexpr int shares = 256;  ///< of the sphere, that one tail is computed for
+
+/// Fractional parts of the roots of primes: a lattice that fills the cube evenly (Richtmyer).
+std::vector<double> lattice_generators(Eigen::Index count) {
+  std::vector<double> generators;
+  for (int candidate = 2; static_cast<Eigen::Index>(generators.size()) < count; ++candidate) {
+    bool prime = true;
+    for (int divisor = 2; divisor * divisor <= candidate; ++divisor) prime &= candidate % divisor != 0;
+    if (prime) generators.push_back(std::sqrt(candidate) - std::floor(std::sqrt(candidate)));
+  }
+  return generators;
+}
+
+/// L with L L' = correlation, without the directions in which nothing varies.
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& correlation) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation);
+  const Eigen::VectorXd& values = solver.eigenvalues();
+  Eigen::Index first = 0;
+  while (first + 1 < values.size() && values[first] < 1e-9 * values[values.size() - 1]) ++first;
+  const Eigen::Index kept = values.size() - first;
+  Eigen::MatrixXd root = solver.eigenvectors().rightCols(kept) * values.tail(kept).cwiseSqrt().asDiagonal();
+  root.rowwise().normalize();
+  return root;
+}
+
+}  // namespace
+
+MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
+    : degrees_of_freedom_(degrees_of_freedom), count_(correlation.rows()) {
+  assert(correlation.rows() > 0 && correlation.rows() == correlation.cols());
+  const Eigen::MatrixXd root = root_of(correlation);
+  dimension_ = root.cols();
+  const std::vector<double> generators = lattice_generators(dimension_);
+  std::vector<double> all(lattice_points);
+  Eigen::VectorXd direction(dimension_);
+  for (int point = 0; point < lattice_points; ++point) {
+    for (Eigen::Index d = 0; d < dimension_; ++d) {
+      const double turn = (point + 0.5) * generators[static_cast<std::size_t>(d)] + 0.5;
+      const double place = turn - std::floor(turn);
+      direction[d] = normal_quantile(std::clamp(place, 1e-12, 1 - 1e-12));
+    }
+    const double length = direction.norm();
+    all[static_cast<std::size_t>(point)] = length > 0 ? (root * direction).cwiseAbs().maxCoeff() / length : 0;
+  }
+  std::sort(all.begin(), all.end());
+  constexpr int per_share = lattice_points / shares;
+  for (int share = 0; share < shares; ++share) {
+    double sum = 0;
+    for (int i = 0; i < per_share; ++i) sum += all[static_cast<std::size_t>(share * per_share + i)];
+    reach_.push_back(sum / per_share);
+  }
+}
+
+double MaxAbsT::tail(double t) const {
+  if (std::isnan(t)) return t;
+  if (!(t > 0)) return 1;
+  const auto dimension = static_cast<double>(dimension_);
+  double sum = 0;
+  for (const double reach : reach_) {
+    const double squared = (t / reach) * (t / reach);
+    if (!std::isfinite(squared)) continue;
+    sum += std::isinf(degrees_of_freedom_)
+               ? chi_squared_above(dimension, squared)
+               : fisher_above(dimension, degrees_of_freedom_, squared / dimension);
+  }
+  const double one = two_sided_tail(t, degrees_of_freedom_);
+  return std::clamp(sum / shares, one, std::min(1.0, one * static_cast<double>(count_)));
+}
+
+double MaxAbsT::critical(double probability) const {
+  const double low = two_sided_critical(probability, degrees_of_freedom_);
+  const double high = two_sided_critical(probability / static_cast<double>(count_), degrees_of_freedom_);
+  const auto excess = [&](double t) { return tail(t) - probability; };
+  if (dimension_ == 1 || !(excess(low) > 0)) return low;  // all contrasts are one and the same
+  if (!(excess(high) < 0)) return high;
+  std::uintmax_t most_evaluations = 60;
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      excess, low, high, boost::math::tools::eps_tolerance<double>(30), most_evaluations);
+  return (below + above) / 2;
+}
+
+double two_sided_tail(double t, double degrees_of_freedom) {
+  if (std::isnan(t)) return t;
+  const double size = std::abs(t);
+  return 2 * (std::isinf(degrees_of_freedom) ? normal_above(size) : student_above(degrees_of_freedom, size));
+}
+
+double two_sided_critical(double probability, double degrees_of_freedom) {
+  return std::isinf(degrees_of_freedom) ? normal_with_above(probability / 2)
+                                        : student_with_above(degrees_of_freedom, probability / 2);
+}
+
+}  // namespace seamline::analysis

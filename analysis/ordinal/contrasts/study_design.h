@@ -1,0 +1,49 @@
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/ordinal/contrasts/contrasts.h"
+#include "analysis/ordinal/likelihood/ordinal_data.h"
+#include "stimuli/definition/artifact.h"
+#include "study/log/log.h"
+
+namespace seamline::analysis {
+
+/// What participants say of themselves, by code: "technical", "other". May be empty.
+using ParticipantGroups = std::map<std::string, std::string>;
+
+/// One artifact of a study as the model sees it.
+struct DesignArtifact {
+  Artifact artifact = Artifact::none;
+  std::vector<std::string> objects;  ///< told apart by scene and place where the name alone does not
+  int level_column = -1;             ///< difference from the first artifact; -1 for the first
+  int slope_column = -1;             ///< per octave of width; -1 when only one width was tested
+  int first_object_column = -1;      ///< objects - 1 columns; -1 with one object
+};
+
+/// The columns of the study's model. Objects are nested in artifacts, because each artifact has objects of
+/// its own, and coded so that their effects sum to 0 within the artifact (the last object is minus the sum of
+/// the others): an artifact's level is then the mean over its objects.
+struct StudyDesign {
+  OrdinalData data;  ///< scores 0 to 4
+  std::vector<DesignArtifact> artifacts;
+  double reference_width_px = 0;    ///< where levels are compared
+  std::vector<std::string> groups;  ///< in alphabetical order; empty when there is no group column
+  int first_group_column = -1;      ///< groups - 1 columns: difference from the first group
+  int participants = 0;
+  std::vector<std::string> notes;
+};
+
+/// `reference_width_px` 0 takes the geometric centre of the widths tested (512 for 64 to 4096). Throws
+/// InputError when there are no answers or the reference is negative.
+[[nodiscard]] StudyDesign study_design(std::span<const study::Answer> answers,
+                                       const ParticipantGroups& groups, double reference_width_px);
+
+/// The questions that the design can answer, in link units. `participants` gives groups their degrees of
+/// freedom (participants less groups), everything else has one less than the participants; infinite when
+/// `robust` is false.
+[[nodiscard]] std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust);
+
+}  // namespace seamline::analysis

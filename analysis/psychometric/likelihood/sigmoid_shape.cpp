@@ -1,0 +1,73 @@
+#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+
+#include <boost/math/special_functions/erf.hpp>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace seamline::analysis {
+
+namespace {
+
+using std::numbers::ln2;
+using std::numbers::sqrt2;
+
+SigmoidPoint normal_point(double z) {
+  const double tail = 0.5 * std::erfc(std::abs(z) / sqrt2);
+  const double density = std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
+  return {.below = z < 0 ? tail : 1 - tail,
+          .above = z < 0 ? 1 - tail : tail,
+          .density = density,
+          .density_slope = -z * density};
+}
+
+SigmoidPoint logistic_point(double z) {
+  const double decay = std::exp(-std::abs(z));
+  const double tail = decay / (1 + decay), rest = 1 / (1 + decay);
+  const double density = tail * rest;
+  const double below = z < 0 ? tail : rest, above = z < 0 ? rest : tail;
+  return {.below = below, .above = above, .density = density, .density_slope = density * (above - below)};
+}
+
+SigmoidPoint gumbel_point(double z) {
+  const double hazard = ln2 * std::exp(std::min(z, 700.0));
+  const double above = std::exp(-hazard);
+  const double density = above > 0 ? hazard * above : 0;
+  return {.below = -std::expm1(-hazard),
+          .above = above,
+          .density = density,
+          .density_slope = above > 0 ? density * (1 - hazard) : 0};
+}
+
+}  // namespace
+
+SigmoidPoint sigmoid_point(Sigmoid sigmoid, double z) {
+  switch (sigmoid) {
+    case Sigmoid::logistic:
+      return logistic_point(z);
+    case Sigmoid::normal:
+      return normal_point(z);
+    case Sigmoid::gumbel:
+      return gumbel_point(z);
+  }
+  return {};
+}
+
+double sigmoid_quantile(Sigmoid sigmoid, double share) {
+  assert(share > 0 && share < 1);
+  switch (sigmoid) {
+    case Sigmoid::logistic:
+      return std::log(share) - std::log1p(-share);
+    case Sigmoid::normal:
+      return -sqrt2 * boost::math::erfc_inv(2 * share);
+    case Sigmoid::gumbel:
+      return std::log(-std::log1p(-share) / ln2);
+  }
+  return {};
+}
+
+double scales_in_width(Sigmoid sigmoid) {
+  return sigmoid_quantile(sigmoid, 0.95) - sigmoid_quantile(sigmoid, 0.05);
+}
+
+}  // namespace seamline::analysis

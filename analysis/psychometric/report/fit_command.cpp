@@ -1,0 +1,164 @@
+#include "analysis/psychometric/report/fit_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "analysis/psychometric/report/fit_report.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr double largest_free_guess = 0.5, largest_free_lapse = 0.1;
+constexpr std::size_t rows_of_seconds = 20'000;  ///< more may take seconds, and say how far they are
+
+/// The words of the command line, before they are understood.
+struct FitArguments {
+  std::string file;
+  int alternatives = 0;
+  std::string sigmoid = "norm", axis = "log2", direction = "auto", lapse = "free:0.1", guess;
+  std::string threshold_prior, width_prior, lapse_prior;
+  bool overdispersed = false, json = false;
+  FitRequest request;
+};
+
+double number_of(const std::string& option, const std::string& text, const std::string& wanted,
+                 const std::string& whole) {
+  if (const std::optional<double> value = decimal_number(text)) return *value;
+  throw input_error({.field = option, .wanted = wanted, .found = "'" + whole + "'"});
+}
+
+/// "0.02" is fixed, "free:0.1" is free to 0.1, "free" is free to the largest.
+Rate rate_of(const std::string& option, const std::string& text, double largest) {
+  const std::string wanted = "a rate from 0 to 1, or free:MAX";
+  if (text == "free") return free_rate(largest);
+  const bool is_free = text.starts_with("free:");
+  const double value = number_of(option, is_free ? text.substr(5) : text, wanted, text);
+  if (value < 0 || value >= 1 || (is_free && value == 0))
+    throw input_error({.field = option, .wanted = wanted, .found = "'" + text + "'"});
+  return is_free ? free_rate(value) : fixed_rate(value);
+}
+
+/// "A,B".
+std::pair<double, double> pair_of(const std::string& option, const std::string& text) {
+  const std::string wanted = "two numbers A,B";
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw input_error({.field = option, .wanted = wanted, .found = "'" + text + "'"});
+  return std::pair{number_of(option, text.substr(0, comma), wanted, text),
+                   number_of(option, text.substr(comma + 1), wanted, text)};
+}
+
+Priors priors_of(const FitArguments& arguments) {
+  Priors priors;
+  if (!arguments.threshold_prior.empty()) {
+    const auto [mean, sd] = pair_of("--threshold-prior", arguments.threshold_prior);
+    priors.threshold = NormalPrior{.mean = mean, .sd = sd};
+  }
+  if (!arguments.width_prior.empty()) {
+    const auto [median, sd] = pair_of("--width-prior", arguments.width_prior);
+    if (median <= 0)
+      throw input_error({.field = "--width-prior",
+                         .wanted = "a positive median",
+                         .found = "'" + arguments.width_prior + "'"});
+    priors.log2_width = NormalPrior{.mean = std::log2(median), .sd = sd};
+  }
+  if (!arguments.lapse_prior.empty()) {
+    const auto [a, b] = pair_of("--lapse-prior", arguments.lapse_prior);
+    priors.lapse = BetaPrior{.a = a, .b = b};
+  }
+  return priors;
+}
+
+void is_lapse(const std::string& text) {
+  (void)rate_of("--lapse", text, largest_free_lapse);
+}
+void is_guess(const std::string& text) {
+  (void)rate_of("--guess", text, largest_free_guess);
+}
+
+study::Axis axis_of(const FitArguments& arguments) {
+  return arguments.axis == word(study::Axis::linear) ? study::Axis::linear : study::Axis::log2;
+}
+
+FitOptions options_of(const FitArguments& arguments) {
+  FitOptions options = options_for_alternatives(arguments.alternatives);
+  for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
+    if (arguments.sigmoid == word(sigmoid)) options.sigmoid = sigmoid;
+  options.axis = axis_of(arguments);
+  if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
+  if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
+  options.lapse = rate_of("--lapse", arguments.lapse, largest_free_lapse);
+  if (!arguments.guess.empty()) options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
+  options.priors = priors_of(arguments);
+  options.overdispersed = arguments.overdispersed;
+  return options;
+}
+
+void run_fit(const FitArguments& arguments) {
+  const std::vector<LevelCounts> counts = read_level_counts(arguments.file, axis_of(arguments));
+  FitRequest request = arguments.request;
+  std::optional<Progress> progress;
+  if (counts.size() > rows_of_seconds) progress.emplace("fit", 1);
+  double told = 0;
+  request.progress = [&](double share, const std::string& now_doing) {
+    if (progress) progress->advance(share - told, now_doing);
+    told = share;
+  };
+  const FitReport report = make_fit_report(counts, options_of(arguments), request);
+  progress.reset();
+  std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "fit", "a psychometric function from counts at levels: threshold, width, intervals, goodness of fit");
+  const auto arguments = std::make_shared<FitArguments>();
+  command->add_option("data", arguments->file, "CSV with the columns level,correct,trials")->required();
+  add_number(*command, "--alternatives", arguments->alternatives, {1, 1000},
+             "of the forced choice; 1 is yes/no")
+      ->required();
+  command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel")
+      ->check(CLI::IsMember({"norm", "logistic", "gumbel"}))
+      ->capture_default_str();
+  command->add_option("--axis", arguments->axis, "log2 or linear")
+      ->check(CLI::IsMember({"log2", "linear"}))
+      ->capture_default_str();
+  command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
+      ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
+      ->capture_default_str();
+  add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", is_lapse)
+      ->capture_default_str();
+  add_formed_text(*command, "--guess", arguments->guess, "RATE",
+                  "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no", is_guess);
+  add_number(*command, "--percent", arguments->request.percents, {0, 100},
+             "also the level of this percentage correct, between 0 and 100; repeat for more");
+  command->add_flag("--overdispersed", arguments->overdispersed,
+                    "beta-binomial rows: intervals allow for extra scatter");
+  add_number(*command, "--bootstrap", arguments->request.bootstrap_replicates, {0, 1000000},
+             "BCa intervals from this many replicates");
+  add_number(*command, "--seed", arguments->request.seed, any_seed, "of bootstrap and deviance p")
+      ->capture_default_str();
+  const auto add_prior = [&](const std::string& name, std::string& target, const char* form,
+                             const char* description) {
+    add_formed_text(*command, name, target, form, description,
+                    [name](const std::string& text) { (void)pair_of(name, text); });
+  };
+  add_prior("--threshold-prior", arguments->threshold_prior, "MEAN,SD",
+            "normal on the axis, MEAN a level (MAP)");
+  add_prior("--width-prior", arguments->width_prior, "MEDIAN,SD", "normal in log2 of the width (MAP)");
+  add_prior("--lapse-prior", arguments->lapse_prior, "A,B", "beta distribution, e.g. 1,10 (MAP)");
+  command->add_option("--unit", arguments->request.unit, "unit of the levels, for texts");
+  command->add_flag("--json", arguments->json, "as JSON");
+  command->callback([arguments] { run_fit(*arguments); });
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,108 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/psychometric/report/fit_quantities.h"
+#include "support/files/assets.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json interval(const Interval& ci95) {
+  return Json::array({number(ci95.low), number(ci95.high)});
+}
+
+Json quantity_json(const FitQuantity& quantity) {
+  Json json;
+  json["estimate"] = quantity.estimate ? number(*quantity.estimate) : Json(nullptr);
+  json["ci95"] = interval(quantity.ci95);
+  if (quantity.bootstrap_ci95) json["bootstrap_ci95"] = interval(*quantity.bootstrap_ci95);
+  if (!quantity.unit.empty()) json["unit"] = quantity.unit;
+  json["reason"] = quantity.reason.empty() ? Json(nullptr) : Json(quantity.reason);
+  return json;
+}
+
+const char* kind_word(Verdict::Kind kind) {
+  switch (kind) {
+    case Verdict::Kind::identified:
+      return "identified";
+    case Verdict::Kind::below:
+      return "below";
+    case Verdict::Kind::above:
+      return "above";
+    case Verdict::Kind::between:
+      return "between";
+    case Verdict::Kind::not_identified:
+      return "not_identified";
+  }
+  return "";
+}
+
+Json rate_json(const Rate& rate) {
+  return rate.is_free() ? Json{{"free_to", rate.high}} : Json{{"fixed", rate.low}};
+}
+
+Json model_json(const FitReport& report) {
+  const FitOptions& options = report.fit.options;
+  return {
+      {"sigmoid", word(options.sigmoid)},
+      {"axis", word(options.axis)},
+      {"direction", report.fit.levels.empty() ? Json(nullptr) : Json(word(report.fit.direction))},
+      {"direction_given", options.direction.has_value()},
+      {"guess", rate_json(options.guess)},
+      {"lapse", rate_json(options.lapse)},
+      {"overdispersed", options.overdispersed},
+      {"maximum_a_posteriori", options.priors.threshold || options.priors.log2_width || options.priors.lapse},
+      {"free_parameters", report.fit.free_parameters}};
+}
+
+Json levels_json(const Goodness& goodness) {
+  Json levels = Json::array();
+  for (const LevelResidual& level : goodness.residuals)
+    levels.push_back({{"level", level.counts.level},
+                      {"correct", level.counts.correct},
+                      {"trials", level.counts.trials},
+                      {"fitted", number(level.fitted)},
+                      {"deviance_residual", number(level.deviance_residual)}});
+  return levels;
+}
+
+}  // namespace
+
+std::string fit_json(const FitReport& report) {
+  Json json;
+  json["format"] = "seamline psychometric fit";
+  json["version"] = 1;
+  json["program_version"] = program_version();
+  json["model"] = model_json(report);
+  json["verdict"] = report.verdict.text;
+  json["verdict_kind"] = kind_word(report.verdict.kind);
+  json["threshold_range"] = interval(report.verdict.range);
+  for (const FitQuantity& quantity : quantities(report)) json[quantity.name] = quantity_json(quantity);
+  if (!report.percents.empty()) {
+    json["percent_correct"] = Json::array();
+    for (const FitQuantity& quantity : percent_quantities(report)) {
+      Json level = {{"percent", std::stod(quantity.name)}};
+      level.update(quantity_json(quantity));
+      json["percent_correct"].push_back(level);
+    }
+  }
+  const bool empty = report.fit.levels.empty();
+  json["log_likelihood"] = empty ? Json(nullptr) : number(report.fit.log_likelihood);
+  json["deviance"] = empty ? Json(nullptr) : number(report.goodness.deviance);
+  json["deviance_p"] = number(report.deviance_p);
+  json["degrees_of_freedom"] = report.goodness.degrees_of_freedom;
+  json["aic"] = empty ? Json(nullptr) : number(report.goodness.aic);
+  json["levels"] = levels_json(report.goodness);
+  json["warnings"] = report.warnings;
+  json["converged"] = report.fit.converged;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/psychometric/report/fit_quantities.h"
+#include "support/files/markdown_table.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string interval_text(const Interval& ci95) {
+  const auto end = [](double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; };
+  return end(ci95.low) + " to " + end(ci95.high);
+}
+
+CsvTable quantities_table(const FitReport& report) {
+  CsvTable table{.name = "fit",
+                 .columns = {{"quantity", "", ""}, {"estimate", "", ""}, {"95 % interval", "", ""}},
+                 .rows = {}};
+  if (report.bootstrap) table.columns.push_back({"bootstrap (BCa)", "", ""});
+  table.columns.push_back({"unit", "", ""});
+  table.columns.push_back({"remark", "", ""});
+  std::vector<FitQuantity> all = quantities(report);
+  for (FitQuantity& quantity : percent_quantities(report)) {
+    quantity.name += " % correct";
+    all.push_back(quantity);
+  }
+  for (const FitQuantity& quantity : all) {
+    std::vector<CsvValue> row = {
+        quantity.name, quantity.estimate ? CsvValue(*quantity.estimate) : CsvValue(std::monostate{}),
+        interval_text(quantity.ci95)};
+    if (report.bootstrap)
+      row.push_back(quantity.bootstrap_ci95 ? CsvValue(interval_text(*quantity.bootstrap_ci95))
+                                            : CsvValue(std::monostate{}));
+    row.push_back(quantity.unit);
+    row.push_back(quantity.reason);
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+CsvTable levels_table(const Goodness& goodness) {
+  CsvTable table{.name = "levels",
+                 .columns = {{"level", "", ""},
+                             {"correct", "", ""},
+                             {"trials", "", ""},
+                             {"share", "", ""},
+                             {"fitted", "", ""},
+                             {"residual", "", ""}},
+                 .rows = {}};
+  for (const LevelResidual& level : goodness.residuals)
+    table.rows.push_back(
+        {level.counts.level, level.counts.correct, level.counts.trials,
+         static_cast<double>(level.counts.correct) / static_cast<double>(level.counts.trials), level.fitted,
+         level.deviance_residual});
+  return table;
+}
+
+}  // namespace
+
+std::string fit_text(const FitReport& report) {
+  const PsychometricFit& fit = report.fit;
+  std::string text = fmt::format("Threshold: {}\n\n", report.verdict.text);
+  text += markdown_table(quantities_table(report), 5) + "\n";
+  if (!fit.levels.empty()) {
+    text += markdown_table(levels_table(report.goodness), 4) + "\n";
+    text += fmt::format(
+        "{} {} function, {} axis. Log-likelihood {:.4f}, AIC {:.2f}, deviance {:.3f} on {} degrees of "
+        "freedom",
+        word(fit.direction), word(fit.options.sigmoid), word(fit.options.axis), fit.log_likelihood,
+        report.goodness.aic, report.goodness.deviance, report.goodness.degrees_of_freedom);
+    text += std::isnan(report.deviance_p) ? ".\n" : fmt::format(" (p = {:.3g}).\n", report.deviance_p);
+  }
+  for (const std::string& warning : report.warnings) text += "Warning: " + warning + ".\n";
+  return text;
+}
+
+}  // namespace seamline::analysis

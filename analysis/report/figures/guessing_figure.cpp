@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/numbers/threshold_rows.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string panel_script(const Analysis& analysis, std::size_t index, const Panel& panel) {
+  const CorrectedCurve& curve = analysis.guessing.curves[index];
+  const PlotStyle style = plot_style(index);
+  std::string block = fmt::format("$curve{} << EOD\n", index);
+  for (std::size_t w = 0; w < curve.cells.size(); ++w)
+    block += fmt::format("{} {:.6g} {:.6g}\n", curve.width_px[w],
+                         analysis.data.artifacts[index].cells[w].mean, curve.cells[w].noticeability);
+  return block + "EOD\n" + margins(panel) +
+         fmt::format(
+             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
+             "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt "
+             "'.' notitle, \\\n     {2:.6g} with lines lc rgb '{1}' lw 1.2 dt (12,6) title 'floor by "
+             "guessing', \\\n"
+             "     $curve{3} using 1:2 with linespoints lc rgb '{4}' lw 1.5 dt (6,4) pt 6 ps 0.75 title 'as "
+             "answered', \\\n"
+             "     $curve{3} using 1:3 with linespoints lc rgb '{4}' lw 2 pt {5} ps 0.75 title 'corrected'\n",
+             gnuplot_text(artifact_title(curve.artifact)), plot_ink, analysis.guessing.floor, index,
+             style.colour, style.point);
+}
+
+}  // namespace
+
+std::optional<Figure> guessing_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  const GuessCorrection& guessing = analysis.guessing;
+  if (guessing.curves.empty() || !guessing.guessers.known()) return std::nullopt;
+  Figure figure{.name = "corrected_for_guessing",
+                .title = "Noticeability corrected for guessing",
+                .caption =
+                    "Mean noticeability as answered (dashed, hollow) and corrected for guessing "
+                    "(solid). Dashed line: what people who see nothing score on average. Dotted: 0.5 "
+                    "(PT) and 1.0 (SN). Data: " +
+                    source_text(analysis) + ".",
+                .svg = folder / "corrected_for_guessing.svg"};
+  const PanelGrid grid = panel_grid(guessing.curves.size(), 420);
+  std::string script = width_axis(tested_widths(analysis.data)) + axis_labels("mean noticeability") +
+                       "set ytics 0, 1, 4\nset yrange [0:4.15]\nset key top right font ',12'\n" +
+                       multiplot(analysis);
+  for (std::size_t i = 0; i < guessing.curves.size(); ++i)
+    script += panel_script(analysis, i, grid.panels[i]);
+  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  return figure;
+}
+
+}  // namespace seamline::analysis

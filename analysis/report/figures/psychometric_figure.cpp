@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/numbers/threshold_rows.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, std::int64_t most_trials) {
+  std::string block = fmt::format("${} << EOD\n", name);
+  for (const LevelResidual& level : curve.goodness.residuals) {
+    const auto n = static_cast<double>(level.counts.trials);
+    block += fmt::format(
+        "{:.6g} {:.6g} {:.4g} {:.6g}\n", level.counts.level, static_cast<double>(level.counts.correct) / n,
+        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
+  }
+  return block + "EOD\n";
+}
+
+std::string block_of_band(const std::string& name, const ChoiceCurve& curve) {
+  std::string block = fmt::format("${} << EOD\n", name);
+  for (const BandPoint& point : curve.band)
+    block +=
+        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", point.width_px, point.fitted, point.low, point.high);
+  return block + "EOD\n";
+}
+
+/// The threshold with its interval, at the height where the curve has it; cut at the axis' ends.
+std::string threshold_mark(const ChoiceCurve& curve, double smallest_px, double largest_px,
+                           const char* colour) {
+  if (!has_threshold(curve)) return "";
+  const PooledFit& pooled = *curve.pooled;
+  const double height = fitted_probability(pooled.fit, pooled.fit.function.threshold);
+  const double low = std::max(pooled.threshold_ci95.low, smallest_px / 1.25),
+               high = std::min(pooled.threshold_ci95.high, largest_px * 1.25);
+  return fmt::format(
+      "set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} heads size screen 0.004,90 front lc rgb '{}' lw 2\n",
+      low, height, high, height, colour);
+}
+
+double largest_residual(const std::vector<ChoiceCurve>& curves) {
+  double largest = 2.6;
+  for (const ChoiceCurve& curve : curves)
+    for (const LevelResidual& level : curve.goodness.residuals)
+      largest = std::max(largest, 1.15 * std::abs(level.deviance_residual));
+  return largest;
+}
+
+std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size_t index, double residual,
+                         const std::vector<int>& widths) {
+  const std::string levels = fmt::format("levels{}", index), band = fmt::format("band{}", index);
+  const char* colour = plot_style(index).colour;
+  std::int64_t most_trials = 1;
+  for (const LevelResidual& level : curve.goodness.residuals)
+    most_trials = std::max(most_trials, level.counts.trials);
+  const double split = panel.bottom + 0.27 * (panel.top - panel.bottom);
+  const double gap = 0.035 * (panel.top - panel.bottom);
+  Panel above = panel, below = panel;
+  above.bottom = split + gap;
+  below.top = split - gap;
+  return block_of_levels(levels, curve, most_trials) + block_of_band(band, curve) + margins(above) +
+         fmt::format(
+             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
+             "textcolor rgb '{1}' offset 1.2,0\nunset xlabel\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n"
+             "unset arrow\n{2}{3}",
+             gnuplot_text(artifact_title(curve.artifact)), plot_ink, width_tics(widths, false),
+             threshold_mark(curve, widths.front(), widths.back(), colour)) +
+         fmt::format(
+             "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
+             "textcolor rgb '{0}'\n"
+             "plot 1.0/3 with lines lc rgb '{0}' lw 1.2 dt '.' notitle, \\\n"
+             "     ${1} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{2}' "
+             "notitle, \\\n"
+             "     ${1} using 1:2 with lines lc rgb '{2}' lw 2 notitle, \\\n"
+             "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{2}' notitle\n",
+             plot_ink, band, colour, levels) +
+         margins(below) +
+         fmt::format(
+             "unset title\nunset label 1\nunset arrow\nset ylabel \"residual\" textcolor rgb '{0}' offset "
+             "1.2,0\nset xlabel \"depth map width W (px)\" textcolor rgb '{0}'\n{5}set yrange "
+             "[-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, {2}\n"
+             "plot 0 with lines lc rgb '{0}' lw 1 notitle, \\\n"
+             "     1.96 with lines lc rgb '{0}' lw 1 dt '.' notitle, -1.96 with lines lc rgb '{0}' lw 1 dt "
+             "'.' notitle, \\\n"
+             "     ${3} using 1:4 with impulses lc rgb '{4}' lw 2 notitle, \\\n"
+             "     ${3} using 1:4 with points pt 7 ps 0.6 lc rgb '{4}' notitle\n",
+             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, width_tics(widths, true));
+}
+
+}  // namespace
+
+std::optional<Figure> psychometric_figure(const Analysis& analysis, const ReportNumbers& numbers,
+                                          const std::filesystem::path& folder) {
+  const auto fitted = static_cast<std::size_t>(
+      std::count_if(numbers.choices.begin(), numbers.choices.end(),
+                    [](const ChoiceCurve& curve) { return curve.pooled.has_value(); }));
+  if (fitted == 0) return std::nullopt;
+  Figure figure{
+      .name = "psychometric",
+      .title = "Right choices by artifact",
+      .caption =
+          "Share of right choices against depth map width: points (area by number of answers), fitted "
+          "psychometric function with a 95 % band (bootstrap over participants, width by width), and the "
+          "threshold's 95 % interval as a bar. Below each, deviance residuals; dotted: ±1.96, and chance, "
+          "1/3, above. Data: " +
+          source_text(analysis) + ".",
+      .svg = folder / "psychometric.svg"};
+  const PanelGrid grid = panel_grid(fitted, 490);
+  const std::vector<int> widths = tested_widths(analysis.data);
+  const double residual = largest_residual(numbers.choices);
+  std::string script = width_axis(widths) + multiplot(analysis);
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < numbers.choices.size(); ++i)
+    if (numbers.choices[i].pooled)
+      script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, widths);
+  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  return figure;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,235 @@
+#include "analysis/report/page/methods_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/report/figures/figure_parts.h"
+#include "support/files/assets.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string widths_text(const Analysis& analysis) {
+  std::string text;
+  for (int width : tested_widths(analysis.data))
+    text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", width, width / 2);
+  return text;
+}
+
+std::string people_text(const Analysis& analysis) {
+  const ParticipantCounts& counts = analysis.counts;
+  std::string text = fmt::format("{} {} in the log", counts.in_log,
+                                 counts.in_log == 1 ? "participant is" : "participants are");
+  std::string left_out;
+  const auto add = [&](int count, const char* why) {
+    if (count > 0) left_out += fmt::format("{}{} {}", left_out.empty() ? "" : ", ", count, why);
+  };
+  add(counts.excluded, "excluded by the researcher");
+  add(counts.pilot, "of a pilot");
+  add(counts.incomplete, "who did not finish");
+  add(counts.screened, "named by a screen");
+  int trials = 0;
+  for (const ParticipantUse& person : analysis.people)
+    if (person.use == Use::used) trials += person.answers;
+  text += left_out.empty() ? "; none was left out"
+                           : fmt::format("; left out: {} ({})", counts.in_log - counts.used, left_out);
+  text += fmt::format(". The analysis is of {} with {} trials.", source_text(analysis), trials);
+  if (analysis.log.forgotten_participants > 0)
+    text += fmt::format(" {} more asked for their data to be deleted.", analysis.log.forgotten_participants);
+  return text;
+}
+
+std::string procedure(const Analysis& analysis) {
+  int trials = 0;
+  for (const ParticipantUse& person : analysis.people)
+    if (person.use == Use::used) trials = std::max(trials, person.answers);
+  return fmt::format(
+      "Each image showed three objects, one of which had been composited into the picture with the help of a "
+      "depth map; {} judged up to {} images each, in an order of their own. They chose the object that they "
+      "took for the inserted one (forced choice) and rated how noticeable the insertion was: 1 slightly, 2 "
+      "moderately, 3 very, 4 extremely. Noticeability is the rating when the choice was right and 0 when it "
+      "was wrong. Equirectangular depth maps of {} texels were tested.",
+      source_text(analysis), trials, widths_text(analysis));
+}
+
+constexpr const char* means_text =
+    "Answers were averaged over the objects of an artifact within each participant and then over "
+    "participants; error bars are standard errors of the mean over participants. The perceptual threshold "
+    "(PT) and the width at which an artifact becomes slightly noticeable (SN) are the largest depth map "
+    "widths at which the non-increasing isotonic regression of mean noticeability, linear in log2 width, "
+    "equals 0.5 and 1.0 (Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter "
+    "logistic fitted by least squares in log2 width. Where a curve does not cross a level within the widths "
+    "tested, no threshold is given. Because the choice is forced, a participant who sees nothing is right "
+    "one time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.";
+
+std::string intervals_text(const Analysis& analysis) {
+  return fmt::format(
+      "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
+      "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 degrees of "
+      "freedom; the variance over participants is read at the mean that the level implies, as in Wilson's "
+      "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples "
+      "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
+      "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
+      "the widths tested.",
+      analysis.resampling.replicates, analysis.resampling.seed);
+}
+
+constexpr const char* checks_method_text =
+    "Beside them stand: PT and SN read off the logistic (intervals by the same score test, of the logistic "
+    "that equals the level at a width); thresholds of the curve corrected for guessing by a latent-class "
+    "model (saw it, or guessed) fitted by expectation maximisation (Dempster, Laird and Rubin, 1977), with "
+    "guessers' positions and ratings estimated from wrong choices and reference trials; and the range found "
+    "when each object in turn is left out.";
+
+std::string screening_text(const Analysis& analysis) {
+  const std::string text =
+      "Participants were screened by ITU-R BT.500 (kurtosis) and by correlation with the mean of the "
+      "others: ";
+  const std::size_t named = analysis.screening.named().size(), people = analysis.screening.people.size();
+  if (named == 0) return text + fmt::format("none of {} was named.", people);
+  return text + fmt::format("{} of {} {} named and {}.", named, people, named == 1 ? "was" : "were",
+                            analysis.options.exclude_screened ? "left out" : "used all the same");
+}
+
+std::string software(const Analysis& analysis) {
+  return fmt::format("Analysed with Seamline {} (study {}, study hash {}, set hash {}).", program_version(),
+                     analysis.log.study_name, analysis.log.study_hash.substr(0, 12),
+                     analysis.log.set_hash.substr(0, 12));
+}
+
+std::string choices_text(const Analysis& analysis, int replicates) {
+  return fmt::format(
+      "Right choices were described by psychometric functions, cumulative normal in log2 width with a guess "
+      "rate of 1/3 and a lapse rate estimated up to 0.1, fitted by maximum likelihood to the answers of all "
+      "participants (Wichmann and Hill, 2001). The interval of the threshold is that of the profile "
+      "likelihood, scaled by the variance of the threshold over participants (leaving out one at a time) "
+      "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
+      "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
+      "from the fit.",
+      replicates, analysis.resampling.seed, deviance_replicates);
+}
+
+std::string comparisons_text(const OrdinalStudy& study) {
+  return fmt::format(
+      "Artifacts were compared by a cumulative link mixed model (Agresti, 2010) of noticeability with {} "
+      "link, a level and a slope over log2 width for each artifact, objects nested in artifacts and a normal "
+      "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
+      "Standard errors {}. Contrasts were adjusted within each question: {}.",
+      word(study.fit.link), study.fit.nodes,
+      study.errors == ErrorSource::participants
+          ? "were computed by leaving out each participant in turn, with Student's t"
+          : "are those of the likelihood's curvature",
+      study.contrasts.empty() || study.contrasts.front().correction == Correction::single_step
+          ? "single-step, by the contrasts' joint distribution (Hothorn, Bretz and Westfall, 2008)"
+          : "by Holm's method (1979)");
+}
+
+/// What a study says of axis, direction and prior beyond what is usual.
+std::string adaptive_text(const ReportNumbers& numbers) {
+  bool linear = false, rising = false;
+  std::string informed;
+  if (!numbers.tracks.empty()) {
+    const study::TrackEstimate& track = numbers.tracks.front();
+    linear = track.axis == Axis::linear;
+    rising = track.direction == Direction::increasing;
+    for (const study::Parameter parameter : track.informed)
+      informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
+  }
+  return fmt::format(
+      "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
+      "posterior "
+      "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend on "
+      "the "
+      "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
+      rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
+      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it.");
+}
+
+constexpr const char* reaction_times_text =
+    "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
+    "quartiles over answers are given and no answer was left out for its time.";
+
+constexpr const char* planted_text =
+    "The answers come from simulated observers with known psychometric functions. Planted values are PT, SN "
+    "and IP of their expected mean noticeability, the floor from guessing included; they test the analysis "
+    "and are not the values of Table 1 of the paper.";
+
+/// Every work that a method names, by the words the text names it with.
+struct Reference {
+  const char* cited;
+  const char* work;
+};
+constexpr Reference works[] = {
+    {"Agresti, 2010", "Agresti, A. (2010). Analysis of Ordinal Categorical Data, 2nd ed. Wiley."},
+    {"Barlow et al., 1972",
+     "Barlow, R. E., Bartholomew, D. J., Bremner, J. M., & Brunk, H. D. (1972). Statistical Inference under "
+     "Order Restrictions. Wiley."},
+    {"Dempster, Laird and Rubin, 1977",
+     "Dempster, A. P., Laird, N. M., & Rubin, D. B. (1977). Maximum likelihood from incomplete data via the "
+     "EM algorithm. Journal of the Royal Statistical Society B, 39(1), 1–38."},
+    {"Hesterberg, 2015",
+     "Hesterberg, T. C. (2015). What teachers should know about the bootstrap. The American Statistician, "
+     "69(4), 371–386."},
+    {"Hothorn, Bretz and Westfall, 2008",
+     "Hothorn, T., Bretz, F., & Westfall, P. (2008). Simultaneous inference in general parametric models. "
+     "Biometrical Journal, 50(3), 346–363."},
+    {"ITU-R BT.500",
+     "ITU-R BT.500. Methodologies for the subjective assessment of the quality of television images."},
+    {"Watson, 2017",
+     "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive psychometric method. "
+     "Journal of Vision, 17(3), 10."},
+    {"Wichmann and Hill, 2001",
+     "Wichmann, F. A., & Hill, N. J. (2001). The psychometric function: I. Fitting, sampling, and goodness "
+     "of fit. Perception & Psychophysics, 63(8), 1293–1313."}};
+
+std::vector<std::string> references_in(const std::vector<std::string>& paragraphs) {
+  std::vector<std::string> references;
+  for (const Reference& reference : works)
+    if (std::any_of(paragraphs.begin(), paragraphs.end(), [&](const std::string& paragraph) {
+          return paragraph.find(reference.cited) != std::string::npos;
+        }))
+      references.emplace_back(reference.work);
+  references.emplace_back(
+      "Visual Perception of Real World Depth Map Resolution for Mixed Reality Rendering.");
+  return references;
+}
+
+}  // namespace
+
+MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers) {
+  MethodsText methods;
+  std::vector<std::string>& paragraphs = methods.paragraphs;
+  paragraphs = {people_text(analysis), procedure(analysis)};
+  if (analysis.adaptive) {
+    paragraphs.push_back(adaptive_text(numbers));
+  } else {
+    paragraphs.emplace_back(means_text);
+    if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis));
+    for (const ChoiceCurve& curve : numbers.choices)
+      if (curve.pooled) {
+        paragraphs.push_back(choices_text(analysis, curve.band_replicates));
+        break;
+      }
+    if (numbers.comparisons && has_estimates(numbers.comparisons->fit.verdict))
+      paragraphs.push_back(comparisons_text(*numbers.comparisons));
+    paragraphs.emplace_back(checks_method_text);
+  }
+  paragraphs.push_back(screening_text(analysis));
+  if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);
+  paragraphs.push_back(software(analysis));
+  if (!analysis.planted.empty()) paragraphs.emplace_back(planted_text);
+  methods.references = references_in(paragraphs);
+  return methods;
+}
+
+std::string plain_text(const MethodsText& methods) {
+  std::string text;
+  for (const std::string& paragraph : methods.paragraphs) text += paragraph + "\n\n";
+  text += "References\n\n";
+  for (const std::string& reference : methods.references) text += reference + "\n";
+  return text;
+}
+
+}  // namespace seamline::analysis

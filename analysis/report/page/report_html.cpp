@@ -1,0 +1,113 @@
+#include "analysis/report/page/report_html.h"
+
+#include <fmt/format.h>
+
+#include "analysis/report/page/methods_text.h"
+#include "analysis/report/page/report_parts.h"
+#include "support/files/assets.h"
+#include "support/text/html.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string fact(const std::string& name, const std::string& value) {
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escape(value));
+}
+
+std::string participants_text(const ParticipantCounts& counts) {
+  std::string text = fmt::format("{} used of {} in the log", counts.used, counts.in_log);
+  if (counts.excluded > 0) text += fmt::format(", {} excluded", counts.excluded);
+  if (counts.pilot > 0) text += fmt::format(", {} pilot left out", counts.pilot);
+  if (counts.incomplete > 0) text += fmt::format(", {} did not finish", counts.incomplete);
+  if (counts.screened > 0) text += fmt::format(", {} named by a screen", counts.screened);
+  return text;
+}
+
+std::string header(const Analysis& analysis) {
+  std::string html =
+      fmt::format("<header>\n<h1>How much depth resolution: {}</h1>\n", html_escape(analysis.log.study_name));
+  if (analysis.counts.simulated > 0)
+    html += fmt::format("<div class=\"badge\">{}</div>\n", html_escape(source_text(analysis)));
+  html += "<dl class=\"facts\">\n" +
+          fact("study", analysis.log.study_name + ", hash " + analysis.log.study_hash) +
+          fact("stimulus set", "hash " + analysis.log.set_hash) +
+          fact("participants", participants_text(analysis.counts)) +
+          fact("log", analysis.log.file.filename().string()) +
+          fact("software", "Seamline " + program_version()) + "</dl>\n";
+  if (!analysis.notes.empty()) {
+    html += "<ul class=\"notes\">\n";
+    for (const std::string& note : analysis.notes) html += "<li>" + html_escape(note) + "</li>\n";
+    html += "</ul>\n";
+  }
+  return html + "</header>\n";
+}
+
+std::string thresholds_section(const Analysis& analysis) {
+  std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
+  html +=
+      "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. IP: "
+      "inflection point. Width × height of the equirectangular depth map in px. “–” under paper: the paper "
+      "gives no value. Above or below at every width: the curve does not cross the level within the widths "
+      "tested.</p>\n";
+  if (!analysis.planted.empty())
+    html +=
+        "<p>Planted values are PT, SN and IP of the expected answers that the simulated observers were "
+        "given. They check the analysis; they are <strong>not</strong> Table 1’s values and say nothing "
+        "about people.</p>\n";
+  return html;
+}
+
+std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive) {
+  std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
+  if (adaptive)
+    html +=
+        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the answers. The "
+        "means of objects below are over different people at different widths.</p>\n";
+  return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
+}
+
+std::string methods_section(const Analysis& analysis, const ReportNumbers& numbers) {
+  const MethodsText methods = methods_text(analysis, numbers);
+  std::string html =
+      "<h2 id=\"methods\">Methods</h2>\n<p class=\"soft\">Text for a paper; also in "
+      "<code>methods.txt</code>.</p>\n<div class=\"quote\">\n";
+  for (const std::string& paragraph : methods.paragraphs) html += html_paragraph(paragraph);
+  html += "<h3>References</h3>\n<ul class=\"plain\">\n";
+  for (const std::string& reference : methods.references) html += "<li>" + html_escape(reference) + "</li>\n";
+  return html + "</ul>\n</div>\n";
+}
+
+constexpr const char* contents =
+    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> <a "
+    "href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> <a "
+    "href=\"#checks\">Checks</a> <a href=\"#times\">Response times</a> <a "
+    "href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> <a "
+    "href=\"#methods\">Methods</a> <a href=\"#data\">Data</a></nav>\n";
+
+constexpr const char* data_section =
+    "<h2 id=\"data\">Data</h2>\n<p>Every number of this page is also beside it, as CSV files and as JSON: "
+    "<code>report.json</code> holds all the tables, <code>thresholds.json</code> the thresholds and what "
+    "they rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> "
+    "holds the figures as SVG and as gnuplot scripts.</p>\n";
+
+}  // namespace
+
+std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
+                        const std::vector<Figure>& figures, const StimulusSamples& samples) {
+  std::string html = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Seamline: "
+      "{}</title>\n<style>{}</style>\n"
+      "</head>\n<body>\n",
+      html_escape(analysis.log.study_name), report_style());
+  html += header(analysis) + contents + thresholds_section(analysis) +
+          noticeability_section(figures, analysis.adaptive) + psychometric_html(numbers, figures) +
+          comparisons_html(numbers) + checks_html(analysis, figures) + times_html(numbers, figures);
+  html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(numbers);
+  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples) + methods_section(analysis, numbers) +
+          data_section;
+  return html + "</body>\n</html>\n";
+}
+
+}  // namespace seamline::analysis

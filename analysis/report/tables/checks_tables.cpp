@@ -1,0 +1,195 @@
+#include "analysis/report/tables/checks_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/tables/table_columns.h"
+#include "analysis/thresholds/angular_resolution.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+CsvValue px(std::optional<double> value) {
+  return value ? CsvValue(*value) : CsvValue(std::monostate{});
+}
+
+/// The columns of an estimate: name_px, its interval and the reason why there is none.
+void add_columns(CsvTable& table, const std::string& name, const std::string& meaning) {
+  table.columns.push_back(
+      {name + "_px", "px", meaning + "; empty when there is none, see " + name + "_reason"});
+  table.columns.push_back({name + "_low_px", "px", "lower end of its 95 % interval; empty when open"});
+  table.columns.push_back({name + "_high_px", "px", "upper end of its 95 % interval; empty when open"});
+  table.columns.push_back({name + "_reason", "text", "why there is no estimate"});
+}
+
+void add_values(std::vector<CsvValue>& row, const WidthEstimate& estimate) {
+  row.push_back(estimate.log2_px ? CsvValue(std::exp2(*estimate.log2_px)) : CsvValue(std::monostate{}));
+  row.push_back(px(bound_px(estimate.ci95.low_log2_px)));
+  row.push_back(px(bound_px(estimate.ci95.high_log2_px)));
+  row.emplace_back(estimate.reason);
+}
+
+CsvTable beside_table(const Analysis& analysis) {
+  CsvTable table{.name = "thresholds_beside", .columns = {artifact_column, quantity_column}, .rows = {}};
+  add_columns(table, "isotonic", "PT and SN of the isotonic fit, as in thresholds.csv; IP of the logistic");
+  add_columns(table, "logistic", "read off the least-squares four-parameter logistic");
+  add_columns(table, "corrected", "of the curve corrected for guessing");
+  table.columns.push_back(
+      {"one_object_out_text", "text",
+       "range of the estimates when each object in turn is left out; no confidence interval"});
+  table.columns.push_back({"texels_per_degree", "1/degree", "W / 360 of isotonic_px"});
+  table.columns.push_back(
+      {"field_of_view_deg", "degree", "horizontal field of view of the next two columns"});
+  table.columns.push_back(
+      {"field_of_view_px", "px", "width of an equirectangular cut of that field of view"});
+  table.columns.push_back(
+      {"pinhole_px", "px", "width of a pinhole depth map of that field of view, as fine at its centre"});
+  table.columns.push_back(source_column);
+  const double view_deg = analysis.options.field_of_view_deg;
+  for (const ThresholdRow& row : threshold_rows(analysis)) {
+    std::vector<CsvValue> values = {std::string(word(row.artifact)), row.quantity};
+    add_values(values, row.here);
+    add_values(values, row.logistic ? *row.logistic : row.here);
+    add_values(values, row.corrected);
+    values.emplace_back(row.object_range ? interval_text(*row.object_range, row.smallest_px, row.largest_px)
+                                         : "");
+    const auto of_width = [&](auto convert) {
+      return row.here.log2_px ? CsvValue(convert(std::exp2(*row.here.log2_px))) : CsvValue(std::monostate{});
+    };
+    values.push_back(of_width([](double width_px) { return texels_per_degree(width_px); }));
+    values.emplace_back(view_deg);
+    values.push_back(
+        of_width([&](double width_px) { return width_in_field_of_view_px(width_px, view_deg); }));
+    values.push_back(of_width([&](double width_px) { return pinhole_width_px(width_px, view_deg); }));
+    values.emplace_back(source_text(analysis));
+    table.rows.push_back(values);
+  }
+  return table;
+}
+
+CsvTable corrected_curves_table(const Analysis& analysis) {
+  CsvTable table{
+      .name = "curves_corrected",
+      .columns = {artifact_column,
+                  width_column,
+                  {"uncorrected", "noticeability 0 to 4", "mean noticeability as in curves.csv"},
+                  {"saw", "probability", "P(saw the insertion) by the latent-class model"},
+                  {"rating_of_seen", "1 to 4", "mean rating of those who saw; empty when nobody did"},
+                  {"corrected", "noticeability 0 to 4", "saw times rating_of_seen"},
+                  source_column},
+      .rows = {}};
+  for (std::size_t i = 0; i < analysis.guessing.curves.size(); ++i) {
+    const CorrectedCurve& curve = analysis.guessing.curves[i];
+    for (std::size_t w = 0; w < curve.cells.size(); ++w)
+      table.rows.push_back({std::string(word(curve.artifact)), whole(curve.width_px[w]),
+                            analysis.data.artifacts[i].cells[w].mean, curve.cells[w].saw,
+                            curve.cells[w].noticeability / curve.cells[w].saw, curve.cells[w].noticeability,
+                            source_text(analysis)});
+  }
+  return table;
+}
+
+CsvTable guessers_table(const Analysis& analysis) {
+  CsvTable table{.name = "guessers",
+                 .columns = {{"what", "text", "what the probability is of, given that the answer is a guess"},
+                             {"probability", "0 to 1", "estimated from wrong choices and reference trials"},
+                             source_column},
+                 .rows = {}};
+  const Guessers& guessers = analysis.guessing.guessers;
+  if (!guessers.known()) return table;
+  for (int position = 1; position <= study::objects_per_stimulus; ++position)
+    table.rows.push_back({fmt::format("chooses position {}", position),
+                          guessers.position[static_cast<std::size_t>(position - 1)], source_text(analysis)});
+  for (int rating = 1; rating <= study::highest_rating; ++rating)
+    table.rows.push_back({fmt::format("rates {}", rating),
+                          guessers.rating[static_cast<std::size_t>(rating - 1)], source_text(analysis)});
+  return table;
+}
+
+CsvTable screening_table(const Analysis& analysis) {
+  CsvTable table{.name = "screening",
+                 .columns = {participant_column,
+                             {"catch_trials", "count", "catch trials answered"},
+                             {"catch_right", "count", "of these right"},
+                             {"attention_named", "0 or 1", std::string(rule_of(Screen::attention))},
+                             {"extreme_high", "count", "P of ITU-R BT.500: scores far above the mean of all"},
+                             {"extreme_low", "count", "Q of ITU-R BT.500: scores far below it"},
+                             {"stimuli", "count", "stimuli with a score"},
+                             {"kurtosis_named", "0 or 1", std::string(rule_of(Screen::kurtosis))},
+                             {"correlation_stimuli", "-1 to 1",
+                              "Pearson correlation with the mean of the others, over stimuli"},
+                             {"correlation_conditions", "-1 to 1", "the same over artifacts and widths"},
+                             {"correlation_named", "0 or 1", std::string(rule_of(Screen::correlation))},
+                             {"below_p913", "0 or 1",
+                              "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
+                              "P.913; reported only"}},
+                 .rows = {}};
+  for (const ScreenedPerson& person : analysis.screening.people)
+    table.rows.push_back({person.code, whole(person.attention.shown), whole(person.attention.right),
+                          whole(person.attention.rejected), whole(person.kurtosis.above),
+                          whole(person.kurtosis.below), whole(person.kurtosis.stimuli),
+                          whole(person.kurtosis.rejected), person.correlation.stimuli,
+                          person.correlation.conditions, whole(person.correlation.rejected),
+                          whole(person.correlation.below_p913)});
+  return table;
+}
+
+CsvTable screened_thresholds_table(const Analysis& analysis) {
+  CsvTable table{.name = "thresholds_screened",
+                 .columns = {{"who", "text", "everybody, or without those whom a screen names"},
+                             {"left_out", "participants", "how many are left out"},
+                             artifact_column,
+                             quantity_column},
+                 .rows = {}};
+  add_columns(table, "estimate", "width W");
+  for (const ScreenedThresholds& result : analysis.screened)
+    for (const ArtifactThresholds& thresholds : result.thresholds) {
+      const CurveThresholds& found = thresholds.estimates;
+      const auto add = [&](const char* quantity, const WidthEstimate& estimate) {
+        std::vector<CsvValue> row = {result.who, whole(result.left_out.size()),
+                                     std::string(word(thresholds.artifact)), std::string(quantity)};
+        add_values(row, estimate);
+        table.rows.push_back(row);
+      };
+      add("PT", found.perceptual);
+      add("SN", found.slightly_noticeable);
+      add("IP", found.inflection);
+    }
+  return table;
+}
+
+CsvTable opinion_scores_table(const Analysis& analysis) {
+  CsvTable table{.name = "opinion_scores",
+                 .columns = {artifact_column,
+                             width_column,
+                             {"scene", "text", "name of the scene in the study file"},
+                             {"object", "text", "name of the inserted object"},
+                             {"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"},
+                             {"n", "participants", "participants with a score"},
+                             {"mos", "noticeability 0 to 4", "mean opinion score"},
+                             {"sd", "noticeability", "standard deviation over participants (n - 1)"},
+                             {"ci95_low", "noticeability", "mos - t(n - 1) sd / sqrt(n)"},
+                             {"ci95_high", "noticeability", "mos + t(n - 1) sd / sqrt(n)"},
+                             source_column},
+                 .rows = {}};
+  for (std::size_t s = 0; s < analysis.opinion.size(); ++s) {
+    const ScoredStimulus& stimulus = analysis.scores.stimuli[s];
+    const OpinionScore& mos = analysis.opinion[s];
+    table.rows.push_back({std::string(word(stimulus.artifact)), whole(stimulus.width_px), stimulus.scene,
+                          stimulus.object, whole(stimulus.object_index), whole(mos.n), mos.mean, mos.sd,
+                          mos.ci95_low, mos.ci95_high, source_text(analysis)});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<CsvTable> checks_tables(const Analysis& analysis) {
+  return {beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
+          screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
+}
+
+}  // namespace seamline::analysis

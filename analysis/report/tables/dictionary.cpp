@@ -1,0 +1,207 @@
+#include "analysis/report/tables/dictionary.h"
+
+#include <string>
+#include <utility>
+
+namespace seamline::analysis {
+
+namespace {
+
+struct Field {
+  std::string path, unit, meaning;
+};
+
+constexpr std::pair<const char*, const char*> quantities[] = {
+    {"perceptual_threshold", "PT, the width where mean noticeability is 0.5"},
+    {"slightly_noticeable", "SN, the width where it is 1.0"},
+    {"inflection", "IP, the centre of the logistic"}};
+
+/// What every file of results begins with.
+std::vector<Field> head_fields() {
+  return {{"format", "text", "name of the format"},
+          {"version", "count", "version of the format"},
+          {"program_version", "text", "version of Seamline"},
+          {"study.name", "text", "name of the study"},
+          {"study.hash", "hexadecimal", "hash of the study file"},
+          {"set.hash", "hexadecimal", "hash of the stimulus set"},
+          {"source", "text", "who answered: participants or simulated observers"},
+          {"notes[]", "text", "what a reader must know"}};
+}
+
+/// A width: estimate, reason, interval.
+void add_width(std::vector<Field>& fields, const std::string& path, const std::string& unit,
+               const std::string& meaning) {
+  fields.push_back({path + ".estimate", unit, meaning + "; null when there is none"});
+  fields.push_back({path + ".reason", "text", "why there is no estimate; null when there is one"});
+  fields.push_back(
+      {path + ".ci95[]", unit, "lower and upper end of its 95 % interval; null when open on that side"});
+}
+
+void add_widths(std::vector<Field>& fields, const std::string& prefix, const std::string& more) {
+  for (const auto& [key, meaning] : quantities) add_width(fields, prefix + key + "_px", "px", meaning + more);
+}
+
+/// A number a quantity.
+void add_numbers(std::vector<Field>& fields, const std::string& prefix, const char* brackets,
+                 const std::string& more) {
+  for (const auto& [key, meaning] : quantities)
+    fields.push_back({prefix + key + "_px" + brackets, "px", meaning + more});
+}
+
+void add_means(std::vector<Field>& fields, const std::string& prefix) {
+  fields.push_back({prefix + "width_px", "px", "width W of the depth map; its height is W / 2"});
+  fields.push_back({prefix + "n", "participants", "participants in the mean"});
+  fields.push_back({prefix + "mean", "noticeability 0 to 4", "mean over participants"});
+  fields.push_back({prefix + "sem", "noticeability", "its standard error; null with one participant"});
+  fields.push_back({prefix + "correct", "share 0 to 1", "share of right choices"});
+}
+
+void add_object(std::vector<Field>& fields, const std::string& prefix) {
+  fields.push_back({prefix + "scene", "text", "name of the scene in the study file"});
+  fields.push_back({prefix + "object", "text", "name of the inserted object"});
+  fields.push_back({prefix + "object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"});
+}
+
+void add_curves(std::vector<Field>& fields, const std::string& artifact) {
+  const std::string logistic = artifact + "logistic.";
+  fields.push_back(
+      {logistic + "upper", "noticeability", "what the fitted logistic tends to at small widths"});
+  fields.push_back({logistic + "lower", "noticeability", "what it tends to at large widths"});
+  fields.push_back({logistic + "centre_px", "px", "its centre, whether or not that is identified"});
+  fields.push_back({logistic + "scale_octaves", "octaves", "its scale on log2 W"});
+  fields.push_back({logistic + "residual_sum_of_squares", "", "of the means about it"});
+  fields.push_back({logistic + "identified", "true or false", "whether the data say where the centre is"});
+  add_means(fields, artifact + "curve[].");
+  fields.push_back({artifact + "curve[].isotonic", "noticeability", "non-increasing isotonic fit"});
+  fields.push_back({artifact + "curve[].logistic", "noticeability", "four-parameter logistic"});
+  fields.push_back({artifact + "cells[].artifact", "word", "the artifact"});
+  add_object(fields, artifact + "cells[].");
+  add_means(fields, artifact + "cells[].");
+}
+
+void add_artifact_checks(std::vector<Field>& fields, const std::string& artifact) {
+  for (const char* key : {"perceptual_threshold", "slightly_noticeable"})
+    add_width(fields, artifact + "logistic_thresholds." + key + "_px", "px",
+              "the same quantity read off the logistic");
+  const std::string corrected = artifact + "corrected_for_guessing.";
+  add_widths(fields, corrected, ", of the curve corrected for guessing");
+  add_numbers(fields, corrected + "expanded_percentile_ci95.", "[]",
+              ": bootstrap interval, for comparison; null when open");
+  fields.push_back({corrected + "above_chance", "true or false", "right more often than guessers would be"});
+  fields.push_back({corrected + "curve[].width_px", "px", "width W of the depth map"});
+  fields.push_back({corrected + "curve[].saw", "probability", "P(saw the insertion)"});
+  fields.push_back({corrected + "curve[].noticeability", "0 to 4", "mean noticeability without guesses"});
+  const std::string objects = artifact + "one_object_left_out.";
+  add_numbers(fields, objects, "[]", ": range of the estimates when each object in turn is left out");
+  add_object(fields, objects + "without[].");
+  add_numbers(fields, objects + "without[].", "", ", without that object");
+  fields.push_back({artifact + "field_of_view.degrees", "degree", "horizontal field of view"});
+  for (const auto& [key, meaning] : quantities) {
+    const std::string view = artifact + "field_of_view." + key;
+    fields.push_back({view + ".equirectangular_px", "px", "width of a cut of that field of view"});
+    fields.push_back({view + ".pinhole_px", "px", "width of a pinhole depth map as fine at its centre"});
+  }
+}
+
+void add_artifacts(std::vector<Field>& fields) {
+  const std::string artifact = "artifacts[].";
+  fields.push_back({artifact + "artifact", "word", "receiver, shadow, occlusion or overlap"});
+  fields.push_back({artifact + "participants", "count", "participants on the curve"});
+  for (const auto& [key, meaning] : quantities)
+    for (const auto& [suffix, unit] : {std::pair{"_px", "px"}, {"_texels_per_degree", "1/degree"}}) {
+      add_width(fields, artifact + key + suffix, unit, meaning);
+      fields.push_back({artifact + key + suffix + ".ci95_text", "text", "the interval in words"});
+    }
+  add_numbers(fields, artifact + "planted.", "", ": what simulated observers were made of");
+  add_numbers(fields, artifact + "paper.", "", ": Table 1 of the paper; null where it has a dash");
+  add_numbers(fields, artifact + "expanded_percentile_ci95.", "[]",
+              ": bootstrap interval, for comparison; null when open");
+  add_curves(fields, artifact);
+  add_artifact_checks(fields, artifact);
+}
+
+void add_screening(std::vector<Field>& fields) {
+  for (const char* screen : {"attention", "kurtosis", "correlation"}) {
+    const std::string path = std::string("screening.") + screen;
+    fields.push_back({path + ".rule", "text", "the rule with its numbers"});
+    fields.push_back({path + ".judged", "true or false", "whether the log has what the screen needs"});
+    fields.push_back({path + ".count", "count", "participants it names"});
+    fields.push_back({path + ".named[]", "text", "their codes"});
+  }
+  const std::string person = "screening.people[].";
+  fields.push_back({person + "participant", "text", "code"});
+  fields.push_back({person + "catch_trials.shown", "count", "catch trials answered"});
+  fields.push_back({person + "catch_trials.right", "count", "of these right"});
+  fields.push_back({person + "kurtosis.P", "count", "scores far above the mean of all"});
+  fields.push_back({person + "kurtosis.Q", "count", "scores far below it"});
+  fields.push_back({person + "kurtosis.stimuli", "count", "stimuli with a score"});
+  fields.push_back({person + "correlation.stimuli", "-1 to 1", "with the mean of the others, over stimuli"});
+  fields.push_back({person + "correlation.conditions", "-1 to 1", "the same over artifacts and widths"});
+  fields.push_back({person + "correlation.critical", "-1 to 1", "what chance exceeds in 0.1 % of cases"});
+  fields.push_back({person + "correlation.below_p913", "true or false", "under the limits of ITU-T P.913"});
+  const std::string screened = "thresholds_by_screen[].";
+  fields.push_back({screened + "who", "text", "everybody, or without those whom a screen names"});
+  fields.push_back({screened + "left_out[]", "text", "codes of those left out"});
+  fields.push_back({screened + "artifacts[].artifact", "word", "the artifact"});
+  add_widths(fields, screened + "artifacts[].", ", of those people");
+  fields.push_back({"exclude_screened", "true or false", "whether those named are left out throughout"});
+}
+
+std::vector<Field> thresholds_fields() {
+  std::vector<Field> fields = head_fields();
+  fields.push_back({"simulated", "true or false", "whether any of those used is simulated"});
+  fields.push_back({"observer", "word", "kind of simulated observer when all are of one; else null"});
+  for (const auto& [key, meaning] : {std::pair{"in_log", "in the log"},
+                                     {"used", "whose answers are used"},
+                                     {"excluded", "excluded by the researcher"},
+                                     {"pilot_left_out", "of a pilot, left out"},
+                                     {"incomplete", "who did not finish"},
+                                     {"screened", "left out because a screen names them"},
+                                     {"simulated", "used who are simulated"},
+                                     {"forgotten", "deleted from the log at their request"}})
+    fields.push_back({std::string("participants.") + key, "count", std::string("participants ") + meaning});
+  fields.push_back({"include_pilot", "true or false", "whether pilot data are used"});
+  fields.push_back({"bootstrap.replicates", "count", "bootstrap samples of participants"});
+  fields.push_back({"bootstrap.seed", "count", "their seed"});
+  fields.push_back({"intervals", "text", "how intervals were computed"});
+  add_artifacts(fields);
+  fields.push_back({"guessing.position_probability[]", "probability", "a guess falls left, middle, right"});
+  fields.push_back({"guessing.position_estimated", "true or false", "false: equal positions are assumed"});
+  fields.push_back({"guessing.rating_probability[]", "probability", "a guesser rates 1, 2, 3, 4"});
+  fields.push_back({"guessing.mean_rating", "1 to 4", "mean rating of guessers"});
+  fields.push_back({"guessing.floor", "noticeability", "mean of people who see nothing"});
+  fields.push_back({"guessing.wrong_choices", "count", "wrong choices it is estimated from"});
+  fields.push_back({"guessing.reference_trials", "count", "reference trials it is estimated from"});
+  add_screening(fields);
+  fields.push_back({"sos_parameter.a", "0 to 1", "standard deviation of opinion scores (SOS)"});
+  fields.push_back({"sos_parameter.ci95[]", "0 to 1", "its 95 % interval"});
+  fields.push_back({"sos_parameter.stimuli", "count", "stimuli it is fitted to"});
+  return fields;
+}
+
+std::vector<Field> report_fields(const std::vector<CsvTable>& tables) {
+  std::vector<Field> fields = head_fields();
+  fields.push_back({"seed", "count", "seed of every random number of the analysis"});
+  fields.push_back({"methods[]", "text", "paragraphs of the method text"});
+  fields.push_back({"references[]", "text", "works that they name"});
+  for (const CsvTable& table : tables)
+    for (const CsvColumn& column : table.columns)
+      fields.push_back({"tables." + table.name + "[]." + column.name, column.unit,
+                        column.meaning + " (null instead of an empty cell)"});
+  return fields;
+}
+
+}  // namespace
+
+CsvTable report_dictionary(const std::vector<CsvTable>& tables) {
+  CsvTable dictionary = data_dictionary(tables);
+  const auto add = [&](const char* file, const std::vector<Field>& fields) {
+    for (const Field& field : fields)
+      dictionary.rows.push_back({std::string(file), field.path, field.unit, field.meaning});
+  };
+  add("thresholds.json", thresholds_fields());
+  add("report.json", report_fields(tables));
+  return dictionary;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "analysis/report/tables/section_tables.h"
+#include "analysis/report/tables/table_columns.h"
+
+namespace seamline::analysis {
+
+CsvTable response_times_table(const ReportNumbers& numbers) {
+  CsvTable table{
+      .name = "response_times",
+      .columns = {{"artifact", "word", "as elsewhere, or all of them together"},
+                  width_column,
+                  {"which", "word", "answers counted: all, right choices, or wrong choices"},
+                  {"answers", "count", "answers of people; simulated observers have no times"},
+                  {"participants", "count", "participants among whose answers they are"},
+                  {"choice_lower_s", "s",
+                   "lower quartile over answers, from the image's onset to the choice"},
+                  {"choice_median_s", "s", "median of the same"},
+                  {"choice_upper_s", "s", "upper quartile of the same"},
+                  {"rating_lower_s", "s", "lower quartile over answers, from the choice to the rating"},
+                  {"rating_median_s", "s", "median of the same"},
+                  {"rating_upper_s", "s", "upper quartile of the same"}},
+      .rows = {}};
+  for (const ResponseTime& row : numbers.times.rows)
+    table.rows.push_back({std::string(row.artifact ? word(*row.artifact) : "all"), whole(row.width_px),
+                          std::string(word(row.which)), whole(row.answers), whole(row.people),
+                          row.choice.lower_s, row.choice.median_s, row.choice.upper_s, row.rating.lower_s,
+                          row.rating.median_s, row.rating.upper_s});
+  return table;
+}
+
+CsvTable participants_table(const ReportNumbers& numbers) {
+  CsvTable table{
+      .name = "participants",
+      .columns = {participant_column,
+                  {"kind", "word", "person, or the kind of simulated observer"},
+                  {"use", "word",
+                   "used, excluded, pilot (left out), incomplete (left out) or screened (left out)"},
+                  {"why", "text", "why their answers are not used; empty when they are"},
+                  {"pilot", "0 or 1", "pilot data"},
+                  {"answers", "count", "answers in the log"},
+                  {"planned_trials", "count", "trials of the session's plan; 0 when the log does not say"},
+                  {"correct", "share 0 to 1", "share of right choices; empty without answers"},
+                  {"mean_rating", "1 to 4", "mean rating of all answers; empty without answers"},
+                  {"screened", "0 or 1", "whether the screens judged them; only those who would be used are"},
+                  {"screens", "text", "screens that name them; empty when none does"},
+                  {"median_choice_s", "s", "median time from the image to the choice; empty when simulated"}},
+      .rows = {}};
+  for (const ParticipantRow& row : numbers.participants)
+    table.rows.push_back({row.code, row.kind, std::string(word(row.use)), row.why, whole(row.pilot),
+                          whole(row.answers), whole(row.planned_trials), row.correct, row.mean_rating,
+                          whole(row.screened), row.screens, row.median_choice_s});
+  return table;
+}
+
+CsvTable tracks_table(const ReportNumbers& numbers) {
+  const bool linear = !numbers.tracks.empty() && numbers.tracks.front().axis == Axis::linear;
+  const std::string unit = study::length_unit(linear ? Axis::linear : Axis::log2);
+  CsvTable table{
+      .name = "tracks",
+      .columns = {participant_column,
+                  artifact_column,
+                  {"track", "text", "what the track is about: an artifact, or one of its objects"},
+                  {"used", "0 or 1", "completed, not excluded and not a pilot"},
+                  {"trials", "count", "answers to the track"},
+                  {"threshold_px", "px",
+                   fmt::format("posterior mean{} of the width seen half of the time",
+                               linear ? "" : ", on log2,")},
+                  {"threshold_low_px", "px", "lower end of the equal-tailed 95 % credible interval"},
+                  {"threshold_high_px", "px", "upper end of it"},
+                  {"threshold_sd_" + unit, unit, "posterior standard deviation of the threshold"},
+                  {"scale_" + unit, unit, "posterior mean of the function's scale"},
+                  {"lapse", "share 0 to 1", "posterior mean of the lapse rate"},
+                  {"alarms", "text", "where the posterior runs into the edge of its grid"}},
+      .rows = {}};
+  for (const study::TrackEstimate& track : numbers.tracks) {
+    std::string alarms;
+    for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
+    table.rows.push_back({track.participant, std::string(word(track.artifact)), track.track,
+                          whole(track.used), whole(track.trials), track.threshold_px, track.low_px,
+                          track.high_px, track.threshold_sd, track.scale, track.lapse, alarms});
+  }
+  return table;
+}
+
+}  // namespace seamline::analysis

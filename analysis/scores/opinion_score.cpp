@@ -1,0 +1,79 @@
+#include "analysis/scores/opinion_score.h"
+
+#include <cmath>
+
+#include "analysis/statistics/distributions.h"
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+/// Mean and variance (n - 1) of the scores of everybody but `without` (-1: of everybody).
+struct Moments {
+  double n = 0, mean = nan, variance = nan;
+};
+
+Moments moments_of(const Eigen::VectorXd& scores, Eigen::Index without) {
+  double n = 0, sum = 0, squares = 0;
+  for (Eigen::Index i = 0; i < scores.size(); ++i)
+    if (i != without && !std::isnan(scores[i])) n += 1, sum += scores[i];
+  if (n == 0) return {};
+  const double mean = sum / n;
+  for (Eigen::Index i = 0; i < scores.size(); ++i)
+    if (i != without && !std::isnan(scores[i])) squares += (scores[i] - mean) * (scores[i] - mean);
+  return {.n = n, .mean = mean, .variance = n > 1 ? squares / (n - 1) : nan};
+}
+
+/// Least squares through the origin: a = sum(S^2 f) / sum(f^2), f = (x - L)(H - x).
+SosParameter fit_sos(const Eigen::MatrixXd& score, const RatingScale& scale, Eigen::Index without) {
+  SosParameter sos;
+  double product = 0, square = 0;
+  for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus) {
+    const Moments moments = moments_of(score.col(stimulus), without);
+    if (moments.n < 2) continue;
+    const double f = (moments.mean - scale.lowest) * (scale.highest - moments.mean);
+    product += moments.variance * f;
+    square += f * f;
+    ++sos.stimuli;
+  }
+  sos.a = square > 0 ? product / square : nan;
+  sos.ci95_low = sos.ci95_high = nan;
+  return sos;
+}
+
+}  // namespace
+
+std::vector<OpinionScore> opinion_scores(const Eigen::MatrixXd& score) {
+  std::vector<OpinionScore> scores;
+  for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus) {
+    const Moments moments = moments_of(score.col(stimulus), -1);
+    const double half = moments.n > 1
+                            ? student_quantile(moments.n - 1, 0.975) * std::sqrt(moments.variance / moments.n)
+                            : nan;
+    scores.push_back({.n = static_cast<int>(moments.n),
+                      .mean = moments.mean,
+                      .sd = std::sqrt(moments.variance),
+                      .ci95_low = moments.mean - half,
+                      .ci95_high = moments.mean + half});
+  }
+  return scores;
+}
+
+SosParameter sos_parameter(const Eigen::MatrixXd& score, const RatingScale& scale) {
+  SosParameter sos = fit_sos(score, scale, -1);
+  const auto n = static_cast<double>(score.rows());
+  if (n < 3) return sos;
+  double sum = 0, squares = 0;
+  std::vector<double> without;
+  for (Eigen::Index person = 0; person < score.rows(); ++person)
+    without.push_back(fit_sos(score, scale, person).a);
+  for (double a : without) sum += a / n;
+  for (double a : without) squares += (a - sum) * (a - sum);
+  const double half = student_quantile(n - 1, 0.975) * std::sqrt((n - 1) / n * squares);
+  sos.ci95_low = sos.a - half;
+  sos.ci95_high = sos.a + half;
+  return sos;
+}
+
+}  // namespace seamline::analysis

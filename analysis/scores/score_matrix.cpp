@@ -1,0 +1,59 @@
+#include "analysis/scores/score_matrix.h"
+
+#include <map>
+
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+ScoredStimulus stimulus_of(const study::Answer& answer) {
+  return {.artifact = answer.artifact,
+          .width_px = answer.depth_width_px,
+          .scene = answer.scene,
+          .object_index = answer.object_index,
+          .object = answer.object};
+}
+
+}  // namespace
+
+ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+  ScoreMatrix matrix;
+  std::map<std::string, Eigen::Index> row_of;
+  for (const ParticipantUse& person : people)
+    if (person.use == Use::used) {
+      row_of[person.record.code] = static_cast<Eigen::Index>(matrix.people.size());
+      matrix.people.push_back(person.record.code);
+    }
+  std::map<ScoredStimulus, Eigen::Index> column_of;
+  for (const study::Answer& answer : log.answers)
+    if (row_of.contains(answer.participant)) column_of[stimulus_of(answer)] = 0;
+  for (auto& [stimulus, column] : column_of) {
+    column = static_cast<Eigen::Index>(matrix.stimuli.size());
+    const bool same_condition = !matrix.stimuli.empty() &&
+                                matrix.stimuli.back().artifact == stimulus.artifact &&
+                                matrix.stimuli.back().width_px == stimulus.width_px;
+    const int last = matrix.condition.empty() ? -1 : matrix.condition.back();
+    matrix.condition.push_back(same_condition ? last : last + 1);
+    matrix.stimuli.push_back(stimulus);
+  }
+
+  const auto rows = static_cast<Eigen::Index>(matrix.people.size()),
+             columns = static_cast<Eigen::Index>(matrix.stimuli.size());
+  Eigen::MatrixXd answers = Eigen::MatrixXd::Zero(rows, columns);
+  matrix.score = Eigen::MatrixXd::Zero(rows, columns);
+  for (const study::Answer& answer : log.answers) {
+    const auto row = row_of.find(answer.participant);
+    if (row == row_of.end()) continue;
+    const Eigen::Index column = column_of.at(stimulus_of(answer));
+    matrix.score(row->second, column) += answer.noticeability();
+    answers(row->second, column) += 1;
+  }
+  matrix.score = (answers.array() > 0)
+                     .select(matrix.score.array() / answers.array().max(1),
+                             Eigen::ArrayXXd::Constant(rows, columns, nan));
+  return matrix;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "analysis/scores/participants.h"
+#include "study/log/log.h"
+
+namespace seamline::analysis {
+
+/// What one image showed, and under which condition.
+struct ScoredStimulus {
+  Artifact artifact = Artifact::none;
+  int width_px = 0;
+  std::string scene;
+  int object_index = 0;
+  std::string object;
+  auto operator<=>(const ScoredStimulus&) const = default;
+};
+
+/// Noticeability (0 to 4) of every participant for every stimulus: what participants are screened by and
+/// opinion scores are computed from.
+struct ScoreMatrix {
+  std::vector<std::string> people;      ///< used participants, in the log's order
+  std::vector<ScoredStimulus> stimuli;  ///< by artifact, width, scene, object
+  std::vector<int> condition;           ///< of each stimulus: artifact and width together, numbered from 0
+  Eigen::MatrixXd score;                ///< people x stimuli; repeats averaged; NaN where there is no answer
+};
+
+/// Scores of the participants marked `Use::used`.
+[[nodiscard]] ScoreMatrix score_matrix(const study::LogContents& log,
+                                       const std::vector<ParticipantUse>& people);
+
+}  // namespace seamline::analysis

@@ -1,0 +1,89 @@
+#include "analysis/screening/screening.h"
+
+#include <algorithm>
+
+namespace seamline::analysis {
+
+namespace {
+
+template <class Test>
+std::vector<std::string> codes_of(const std::vector<ScreenedPerson>& people, Test test) {
+  std::vector<std::string> codes;
+  for (const ScreenedPerson& person : people)
+    if (test(person)) codes.push_back(person.code);
+  return codes;
+}
+
+}  // namespace
+
+std::string_view word(Screen screen) {
+  switch (screen) {
+    case Screen::attention:
+      return "attention";
+    case Screen::kurtosis:
+      return "kurtosis";
+    case Screen::correlation:
+      return "correlation";
+  }
+  return "";
+}
+
+std::string_view rule_of(Screen screen) {
+  switch (screen) {
+    case Screen::attention:
+      return "attention: right in fewer than 75 % of the catch trials";
+    case Screen::kurtosis:
+      return "kurtosis (ITU-R BT.500): over 5 % of scores at least 2 S (kurtosis 2 to 4) or sqrt(20) S "
+             "(else) from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
+    case Screen::correlation:
+      return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
+             "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
+  }
+  return "";
+}
+
+bool ScreenedPerson::named_by(Screen screen) const {
+  switch (screen) {
+    case Screen::attention:
+      return attention.rejected;
+    case Screen::kurtosis:
+      return kurtosis.rejected;
+    case Screen::correlation:
+      return correlation.rejected;
+  }
+  return false;
+}
+
+bool ScreenedPerson::named() const {
+  return std::any_of(every_screen.begin(), every_screen.end(),
+                     [&](Screen screen) { return named_by(screen); });
+}
+
+std::vector<std::string> Screening::named_by(Screen screen) const {
+  return codes_of(people, [&](const ScreenedPerson& person) { return person.named_by(screen); });
+}
+
+std::vector<std::string> Screening::named() const {
+  return codes_of(people, [](const ScreenedPerson& person) { return person.named(); });
+}
+
+Screening screen_participants(const ScoreMatrix& scores, const std::vector<CatchAnswer>& catches) {
+  Screening screening;
+  screening.catch_trials = !catches.empty();
+  const std::vector<KurtosisCount> kurtosis = screen_by_kurtosis(scores.score);
+  const std::vector<CorrelationCheck> correlation = screen_by_correlation(scores.score, scores.condition);
+  for (std::size_t p = 0; p < scores.people.size(); ++p) {
+    ScreenedPerson person{
+        .code = scores.people[p], .attention = {}, .kurtosis = kurtosis[p], .correlation = correlation[p]};
+    for (const CatchAnswer& answer : catches) {
+      if (answer.participant != person.code) continue;
+      ++person.attention.shown;
+      person.attention.right += answer.right ? 1 : 0;
+    }
+    person.attention.rejected = person.attention.right < least_attention_share * person.attention.shown;
+    screening.people.push_back(person);
+  }
+  return screening;
+}
+
+}  // namespace seamline::analysis

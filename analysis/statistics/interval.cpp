@@ -1,0 +1,143 @@
+#include "analysis/statistics/interval.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "analysis/statistics/distributions.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr int isotonic_steps_per_gap = 128;
+
+/// By how much the curve at one width is above (`over`) or below (`under`) the level, beyond what the test
+/// allows. Positive: excluded.
+struct Excess {
+  double log2_px = 0, over = 0, under = 0;
+};
+
+/// The isotonic curve a share `t` (0 to 1) of the way from width `left` to the next.
+CurveAtWidth isotonic_at(double level, std::size_t left, double t, const IsotonicFit& fit,
+                         const MeanVector& means, const VarianceFunction& variance_of) {
+  const std::size_t right = std::min(left + 1, fit.value.size() - 1);
+  const double g = (1 - t) * fit.value[left] + t * fit.value[right];
+  const double to_null = level - g;  // moves the curve so that its value at w is the level
+  const auto a = static_cast<Eigen::Index>(left), b = static_cast<Eigen::Index>(right);
+  const double variance_a = means.covariance(a, a), variance_b = means.covariance(b, b);
+  const double product = std::sqrt(variance_a * variance_b);
+  const double correlation = product > 0 ? means.covariance(a, b) / product : 0;
+  const double null_a = variance_of.at(fit.value[left] + to_null),
+               null_b = variance_of.at(fit.value[right] + to_null);
+  const double variance = (1 - t) * (1 - t) * null_a +
+                          2 * t * (1 - t) * correlation * std::sqrt(null_a * null_b) + t * t * null_b;
+  return {.value = g, .standard_error = std::sqrt(std::max(0.0, variance))};
+}
+
+/// Where a line through two points is zero.
+double zero_between(double x0, double y0, double x1, double y1) {
+  return y0 == y1 ? x0 : x0 + (x1 - x0) * y0 / (y0 - y1);
+}
+
+/// The curve does not rise with width: where it is above the level at some width, so it is at all coarser
+/// ones.
+double lower_bound_of(const std::vector<Excess>& tests) {
+  const auto last =
+      std::find_if(tests.rbegin(), tests.rend(), [](const Excess& test) { return test.over > 0; });
+  if (last == tests.rend()) return below_every_width;
+  if (last == tests.rbegin()) return above_every_width;
+  return zero_between(last->log2_px, last->over, (last - 1)->log2_px, (last - 1)->over);
+}
+
+/// And where it is below the level, so it is at all finer ones.
+double upper_bound_of(const std::vector<Excess>& tests) {
+  const auto first =
+      std::find_if(tests.begin(), tests.end(), [](const Excess& test) { return test.under > 0; });
+  if (first == tests.end()) return above_every_width;
+  if (first == tests.begin()) return below_every_width;
+  return zero_between((first - 1)->log2_px, (first - 1)->under, first->log2_px, first->under);
+}
+
+}  // namespace
+
+VarianceFunction::VarianceFunction(const IsotonicFit& fit, const MeanVector& means) {
+  for (std::size_t begin = 0; begin < fit.value.size(); begin = fit.block_end[begin]) {
+    const auto count = static_cast<Eigen::Index>(fit.block_end[begin] - begin);
+    mean_.push_back(fit.value[begin]);
+    variance_.push_back(means.covariance.diagonal().segment(static_cast<Eigen::Index>(begin), count).mean());
+  }
+}
+
+double VarianceFunction::at(double mean) const {
+  if (mean >= mean_.front()) return variance_.front();
+  for (std::size_t right = 1; right < mean_.size(); ++right) {
+    if (mean < mean_[right]) continue;
+    const double t = (mean_[right - 1] - mean) / (mean_[right - 1] - mean_[right]);
+    return (1 - t) * variance_[right - 1] + t * variance_[right];
+  }
+  return variance_.back();
+}
+
+WidthInterval level_interval(double level, const std::vector<double>& log2_px, const MeanVector& means,
+                             int people) {
+  const IsotonicFit fit =
+      fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())});
+  const VarianceFunction variance_of(fit, means);
+  const WidthInterval interval = invert_level_test(
+      level, log2_px, people, isotonic_steps_per_gap,
+      [&](std::size_t left, double t) { return isotonic_at(level, left, t, fit, means, variance_of); });
+  const double estimate = largest_log2_width_at(level, log2_px, fit.value);
+  return {.low_log2_px = std::min(interval.low_log2_px, estimate),
+          .high_log2_px = std::max(interval.high_log2_px, estimate)};
+}
+
+WidthInterval invert_level_test(double level, const std::vector<double>& log2_px, int people,
+                                int steps_per_gap,
+                                const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
+  assert(people >= 2 && !log2_px.empty());
+  const double critical = student_quantile(people - 1, 0.975);
+  std::vector<Excess> tests;
+  for (std::size_t left = 0; left < log2_px.size(); ++left) {
+    const int steps = left + 1 < log2_px.size() ? steps_per_gap : 1;
+    for (int step = 0; step < steps; ++step) {
+      const double t = static_cast<double>(step) / steps;
+      const double w = step == 0 ? log2_px[left] : (1 - t) * log2_px[left] + t * log2_px[left + 1];
+      const CurveAtWidth curve = curve_at(left, t);
+      const double allowed = critical * curve.standard_error;
+      tests.push_back(
+          {.log2_px = w, .over = curve.value - level - allowed, .under = level - curve.value - allowed});
+    }
+  }
+  return {.low_log2_px = lower_bound_of(tests), .high_log2_px = upper_bound_of(tests)};
+}
+
+TailLevels expanded_levels(int people) {
+  if (people < 2) return {.low = 0, .high = 1};
+  const double n = people;
+  const double low = normal_below(-std::sqrt(n / (n - 1)) * student_quantile(people - 1, 0.975));
+  return {.low = low, .high = 1 - low};
+}
+
+WidthInterval percentile_interval(const std::vector<WidthInterval>& replicates, const TailLevels& levels) {
+  std::vector<double> lows, highs;
+  for (const WidthInterval& replicate : replicates) {
+    lows.push_back(replicate.low_log2_px);
+    highs.push_back(replicate.high_log2_px);
+  }
+  return {.low_log2_px = quantile(lows, levels.low), .high_log2_px = quantile(highs, levels.high)};
+}
+
+double quantile(std::vector<double>& values, double probability) {
+  assert(!values.empty());
+  const double place = probability * static_cast<double>(values.size() - 1);
+  const double share = place - std::floor(place);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), middle, values.end());
+  if (share == 0 || middle + 1 == values.end()) return *middle;
+  const double next = *std::min_element(middle + 1, values.end());
+  if (std::isfinite(*middle) && std::isfinite(next)) return *middle + share * (next - *middle);
+  return share < 0.5 ? *middle : next;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,93 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/estimate.h"
+
+namespace seamline::analysis {
+
+/// y(x) = lower + (upper - lower) / (1 + exp((x - centre) / scale)), x = log2 width. Its inflection point is
+/// the centre.
+struct Logistic4 {
+  double upper = 0;
+  double lower = 0;
+  double centre_log2_px = 0;
+  double scale_octaves = 1;
+};
+
+[[nodiscard]] double value_at(const Logistic4& curve, double log2_px);
+
+/// Whether the data say where the centre is.
+enum class Centre {
+  identified,
+  step,           ///< the fit is a step between two widths: every centre between them is as good
+  straight,       ///< the fit is all but a straight line: any centre is as good
+  below_range,    ///< steepest below the smallest width tested
+  above_range,    ///< steepest above the largest width tested
+  not_falling,    ///< noticeability does not fall with width
+  too_few_widths  ///< under four widths for four parameters
+};
+
+struct Logistic4Fit {
+  Logistic4 curve;
+  double residual_sum_of_squares = 0;
+  Centre verdict = Centre::not_falling;
+  /// The centres that the data leave open: one value when identified, the two neighbouring widths for a step,
+  /// an infinite end where the centre may lie outside the tested range.
+  WidthInterval centre_range;
+};
+
+/// A sentence for `verdict`; empty when identified.
+[[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px);
+
+/// Where centres and scales are looked for.
+struct LogisticBox {
+  double lowest_centre = 0, highest_centre = 0;  ///< log2 px: 2 octaves beyond the tested widths
+  double smallest_scale = 0;                     ///< octaves: a tenth of the smallest spacing of widths
+  double largest_scale = 0;                      ///< the whole range
+};
+
+/// `log2_px` is rising, at least two widths.
+[[nodiscard]] LogisticBox logistic_box(std::span<const double> log2_px);
+
+/// Where a climb begins; the asymptotes follow by linear least squares.
+struct Logistic4Start {
+  double centre_log2_px = 0, scale_octaves = 1;
+};
+
+/// Fits four-parameter logistics by least squares to means at fixed widths, one after the other, fast enough
+/// for a bootstrap. By variable projection (Golub and Pereyra 1973): for a given centre and scale the two
+/// asymptotes are linear least squares, so the best curve is the (centre, scale) whose logistic has the
+/// largest projection of the data.
+/// 1. The projections onto a grid (centres an eighth of an octave apart from 2 octaves below to 2 above the
+/// tested range;
+///    16 scales from a tenth of the smallest spacing of widths to the whole range) are computed once for the
+///    widths, so scanning the whole grid costs a matrix-vector product and no local optimum is missed.
+/// 2. The three best local optima of the grid are polished by Levenberg-Marquardt on all four parameters; the
+/// best wins. The asymptotes are not bounded to 0 and 4: they are what the curve tends to, not ratings.
+class Logistic4Fitter {
+ public:
+  /// `log2_px` is rising.
+  explicit Logistic4Fitter(std::vector<double> log2_px);
+
+  /// `means` has one value a width.
+  [[nodiscard]] Logistic4Fit fit(std::span<const double> means) const;
+
+  [[nodiscard]] const std::vector<double>& log2_px() const { return log2_px_; }
+
+ private:
+  [[nodiscard]] std::vector<Logistic4Start> starts(const Eigen::VectorXd& means) const;
+  [[nodiscard]] double polish(const Logistic4Start& start, const Eigen::VectorXd& means,
+                              Logistic4& curve) const;
+  [[nodiscard]] Logistic4Fit judge(const Logistic4& curve, double residual) const;
+
+  std::vector<double> log2_px_;
+  std::vector<double> centres_;
+  std::vector<double> scales_;
+  Eigen::MatrixXd
+      basis_;  ///< (centre, scale) pairs x widths: centred logistics of unit norm, 0 where all but constant
+};
+
+}  // namespace seamline::analysis

@@ -1,0 +1,205 @@
+#include "analysis/thresholds/guess_correction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/statistics/distributions.h"
+#include "analysis/statistics/interval.h"
+#include "analysis/thresholds/curve_replicates.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr double replicate_tolerance = 1e-6;  ///< far under what a replicate differs by from the next
+constexpr double few_guesses = 30;            ///< under this many, g and b are rough
+
+/// The cells of one artifact: which columns of the counts are its own.
+struct CellRange {
+  std::size_t first = 0, count = 0;
+  std::vector<double> log2_px;
+};
+
+std::vector<CellRange> ranges_of(const NoticeabilityData& data) {
+  std::vector<CellRange> ranges;
+  std::size_t first = 0;
+  for (const ArtifactScores& scores : data.artifacts) {
+    ranges.push_back(
+        {.first = first, .count = scores.width_px.size(), .log2_px = log2_widths(scores.width_px)});
+    first += scores.width_px.size();
+  }
+  return ranges;
+}
+
+const double* counts_at(const Eigen::VectorXd& counts, std::size_t cell) {
+  return counts.data() + cell * counts_of_cell;
+}
+
+/// The probability that a guess is right: b(o), averaged over the right positions of all answers.
+double chance(const Eigen::VectorXd& counts, const Guessers& guessers) {
+  double right = 0;
+  for (Eigen::Index i = 0; i < counts.size(); ++i)
+    right += counts[i] * guessers.position[static_cast<std::size_t>(i % counts_of_cell / answers_of_trial)];
+  return right / counts.sum();
+}
+
+/// A person's formula scores in the cells of a range: the rating when right; when wrong, minus what a guesser
+/// gains by chance for each wrong guess, so that a guesser's expected score is 0.
+Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range, const Guessers& guessers) {
+  Eigen::VectorXd value(counts_of_cell);
+  for (int place = 0; place < counts_of_cell; ++place) {
+    const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
+    const double b = guessers.position[static_cast<std::size_t>(right)];
+    value[place] = right == chosen ? place % study::highest_rating + 1
+                                   : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
+  }
+  std::vector<Eigen::RowVectorXd> rows;
+  for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
+    Eigen::RowVectorXd row(static_cast<Eigen::Index>(range.count));
+    for (std::size_t w = 0; w < range.count; ++w) {
+      const auto counts = trials.answers.row(p).segment(
+          static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
+      row[static_cast<Eigen::Index>(w)] = counts.dot(value) / counts.sum();
+    }
+    if (row.allFinite()) rows.push_back(row);  // others are not on this artifact's curve
+  }
+  Eigen::MatrixXd scores(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(range.count));
+  for (std::size_t p = 0; p < rows.size(); ++p) scores.row(static_cast<Eigen::Index>(p)) = rows[p];
+  return scores;
+}
+
+WidthInterval including(WidthInterval interval, const WidthEstimate& estimate) {
+  if (estimate.log2_px) {
+    interval.low_log2_px = std::min(interval.low_log2_px, *estimate.log2_px);
+    interval.high_log2_px = std::max(interval.high_log2_px, *estimate.log2_px);
+  }
+  return interval;
+}
+
+/// One-sided t test at 1 %: do people choose right more often than b says of guessers?
+bool right_above_chance(const GuessTrials& trials, const CellRange& range, const Guessers& guessers) {
+  std::vector<double> beyond;
+  for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
+    double difference = 0, answers = 0;
+    for (std::size_t w = 0; w < range.count; ++w)
+      for (int place = 0; place < counts_of_cell; ++place) {
+        const double n =
+            trials.answers(p, static_cast<Eigen::Index>((range.first + w) * counts_of_cell) + place);
+        const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
+        difference += n * ((right == chosen ? 1 : 0) - guessers.position[static_cast<std::size_t>(right)]);
+        answers += n;
+      }
+    if (answers > 0) beyond.push_back(difference / answers);
+  }
+  if (beyond.size() < 2) return !beyond.empty() && beyond.front() > 0;
+  const CellMean mean = mean_over_participants(beyond);
+  return mean.mean > mean.sem * student_quantile(static_cast<double>(mean.n - 1), 0.99);
+}
+
+CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores,
+                               const CellRange& range, const Guessers& guessers) {
+  CorrectedCurve curve;
+  curve.artifact = scores.artifact;
+  curve.width_px = scores.width_px;
+  if (scores.people.empty()) return curve;
+  const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
+  std::vector<double> means;
+  for (std::size_t w = 0; w < range.count; ++w) {
+    curve.cells.push_back(fit_seeing(counts_at(counts, range.first + w), guessers));
+    means.push_back(curve.cells.back().noticeability);
+  }
+  curve.estimates = thresholds_of_means(range.log2_px, means);
+  curve.above_chance = right_above_chance(trials, range, guessers);
+  const Eigen::MatrixXd formula = formula_scores(trials, range, guessers);
+  if (formula.rows() < 2) return curve;
+  const MeanVector formula_means = mean_and_covariance(formula);
+  const int people = static_cast<int>(formula.rows());
+  WidthEstimate& pt = curve.estimates.perceptual;
+  WidthEstimate& sn = curve.estimates.slightly_noticeable;
+  pt.ci95 = including(level_interval(perceptual_level, range.log2_px, formula_means, people), pt);
+  sn.ci95 = including(level_interval(slight_level, range.log2_px, formula_means, people), sn);
+  return curve;
+}
+
+void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& ranges,
+                   const ResamplingRequest& request, std::vector<CorrectedCurve>& curves) {
+  Eigen::MatrixXd everything(trials.answers.rows(), trials.answers.cols() + trials.references.cols());
+  everything << trials.answers, trials.references;
+  std::vector<CurveReplicates> replicates;
+  for (const CellRange& range : ranges) replicates.emplace_back(range.log2_px, request.replicates);
+  for_each_replicate(everything, request, [&](int replicate, const Eigen::VectorXd& mean) {
+    const Eigen::VectorXd answers = mean.head(trials.answers.cols());
+    const Guessers guessers = estimate_guessers(answers, mean.tail(trials.references.cols()));
+    std::vector<double> means;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      means.clear();
+      for (std::size_t w = 0; w < ranges[i].count; ++w)
+        means.push_back(
+            fit_seeing(counts_at(answers, ranges[i].first + w), guessers, replicate_tolerance).noticeability);
+      const bool answered =
+          std::all_of(means.begin(), means.end(), [](double m) { return std::isfinite(m); });
+      if (answered) replicates[i].set(replicate, means);  // else it leaves every width open
+    }
+  });
+  const TailLevels levels = expanded_levels(static_cast<int>(trials.people.size()));
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].cells.empty()) continue;
+    const CurveIntervals intervals = replicates[i].intervals(levels);
+    curves[i].perceptual_bootstrap = intervals.perceptual;
+    curves[i].slightly_noticeable_bootstrap = intervals.slightly_noticeable;
+    curves[i].estimates.inflection.ci95 = intervals.inflection;
+    curves[i].estimates.perceptual_logistic.ci95 = intervals.perceptual_logistic;
+    curves[i].estimates.slightly_noticeable_logistic.ci95 = intervals.slightly_noticeable_logistic;
+  }
+}
+
+std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
+  std::vector<std::string> notes;
+  const Guessers& guessers = correction.guessers;
+  if (!guessers.known()) {
+    notes.emplace_back(
+        "Nobody chose wrong and there are no reference trials: nothing says how guessers rate, and nobody "
+        "need have guessed, so the curves corrected for guessing are the uncorrected ones.");
+    return notes;
+  }
+  if (correction.floor >= perceptual_level)
+    notes.push_back(
+        fmt::format("Guessers rate {:.2f} on average, so uncorrected noticeability cannot fall below {:.2f}: "
+                    "no uncorrected perceptual threshold (level {}) can exist, only a corrected one.",
+                    guessers.mean_rating(), correction.floor, perceptual_level));
+  if (guessers.wrong_answers + guessers.reference_answers < few_guesses)
+    notes.push_back(
+        fmt::format("How guessers answer rests on {:.0f} wrong choices and {:.0f} reference trials only.",
+                    guessers.wrong_answers, guessers.reference_answers));
+  if (!guessers.position_estimated)
+    notes.emplace_back(
+        "Wrong choices do not say how often guesses fall on each position, so equal positions are assumed.");
+  for (const CorrectedCurve& curve : correction.curves)
+    if (!curve.cells.empty() && !curve.above_chance)
+      notes.push_back(fmt::format(
+          "Under '{}' the right object was not chosen more often than by guessing (one-sided t test over "
+          "participants, 1 %): its corrected curve describes chance.",
+          word(curve.artifact)));
+  return notes;
+}
+
+}  // namespace
+
+GuessCorrection correct_for_guessing(const GuessTrials& trials, const NoticeabilityData& data,
+                                     const ResamplingRequest& request) {
+  GuessCorrection correction;
+  const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
+  correction.guessers = estimate_guessers(counts, trials.references.colwise().sum().transpose());
+  correction.floor = chance(counts, correction.guessers) * correction.guessers.mean_rating();
+  const std::vector<CellRange> ranges = ranges_of(data);
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    correction.curves.push_back(corrected_curve(trials, data.artifacts[i], ranges[i], correction.guessers));
+  if (request.replicates > 0 && trials.people.size() >= 2)
+    add_bootstrap(trials, ranges, request, correction.curves);
+  correction.notes = notes_on_guessing(correction);
+  return correction;
+}
+
+}  // namespace seamline::analysis

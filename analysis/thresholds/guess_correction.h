@@ -1,0 +1,42 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/scores/guess_trials.h"
+#include "analysis/statistics/resampling.h"
+#include "analysis/thresholds/guess_model.h"
+#include "analysis/thresholds/thresholds.h"
+
+namespace seamline::analysis {
+
+/// The curve of one artifact corrected for guessing, and its thresholds.
+struct CorrectedCurve {
+  Artifact artifact = Artifact::none;
+  std::vector<int> width_px;      ///< rising
+  std::vector<SeeingCell> cells;  ///< one a width
+  /// PT, SN and IP of the corrected curve. PT and SN have score-test intervals on formula scores
+  /// (documentation/guess_correction.md), what is read off the logistic the expanded percentile bootstrap
+  /// over people, the whole model being fitted again to each replicate.
+  CurveThresholds estimates;
+  /// Expanded percentile bootstrap intervals of PT and SN, for comparison.
+  WidthInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
+  /// Whether people chose right more often than guessers would (t test over people, one-sided, 1 %). When
+  /// not, nothing says that anybody saw anything.
+  bool above_chance = false;
+};
+
+/// Noticeability with the answers of those who guessed taken out.
+struct GuessCorrection {
+  Guessers guessers;
+  double floor =
+      0;  ///< uncorrected mean noticeability of people who see nothing: mean of b(o) times mean of g
+  std::vector<CorrectedCurve> curves;  ///< in the order of the data's artifacts
+  std::vector<std::string> notes;      ///< what a reader must know, a sentence each
+};
+
+/// Fits the latent-class model (saw it / guessed). `trials` come from `count_guess_trials` of the same
+/// `data`.
+[[nodiscard]] GuessCorrection correct_for_guessing(const GuessTrials& trials, const NoticeabilityData& data,
+                                                   const ResamplingRequest& request);
+
+}  // namespace seamline::analysis

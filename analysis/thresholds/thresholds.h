@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "analysis/scores/cells.h"
+#include "analysis/statistics/estimate.h"
+#include "analysis/statistics/interval.h"
+#include "analysis/statistics/logistic4.h"
+#include "analysis/statistics/resampling.h"
+
+namespace seamline::analysis {
+
+inline constexpr double perceptual_level =
+    0.5;  ///< PT: halfway between not noticeable (0) and slightly noticeable (1)
+inline constexpr double slight_level = 1.0;  ///< SN: "slightly noticeable"
+
+/// What a curve of mean noticeability says: estimates only, from people or from an observer's expected means.
+struct CurveThresholds {
+  WidthEstimate perceptual;                    ///< PT
+  WidthEstimate slightly_noticeable;           ///< SN
+  WidthEstimate inflection;                    ///< IP
+  WidthEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
+  WidthEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
+  IsotonicFit isotonic;
+  Logistic4Fit logistic;
+};
+
+/// PT, SN and IP of one artifact with intervals over participants.
+struct ArtifactThresholds {
+  Artifact artifact = Artifact::none;
+  int participants = 0;
+  CurveThresholds estimates;
+  /// Expanded percentile bootstrap intervals of PT and SN, for comparison: they cover less often
+  /// (documentation/coverage.md).
+  WidthInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
+  WidthInterval perceptual_logistic_bootstrap, slightly_noticeable_logistic_bootstrap;
+};
+
+/// The functionals PT, SN and IP of means at widths; intervals are left open.
+[[nodiscard]] CurveThresholds thresholds_of_means(const std::vector<double>& log2_px,
+                                                  const std::vector<double>& means);
+
+/// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test (`level_interval`,
+/// `logistic_level_interval`), IP by the expanded percentile bootstrap over people. A replicate without a
+/// width counts as infinite, or as the whole range when it does not say on which side; none is dropped. With
+/// fewer than two people every interval is open, and so are those off the logistic under four widths.
+[[nodiscard]] ArtifactThresholds estimate_thresholds(const ArtifactScores& scores,
+                                                     const ResamplingRequest& request);
+
+/// log2 of the tested widths.
+[[nodiscard]] std::vector<double> log2_widths(const std::vector<int>& width_px);
+
+}  // namespace seamline::analysis

@@ -1,0 +1,19 @@
+#include "renderer/commands/commands.h"
+
+#include "renderer/commands/bench_command.h"
+#include "renderer/commands/check_command.h"
+#include "renderer/commands/convergence_command.h"
+#include "renderer/commands/render_command.h"
+#include "renderer/commands/workbench_command.h"
+
+namespace seamline::renderer {
+
+void add_renderer_commands(CLI::App& app) {
+  add_render_command(app);
+  add_check_command(app);
+  add_convergence_command(app);
+  add_workbench_commands(app);
+  add_bench_command(app);
+}
+
+}  // namespace seamline::renderer

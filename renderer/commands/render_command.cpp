@@ -1,0 +1,160 @@
+#include "renderer/commands/render_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <set>
+#include <tuple>
+
+#include "renderer/commands/asset_root_option.h"
+#include "renderer/set/pages/errors_page.h"
+#include "renderer/set/pages/explain.h"
+#include "renderer/set/render_set.h"
+#include "renderer/set/true_error_set.h"
+#include "stimuli/set/set_files.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/confined_path.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+
+namespace seamline::renderer {
+namespace {
+
+struct RenderOptions {
+  std::string study, asset_root, set, only, mesh, shard, estimator = "fast";
+  double error = 0;
+  int threads = 0, spp = 0;
+  std::vector<std::string> no_omit;
+  bool dry_run = false, explain = false, layers = false, contact_sheet = false;
+  std::string true_error;
+  int true_error_spp = 64;
+};
+
+/// Part I of N, from "I/N".
+std::pair<int, int> shard_of(const std::string& text) {
+  const std::optional<std::pair<int, int>> pair = whole_pair(text, '/');
+  if (!pair || pair->first < 1 || pair->first > pair->second)
+    throw input_error({.field = "--shard", .wanted = "I/N with I from 1 to N", .found = "\"" + text + "\""});
+  return *pair;
+}
+
+/// The plan, for the scenes that have a stimulus asked for.
+void print_plan(StudyDefinition study, const RenderRequest& request) {
+  std::set<std::string> scenes;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), request.only)) scenes.insert(stimulus.scene);
+  std::erase_if(study.scenes, [&](const SceneDefinition& scene) { return !scenes.contains(scene.name); });
+  fmt::print("{}", explain(study, render_plan(study, lights_of(study), render_settings(study, request))));
+  std::fflush(stdout);
+}
+
+void run_render(const RenderOptions& options) {
+  const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
+  if (options.dry_run) {
+    for (const Stimulus& stimulus : list_stimuli(study))
+      if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only))
+        fmt::print("{}\n", id);
+    return;
+  }
+  if (options.set.empty() && !options.explain)
+    throw input_error({.field = "--out",
+                       .wanted = "a folder for the set (or --dry-run, or --explain)",
+                       .found = "nothing"});
+  RenderRequest request{.set_folder = options.set,
+                        .only = options.only,
+                        .threads = options.threads,
+                        .layers = options.layers,
+                        .contact_sheet = options.contact_sheet};
+  if (options.spp > 0) request.spp = options.spp;
+  if (options.error > 0) request.error = options.error;
+  request.estimator = options.estimator == "path" ? Estimator::path : Estimator::fast;
+  if (!options.mesh.empty())
+    request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
+  if (!options.shard.empty()) std::tie(request.shard, request.shard_count) = shard_of(options.shard);
+  request.omit = omissions_without(options.no_omit);
+  if (options.explain) print_plan(study, request);
+  if (options.set.empty()) return;
+  const RenderSummary summary = render_set(study, request);
+  fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered,
+             summary.already_finished, duration_text(summary.seconds));
+  if (options.explain)
+    for (const auto& [scene, savings] : summary.savings) fmt::print("{}", explain_savings(scene, savings));
+  std::fflush(stdout);
+  if (!options.true_error.empty())
+    measure_true_errors(study, {.set_folder = options.set,
+                                .pattern = options.true_error,
+                                .spp = options.true_error_spp,
+                                .threads = options.threads,
+                                .mesh = request.mesh});
+  write_errors_page(options.set);
+}
+
+void run_verify(const std::string& set) {
+  const Manifest manifest = read_manifest(set);
+  const std::filesystem::path study =
+      path_below(set, manifest.study_file,
+                 {.file = (std::filesystem::path(set) / "manifest.json").string(), .field = "study.file"});
+  if (study_hash(read_study(study, AssetCheck::not_needed)) != manifest.study_hash)
+    throw input_error({.file = study.string(),
+                       .wanted = "the study that the set was rendered from",
+                       .found = "another one"});
+  check_set_files(set, manifest);
+  fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
+             manifest.references.size());
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* render = app.add_subcommand("render", "render a study's stimuli into a set");
+  render->add_option("study", options->study, "study file (.toml)")->required();
+  add_asset_root_option(*render, options->asset_root);
+  render->add_option("--out", options->set, "folder of the set; an interrupted job continues there");
+  render->add_option("--only", options->only, "only stimuli whose id matches; * stands for any text");
+  add_number(*render, "--threads", options->threads, {1, 4096}, "worker threads (default: all cores)");
+  add_number(*render, "--spp", options->spp, {1, 65536}, "samples per pixel, instead of the study's");
+  CLI::Option* error =
+      add_number(*render, "--error", options->error, {0.002, 1},
+                 "instead of a number of samples: sample until each picture's estimated error is below "
+                 "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile");
+  error->excludes("--spp");
+  render
+      ->add_option("--estimator", options->estimator,
+                   "fast: shared and filtered; path: unbiased, for reference")
+      ->check(CLI::IsMember({"fast", "path"}))
+      ->capture_default_str();
+  render->add_option("--mesh", options->mesh, "depth mesh, instead of the study's")
+      ->check(CLI::IsMember({"adaptive", "full"}));
+  add_formed_text(*render, "--shard", options->shard, "I/N", "this process renders part I of N (by object)",
+                  [](const std::string& text) { (void)shard_of(text); });
+  render->add_flag("--layers", options->layers, "also write float EXR layers");
+  render->add_flag("--contact-sheet", options->contact_sheet,
+                   "also write one contact sheet for each artifact");
+  render->add_flag("--explain", options->explain,
+                   "print what is computed, what is left out and why; with --out also what that saved");
+  render
+      ->add_option("--no-omit", options->no_omit,
+                   "turn off an omission that --explain names; may be given several times")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  CLI::Option* true_error =
+      render->add_option("--true-error", options->true_error,
+                         "then measure the true error of the stimuli whose id matches, against the path "
+                         "estimator with another seed; takes about as long as rendering them by it");
+  add_number(*render, "--true-error-spp", options->true_error_spp, {2, 65536},
+             "samples per pixel of these references")
+      ->capture_default_str()
+      ->needs(true_error);
+  render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
+  render->callback([options] { run_render(*options); });
+
+  auto set = std::make_shared<std::string>();
+  CLI::App* verify = app.add_subcommand("verify", "compare every file of a set with the manifest's hashes");
+  verify->add_option("set", *set, "folder of the set")->required();
+  verify->callback([set] { run_verify(*set); });
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "renderer/convergence/convergence_tables.h"
+
+namespace seamline::renderer {
+
+/// What every figure says besides its data.
+struct FigureText {
+  std::filesystem::path svg;
+  std::string subject;           ///< stimulus and size of the picture, under the title
+  std::vector<SlopeRow> slopes;  ///< of this part, for the key
+};
+
+/// Error against seconds, log-log: the stimulus as a set renders it, and off the object on a given
+/// background.
+void draw_figure(const SampleResult& result, const FigureText& text);
+/// Error, changed pixels and cost against the tolerance; the rule for the default as dotted lines.
+void draw_figure(const MeshResult& result, const FigureText& text);
+/// Error and cost against the width of the depth map.
+void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,83 @@
+#include "renderer/convergence/convergence_subject.h"
+
+#include <fmt/core.h>
+
+#include "renderer/common/parallel.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace {
+
+Stimulus the_one_stimulus(const StudyDefinition& study, const std::string& only) {
+  std::vector<Stimulus> matching;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), only)) matching.push_back(stimulus);
+  if (matching.size() != 1)
+    throw input_error({.file = study.file.string(),
+                       .field = "--only",
+                       .wanted = "a pattern that matches one stimulus id (render --dry-run lists them)",
+                       .found = fmt::format("\"{}\", which matches {}", only, matching.size())});
+  return matching.front();
+}
+
+const SceneDefinition& scene_of(const StudyDefinition& study, const Stimulus& stimulus) {
+  for (const SceneDefinition& scene : study.scenes)
+    if (scene.name == stimulus.scene) return scene;
+  throw std::logic_error("a stimulus of no scene");
+}
+
+}  // namespace
+
+std::string_view word(ConvergencePart part) {
+  switch (part) {
+    case ConvergencePart::samples:
+      return "samples";
+    case ConvergencePart::mesh:
+      return "mesh";
+    case ConvergencePart::width:
+      return "width";
+    case ConvergencePart::compositing:
+      return "compositing";
+  }
+  throw std::logic_error("a part that is none of the four");
+}
+
+ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest& request) {
+  study.width_px = request.width_px.value_or(study.width_px);
+  study.height_px = request.height_px.value_or(study.height_px);
+  const Stimulus stimulus = the_one_stimulus(study, request.only);
+  const Recipe how = recipe(stimulus.artifact, study.isolation);
+  if (!how.answers.needs_depth())
+    throw input_error({.file = study.file.string(),
+                       .field = "--only",
+                       .wanted = "a stimulus that asks something of the depth mesh",
+                       .found = stimulus_id(stimulus)});
+  TruthScene scene = load_truth_scene(scene_of(study, stimulus), study.width_px, study.height_px);
+  ObjectGeometry geometry = object_geometry(scene, stimulus.object_index);
+  const int threads = request.threads > 0 ? request.threads : default_thread_count();
+  DepthMap map = capture_depth(geometry.truth, stimulus.condition.depth_width_px,
+                               stimulus.condition.yaw_texels, threads);
+  const int spp = request.spp.value_or(study.samples_per_pixel);
+  return {.study = std::move(study),
+          .stimulus = stimulus,
+          .threads = threads,
+          .spp = spp,
+          .recipe = how,
+          .scene = std::move(scene),
+          .geometry = std::move(geometry),
+          .map = std::move(map)};
+}
+
+DepthMesh subject_mesh(const ConvergenceSubject& subject, const DepthMap& map, MeshDensity density,
+                       double tolerance) {
+  return build_depth_mesh(map, {.density = density,
+                                .tolerance = tolerance,
+                                .yaw_texels = subject.stimulus.condition.yaw_texels,
+                                .threads = subject.threads});
+}
+
+Geometry subject_geometry(const ConvergenceSubject& subject, const DepthMesh& mesh) {
+  return {mesh, Rgb::Constant(static_cast<float>(subject.scene.definition.albedo))};
+}
+
+}  // namespace seamline::renderer

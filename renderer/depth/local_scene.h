@@ -1,0 +1,28 @@
+#pragma once
+#include "renderer/depth/depth_mesh.h"
+#include "renderer/tracing/geometry.h"
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/set/manifest.h"
+
+namespace seamline::renderer {
+
+/// The local scene D of a stimulus, ready for rays, and what the manifest says of its mesh.
+struct LocalScene {
+  Geometry geometry;
+  MeshRecord mesh;
+};
+
+/// How the mesh of every local scene of a set is made; its texels' yaw is the condition's.
+struct LocalSceneSettings {
+  MeshDensity density = MeshDensity::adaptive;
+  double tolerance = 1e-4;  ///< see MeshOptions
+  double albedo = 0.5;      ///< of the whole mesh
+  bool traces_rays = true;  ///< false: only from the panorama's centre, which needs no good tree
+  int threads = 1;
+};
+
+/// Captures a depth map of `truth` from the panorama's centre and rebuilds the scene from it.
+[[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
+                                          const LocalSceneSettings& settings);
+
+}  // namespace seamline::renderer

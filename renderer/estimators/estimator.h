@@ -1,0 +1,62 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "renderer/estimators/truth_pass.h"
+#include "renderer/picture/composite.h"
+#include "renderer/transport/answers.h"
+#include "renderer/transport/omissions.h"
+#include "stimuli/definition/study_definition.h"
+
+namespace seamline::renderer {
+
+/// How much work an estimator may do.
+struct EstimateOptions {
+  int spp = 64;                      ///< samples a pixel, when there is no error to reach
+  std::optional<double> error = {};  ///< display units: sample until the picture's estimated error is below
+  std::uint64_t seed = 1;
+  int threads = 1;
+  bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
+  bool depth_bounces = false;    ///< some stimulus asks the depth mesh for bounce light
+  Omissions omit = {};           ///< what the fast estimator leaves out
+};
+
+/// What an estimator made of one stimulus.
+struct EstimatedStimulus {
+  StimulusLayers layers;
+  std::optional<double> rmse;        ///< estimated error, noise and bias, display units; none: not known
+  std::optional<double> worst_tile;  ///< the same in the worst 32 x 32 tile
+};
+
+using ReportProgress = std::function<void(double share_done)>;
+
+/// Computes the light of one scene's reference and stimuli. `path` is unbiased, the reference; `fast` shares
+/// and filters (documentation/design.md). The same input gives the same bytes for any number of threads.
+class SceneEstimator {
+ public:
+  SceneEstimator() = default;
+  SceneEstimator(const SceneEstimator&) = delete;
+  SceneEstimator& operator=(const SceneEstimator&) = delete;
+  virtual ~SceneEstimator() = default;
+
+  [[nodiscard]] virtual SceneReference reference(const ReportProgress& progress) = 0;
+  /// Turns to one virtual object (1 to 3): what its stimuli share.
+  virtual void take_object(int object_index, const ReportProgress& progress) = 0;
+  [[nodiscard]] virtual const ObjectGeometry& geometry() const = 0;
+  [[nodiscard]] virtual const TruthLayers& truth() const = 0;
+  /// A stimulus of the object taken. `depth` may be null when the recipe asks nothing of the depth mesh.
+  [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
+                                                   const ReportProgress& progress) = 0;
+  /// What was left out so far; nothing by an estimator that leaves nothing out.
+  [[nodiscard]] virtual Savings savings() const { return {}; }
+};
+
+[[nodiscard]] std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,
+                                                             const EstimateOptions& options);
+[[nodiscard]] std::unique_ptr<SceneEstimator> make_path_estimator(const TruthScene& scene,
+                                                                  const EstimateOptions& options);
+[[nodiscard]] std::unique_ptr<SceneEstimator> make_fast_estimator(const TruthScene& scene,
+                                                                  const EstimateOptions& options);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,250 @@
+#include "renderer/estimators/fast/fast_stimulus.h"
+
+#include <algorithm>
+
+#include "renderer/estimators/fast/object_noise.h"
+#include "renderer/estimators/fast/stimulus_assembly.h"
+#include "renderer/estimators/fast/stimulus_plan.h"
+#include "renderer/picture/composite.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// Gives sampled sums the denominator that filtered ones have, and changes their numerator by what the ratio
+/// makes of the difference:
+///   S_with + (F_with / F_no) (F_no - S_no) over F_no.
+/// The change of the ratio by the filter is then linear in the samples. The quotient of the samples' own sums
+/// is not: of few samples it is biased itself, in both halves alike, and the filter would be blamed for it.
+void divide_alike(const std::vector<StimulusSums>& filtered, std::vector<StimulusSums>& sampled) {
+  constexpr float most = 1e6F;  // what is beyond is clamped when it is composed
+  for (std::size_t i = 0; i < sampled.size(); ++i) {
+    const StimulusSums& from = filtered[i];
+    StimulusSums& to = sampled[i];
+    const Rgb ratio = (from.no > 0.0F).select((from.with / from.no).min(most), 1.0F);
+    to.with += ratio * (from.no - to.no);
+    to.no = from.no;
+  }
+}
+
+/// Renders one stimulus in rounds.
+class StimulusRounds {
+ public:
+  StimulusRounds(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
+                 const FastStimulusOptions& options)
+      : truth_(truth),
+        recipe_(recipe),
+        options_(options),
+        sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
+                 {.may_filter = true, .tail_every = options.tail_every}),
+        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.sums.spp)),
+        shows_object_(pixels_with_object()),
+        filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
+    const bool order_differs = recipe.answers.occlusion == Who::depth;
+    if (order_differs)
+      order_ = ask_order(truth.scene, truth.sums, truth.object_index, truth.geometry.object, *depth,
+                         options.seed, options.threads);
+  }
+
+  FastStimulus run() {
+    FastStimulus out;
+    DepthSamples wanted = first_samples();
+    for (int round = 0;; ++round) {
+      ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
+                depth_);
+      out.layers = {};  // the round before's: one at a time in memory
+      out.layers = layers(filters());
+      StimulusJudgement judged = judge(out.layers);
+      out.error = judged.error;
+      wanted = depth_.spp;
+      if (options_.target)
+        wanted.object = samples_on_object(truth_, out.layers, wanted.object, options_.threads);
+      const bool is_good = good_enough(out.error);
+      if (is_good && wanted.object == depth_.spp.object) break;
+      if (is_good || plan_more(judged, round, wanted)) continue;
+      if (looks_for_bias_) break;
+      looks_for_bias_ = true;
+    }
+    out.saved = savings();
+    if (!options_.omit.untouched_tiles) out.layers = with_untouched_tiles();
+    return out;
+  }
+
+ private:
+  /// Whether the depth mesh decides how an object in the block is lit.
+  [[nodiscard]] bool lights_object(std::size_t block) const {
+    const Answers& answers = recipe_.answers;
+    if (recipe_.keep == Keep::rest_layer) return false;
+    return (answers.object_lit == Who::depth || answers.bounce == Who::depth) && object_pixels(block) > 0;
+  }
+  [[nodiscard]] int object_pixels(std::size_t block) const {
+    const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
+    int pixels = 0;
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x) pixels += shows_object_[truth_.layers.index(x, y)] != 0 ? 1 : 0;
+    return pixels;
+  }
+
+  /// A flag a pixel: whether the object is seen through it, in the truth or in the depth mesh.
+  [[nodiscard]] std::vector<char> pixels_with_object() const {
+    const TruthLayers& layers = truth_.layers;
+    const bool also_hidden = recipe_.answers.occlusion == Who::depth;
+    const auto& tiles = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    std::vector<char> flags(layers.guides.size(), 0);
+    for (int y = 0; y < layers.height_px; ++y)
+      for (int x = 0; x < layers.width_px; ++x) {
+        const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.square_of(x, y))].get();
+        if (tile == nullptr) continue;
+        const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+        for (const auto& half : tile->halves)
+          if (half[place].covered > 0.0F || (also_hidden && half[place].hidden_samples > 0.0F))
+            flags[layers.index(x, y)] = 1;
+      }
+    return flags;
+  }
+
+  /// Whether the depth mesh has anything to say about the light off the object.
+  [[nodiscard]] bool lights_rest() const {
+    return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
+  }
+
+  /// A few where only a ratio is asked for.
+  [[nodiscard]] int first_rest_samples(std::size_t block) const { return few_or_all(2, block); }
+  /// A few where only a difference is; else as many as the truth has, because noise must not give the object
+  /// away.
+  [[nodiscard]] int first_object_samples(std::size_t block) const {
+    return adds_to_object(recipe_.answers) ? few_or_all(8, block) : truth_.sums.spp[block];
+  }
+  [[nodiscard]] int few_or_all(int few, std::size_t block) const {
+    const int all = truth_.sums.spp[block];
+    return options_.target && options_.omit.ratio_samples ? std::min(few, all) : all;
+  }
+
+  /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
+  /// They are asked last, so that they do not change how the other tiles are sampled.
+  StimulusLayers with_untouched_tiles() {
+    DepthSamples wanted = depth_.spp;
+    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
+      if (wanted.rest[b] == 0) wanted.rest[b] = first_rest_samples(b);
+      if (wanted.object[b] == 0) wanted.object[b] = first_object_samples(b);
+    }
+    ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
+    return layers(filters());
+  }
+
+  [[nodiscard]] Savings savings() const {
+    Savings saved{.omitted = depth_.omitted, .depth_rays = depth_.rays, .stimuli = 1};
+    std::int64_t asked = 0;
+    for (std::size_t b = 0; b < depth_.spp.rest.size(); ++b) {
+      const std::int64_t pixels = depth_.blocks().pixels(static_cast<int>(b));
+      const auto count = [&](std::int64_t of_pixels, int spp) {
+        asked += of_pixels * spp;
+        if (spp > 0) saved.ratio_samples += of_pixels * std::max(0, truth_.sums.spp[b] - spp);
+      };
+      count(pixels, depth_.spp.rest[b]);
+      count(object_pixels(b), depth_.spp.object[b]);
+      if (depth_.spp.rest[b] == 0 && depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
+        constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
+        ++saved.untouched_blocks;
+        saved.untouched_rays += geometries * pixels * first_rest_samples(b);
+      }
+    }
+    if (asked > 0)
+      saved.ratio_rays = static_cast<double>(saved.ratio_samples) * static_cast<double>(depth_.rays) /
+                         static_cast<double>(asked);
+    return saved;
+  }
+
+  [[nodiscard]] DepthSamples first_samples() const {
+    DepthSamples wanted = depth_.spp;
+    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
+      if (lights_rest()) wanted.rest[b] = first_rest_samples(b);
+      if (lights_object(b)) wanted.object[b] = first_object_samples(b);
+    }
+    return wanted;
+  }
+
+  [[nodiscard]] bool good_enough(const ErrorEstimate& error) const {
+    return !options_.target || options_.target->met_by(error);
+  }
+
+  /// What each block should have next, and which tiles go without the filter; false when nothing can be
+  /// gained. Samples are added to the rest, and to the object where nothing else is asked for.
+  bool plan_more(const StimulusJudgement& judged, int round, DepthSamples& wanted) {
+    const StimulusPlan plan = plan_stimulus({.grid = depth_.grid,
+                                             .photograph = truth_.error,
+                                             .photograph_spp = truth_.sums.spp,
+                                             .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
+                                             .filtered = filtered_,
+                                             .judged = judged,
+                                             .target = *options_.target,
+                                             .round = round});
+    for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
+    for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
+      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
+      if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
+    }
+    return !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
+  }
+
+  [[nodiscard]] DepthFilters filters() const {
+    return {.ratio = options_.ratio_filter, .object = options_.filter, .tiles = filtered_};
+  }
+  [[nodiscard]] static DepthFilters no_filters() {
+    return {.ratio = {.levels = 0}, .object = {.levels = 0}, .tiles = {}};
+  }
+
+  [[nodiscard]] StimulusLayers layers(const DepthFilters& filters,
+                                      std::optional<std::size_t> only_half = {}) const {
+    return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
+  }
+
+  /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
+  /// is not looked for before the noise is low enough: it takes twice as long, and needs samples itself.
+  [[nodiscard]] StimulusJudgement judge(const StimulusLayers& made) {
+    HalfPictures pictures;
+    for (std::size_t half = 0; half < 2; ++half)
+      pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
+    const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
+    if (!filtered || !looks_for_bias_) {
+      pictures.sampled = pictures.filtered;
+      ErrorEstimate noise = with_bias_of_truth(pictures);
+      looks_for_bias_ = !filtered || good_enough(noise);
+      if (!filtered || !looks_for_bias_) return {std::move(noise), {}};
+    }
+    for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
+      StimulusLayers sampled = layers(no_filters(), half);
+      divide_alike(made.halves[half], sampled.halves[half]);
+      pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
+    }
+    ErrorEstimate error = with_bias_of_truth(pictures);
+    pictures.filtered = pictures.sampled;
+    return {std::move(error), with_bias_of_truth(pictures)};
+  }
+
+  [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
+    ErrorEstimate error = estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads);
+    error.image.bias = std::max(0.0, error.image.bias) + std::max(0.0, truth_.error.image.bias);
+    for (std::size_t t = 0; t < error.tiles.size(); ++t)
+      error.tiles[t].bias = std::max(0.0, error.tiles[t].bias) + std::max(0.0, truth_.error.tiles[t].bias);
+    return error;
+  }
+
+  const ObjectTruth& truth_;
+  const Recipe& recipe_;
+  const FastStimulusOptions& options_;
+  StimulusSampler sampler_;
+  DepthAnswers depth_;
+  ObjectOrder order_;
+  std::vector<char> shows_object_;  ///< a flag a pixel
+  TileSet filtered_;                ///< tiles where light of the depth mesh is filtered
+  bool looks_for_bias_ = false;
+};
+
+}  // namespace
+
+FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
+                                  const FastStimulusOptions& options) {
+  return StimulusRounds(truth, depth, recipe, options).run();
+}
+
+}  // namespace seamline::renderer

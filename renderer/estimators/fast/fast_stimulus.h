@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+
+#include "renderer/estimators/fast/depth_pass.h"
+#include "renderer/estimators/fast/object_truth.h"
+#include "renderer/estimators/fast/scene_layers.h"
+#include "renderer/picture/sampling_rounds.h"
+
+namespace seamline::renderer {
+
+struct FastStimulusOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  int tail_every = 4;
+  Omissions omit = {};
+  std::optional<ErrorTarget> target = {};  ///< none: as many samples as the truth has
+  FilterStrength filter = {};              ///< of bounce light on the object
+  FilterStrength ratio_filter = {};        ///< of light that only decides a ratio
+  std::function<void(double share_done)> progress = {};
+};
+
+struct FastStimulus {
+  StimulusLayers layers;
+  ErrorEstimate error;
+  Savings saved;  ///< what concerns this stimulus alone
+};
+
+/// Renders one stimulus from the truth's sums and what the depth mesh answers. The photograph and what the
+/// truth answers are shared by all widths and artifacts; the depth mesh is asked for a few samples a pixel
+/// first and for more where the picture is not good enough, because the ratio is the same light with and
+/// without the object and needs far fewer samples than the photograph.
+[[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth,
+                                                const Recipe& recipe, const FastStimulusOptions& options);
+
+}  // namespace seamline::renderer

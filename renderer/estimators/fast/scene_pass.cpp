@@ -1,0 +1,239 @@
+#include "renderer/estimators/fast/scene_pass.h"
+
+#include <mutex>
+
+#include "renderer/common/parallel.h"
+#include "renderer/scene/camera_ray.h"
+#include "renderer/transport/path_batch.h"
+
+namespace seamline::renderer {
+namespace {
+
+using Hits = std::array<std::optional<SurfacePoint>, rays_a_call>;
+
+/// Samples one tile: looks at a few samples of a pixel at a time, and follows the paths of several such looks
+/// together.
+class TileSampler {
+ public:
+  TileSampler(const TruthScene& scene, const SceneGeometry& geometry, const ScenePassOptions& options,
+              SceneSums& sums, int tile)
+      : scene_(scene), geometry_(geometry), options_(options), sums_(sums), tile_(tile) {
+    paths_.begin(geometry_.worlds, scene_.light);
+  }
+
+  /// Adds samples to one of its blocks.
+  void add(int block, int from, int to) {
+    end_sample_ = to;
+    const BlockGrid::Rectangle r = sums_.blocks().rectangle(block);
+    for (int y = r.top; y < r.bottom; ++y)
+      for (int x = r.left; x < r.right; ++x)
+        for (int first = from; first < to; first += static_cast<int>(rays_a_call))
+          look(x, y, first, std::min(to, first + static_cast<int>(rays_a_call)));
+    follow_paths();
+  }
+
+ private:
+  static constexpr std::size_t paths_at_once = 64;
+
+  /// What a path is followed for.
+  enum class LightOf {
+    front,   ///< what the camera sees
+    behind,  ///< what an object in front covers
+    hidden   ///< an object that something covers
+  };
+  struct Followed {
+    LightOf light_of;
+    int object;  ///< 0: none
+    std::size_t pixel, place, half;
+  };
+
+  void look(int x, int y, int from, int to) {
+    const auto count = static_cast<std::size_t>(to - from);
+    std::array<Ray, rays_a_call> rays;
+    for (std::size_t i = 0; i < count; ++i)
+      rays[i] = camera_ray(scene_.camera, x, y, Sampler(options_.seed, x, y, from + static_cast<int>(i)));
+    const std::span<const Ray> asked(rays.data(), count);
+    geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count));
+    find_objects(asked);
+    for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
+    if (paths_.size() >= paths_at_once) follow_paths();
+  }
+
+  /// Most packets meet no object: one question for all three.
+  void find_objects(std::span<const Ray> rays) {
+    const std::span any(objects_[0].data(), rays.size());
+    geometry_.objects.nearest_from_centre(rays, any);
+    const bool none = std::none_of(any.begin(), any.end(), [](const auto& hit) { return hit.has_value(); });
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::span hits(objects_[k].data(), rays.size());
+      if (none)
+        std::fill(hits.begin(), hits.end(), std::nullopt);
+      else
+        geometry_.alone[k].nearest_from_centre(rays, hits);
+    }
+  }
+
+  /// The nearest surface of sample `i` when `left_out` (0 to 3, 0: none) is not there.
+  const SurfacePoint* seen_without(std::size_t i, int left_out) const {
+    const SurfacePoint* nearest = room_[i] ? &*room_[i] : nullptr;
+    for (int k = 1; k <= 3; ++k) {
+      const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
+      if (k != left_out && hit && (nearest == nullptr || hit->distance_m < nearest->distance_m))
+        nearest = &*hit;
+    }
+    return nearest;
+  }
+
+  void add_sample(int x, int y, int sample, std::size_t i) {
+    const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+    const auto half = static_cast<std::size_t>(sample % 2);
+    const SurfacePoint* front = seen_without(i, 0);
+    const int object = front == nullptr ? 0 : front->object_index;
+    const Followed seen{LightOf::front, object, sums_.index(x, y), place, half};
+    const Sampler sampler(options_.seed, x, y, sample);
+    const PathPlan plan = path_plan(sampler, options_.tail_every);
+    if (front != nullptr) {
+      const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
+      follow(seen, {set, *front, sampler, plan});
+    }
+    if (object != 0) {
+      object_tile(object).halves[half][place].covered += 1.0F;
+      add_behind(seen, i, sampler, plan);
+    }
+    if (options_.who_is_in_front) add_order(seen, {x, y, sample}, i, sampler, plan);
+  }
+
+  /// What an object in front covers.
+  void add_behind(Followed seen, std::size_t i, const Sampler& sampler, const PathPlan& plan) {
+    const SurfacePoint* behind = seen_without(i, seen.object);
+    if (behind == nullptr) return;
+    object_tile(seen.object).halves[seen.half][seen.place].behind_surfaces += 1.0F;
+    const WorldSet set = only_world(seen.object) | (options_.who_is_in_front ? only_world(0) : 0);
+    PathPlan own_reach = plan;  // what else is kept must not change what guides the filter
+    own_reach.reach_of = only_world(seen.object);
+    seen.light_of = LightOf::behind;
+    follow(seen, {set, *behind, sampler, own_reach});
+  }
+
+  /// Who is in front of whom, and the light of an object that something covers.
+  void add_order(const Followed& seen, const SampleId& id, std::size_t i, const Sampler& sampler,
+                 const PathPlan& plan) {
+    for (int k = 1; k <= 3; ++k) {
+      const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
+      if (!hit) continue;
+      ObjectTile& there = object_tile(k);
+      const SurfacePoint* real = seen_without(i, k);
+      const bool covered = real != nullptr && real->distance_m <= hit->distance_m;
+      ObjectOnRays& on_rays = there.on_rays[ObjectTile::block_in_tile(id.x, id.y)];
+      on_rays.extend(end_sample_);
+      on_rays.set(id.number, id.x, id.y, covered ? ObjectOnRays::Is::covered : ObjectOnRays::Is::in_front);
+      if (k == seen.object) continue;
+      there.halves[seen.half][seen.place].hidden_samples += 1.0F;
+      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, plan});
+    }
+  }
+
+  void follow(const Followed& followed, const PathStart& start) {
+    followed_.push_back(followed);
+    paths_.add(start);
+  }
+
+  void follow_paths() {
+    const std::span<const PathLight> found = paths_.trace();
+    for (std::size_t i = 0; i < found.size(); ++i) add_light(followed_[i], paths_.start(i).point, found[i]);
+    paths_.begin(geometry_.worlds, scene_.light);
+    followed_.clear();
+  }
+
+  void add_light(const Followed& followed, const SurfacePoint& point, const PathLight& found) {
+    const int object = followed.object;
+    ObjectSums* own = nullptr;
+    if (object != 0) own = &object_tile(object).halves[followed.half][followed.place];
+    switch (followed.light_of) {
+      case LightOf::front:
+        for (int v = 0; v <= 3; ++v)
+          if (object == 0 || v != object) see(followed, v, point, found);
+        if (object == 0) return;
+        own->object += found.light[0];
+        object_tile(object).guides[followed.place].add(point, found.reach_m);
+        return;
+      case LightOf::behind:
+        see(followed, object, point, found);
+        own->behind += found.light[static_cast<std::size_t>(object)];
+        own->behind_with += found.light[0];
+        return;
+      case LightOf::hidden:
+        own->hidden += found.light[0];
+        return;
+    }
+  }
+
+  void see(const Followed& followed, int world, const SurfacePoint& point, const PathLight& found) {
+    const auto v = static_cast<std::size_t>(world);
+    WorldSums& sums = sums_.halves[followed.half][followed.pixel];
+    sums.seen[v] += found.light[v];
+    sums.surfaces[v] += 1.0F;
+    if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);
+  }
+
+  ObjectTile& object_tile(int object) {
+    auto& there = sums_.objects[static_cast<std::size_t>(object - 1)][static_cast<std::size_t>(tile_)];
+    if (!there) {
+      there = std::make_unique<ObjectTile>();
+      for (auto& half : there->halves) half.resize(tile_pixels);
+      there->guides.resize(tile_pixels);
+    }
+    return *there;
+  }
+
+  const TruthScene& scene_;
+  const SceneGeometry& geometry_;
+  const ScenePassOptions& options_;
+  SceneSums& sums_;
+  int tile_;
+  int end_sample_ = 0;  ///< of those being added
+  Hits room_;
+  std::array<Hits, 3> objects_;
+  PathBatch paths_;
+  std::vector<Followed> followed_;  ///< of each path
+};
+
+}  // namespace
+
+SceneSums empty_sums(const Camera& camera) {
+  SceneSums sums;
+  sums.grid = {camera.width_px, camera.height_px};
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  for (auto& half : sums.halves) half.resize(pixels);
+  for (auto& guides : sums.guides) guides.resize(pixels);
+  for (auto& object : sums.objects) object.resize(static_cast<std::size_t>(sums.grid.count()));
+  sums.spp.resize(static_cast<std::size_t>(sums.blocks().count()));
+  return sums;
+}
+
+void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
+                 const ScenePassOptions& options, SceneSums& sums) {
+  std::mutex counting;
+  const int tiles = sums.grid.count();
+  const auto work = [&](int tile) {
+    const std::int64_t before = rays_traced_by_this_thread();
+    const OmittedRays omitted_before = omitted_rays;
+    TileSampler sampler(scene, geometry, options, sums, tile);
+    for (const int block : blocks_of(sums.grid, tile)) {
+      int& spp = sums.spp[static_cast<std::size_t>(block)];
+      const int wanted = wanted_spp[static_cast<std::size_t>(block)];
+      if (wanted <= spp) continue;
+      sampler.add(block, spp, wanted);
+      spp = wanted;
+    }
+    const std::lock_guard lock(counting);
+    sums.rays += rays_traced_by_this_thread() - before;
+    sums.omitted += omitted_rays - omitted_before;
+  };
+  parallel_for(tiles, options.threads, work, [&](int finished) {
+    if (options.progress) options.progress(static_cast<double>(finished) / tiles);
+  });
+}
+
+}  // namespace seamline::renderer

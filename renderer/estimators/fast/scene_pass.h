@@ -1,0 +1,27 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "renderer/picture/scene_sums.h"
+#include "renderer/transport/scene_geometry.h"
+
+namespace seamline::renderer {
+
+/// How the joint pass runs.
+struct ScenePassOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  int tail_every = 4;
+  bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
+  std::function<void(double share_done)> progress = {};
+};
+
+/// Empty sums for a picture of the scene's camera.
+[[nodiscard]] SceneSums empty_sums(const Camera& camera);
+
+/// Adds samples to every block until it has `wanted_spp[block]` (even numbers); blocks that have as many are
+/// left alone. The background of each object, the reference, and each object's own light are one computation.
+void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
+                 const ScenePassOptions& options, SceneSums& sums);
+
+}  // namespace seamline::renderer

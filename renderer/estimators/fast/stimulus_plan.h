@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "renderer/picture/sampling_rounds.h"
+
+namespace seamline::renderer {
+
+/// A stimulus' error as it is, and as it would be if no light of the depth mesh were filtered (none: nothing
+/// is filtered, or it has not been looked at).
+struct StimulusJudgement {
+  ErrorEstimate error;
+  std::optional<ErrorEstimate> unfiltered;
+};
+
+/// Where a stimulus stands between two rounds.
+struct StimulusState {
+  TileGrid grid;
+  const ErrorEstimate& photograph;         ///< its error is in the stimulus, whatever the depth mesh is asked
+  const std::vector<int>& photograph_spp;  ///< samples of each block
+  const std::vector<int>& asked_spp;       ///< of the depth mesh, of each block
+  const TileSet& filtered;                 ///< tiles where light of the depth mesh is filtered
+  const StimulusJudgement& judged;
+  const ErrorTarget& target;
+  int round = 0;  ///< those before it
+};
+
+struct StimulusPlan {
+  std::vector<int> next_spp;            ///< that each block should have
+  std::vector<std::size_t> unfiltered;  ///< tiles that go without the filter from now on
+};
+
+/// As `plan_samples`; and tiles go without the filter whose bias costs the fewest samples to be rid of, as
+/// many as make the plan cheapest. There, samples have to do what the filter did: as many as the photograph
+/// has, or the tile's noise would show as a patch. Where the photograph's own error takes nearly all that is
+/// allowed, samples gain little: what a round adds at least doubles from one to the next.
+[[nodiscard]] StimulusPlan plan_stimulus(const StimulusState& state);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,100 @@
+#pragma once
+#include <vector>
+
+#include <span>
+#include "renderer/estimators/truth_pass.h"
+#include "renderer/transport/answers.h"
+#include "renderer/transport/worlds.h"
+
+namespace seamline::renderer {
+
+/// What the camera ray of one sample meets.
+struct StimulusSample {
+  int number = 0;  ///< of the pixel's samples
+  Sampler sampler;
+  std::optional<SurfacePoint> real;    ///< x_T
+  std::optional<SurfacePoint> object;  ///< x_O, at any depth
+  std::optional<SurfacePoint> depth;   ///< x_D
+  bool covered_in_truth = false;
+  bool beside_truth = false;  ///< see DepthPart::object_in_truth
+  enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
+};
+
+/// How a sampler asks. When bounce light on real surfaces may be filtered, sky light that the depth mesh has
+/// a part in joins it, because it may be filtered with it. `tail_every`: see PathPlan; only then.
+struct LightSampling {
+  bool may_filter = false;
+  int tail_every = 1;
+};
+
+/// Light that the depth mesh has a part in, of one sample.
+struct DepthPart {
+  Split no, with;  ///< on the rest, without and with the object
+  Split object;    ///< on the object
+  /// With `beside_truth`, the direct part of `object` as the truth answers it for the same sample: for most
+  /// it is the same.
+  Rgb object_in_truth = Rgb::Zero();
+  float rest = 0;  ///< 1 when `no` and `with` count
+  /// How far the first ray for bounce light got; infinity when it is not known.
+  float reach_m = std::numeric_limits<float>::infinity();
+};
+
+/// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
+/// estimators.
+class StimulusSampler {
+ public:
+  /// `depth` may be null when the recipe asks nothing of the depth mesh.
+  StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+                  const Recipe& recipe, std::uint64_t seed, const LightSampling& sampling = {});
+
+  /// What the camera rays of samples meet; `out` is as long as `ids`.
+  void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const;
+
+  /// Everything that some geometry other than the truth alone has to answer: light on the rest and on the
+  /// object. `parts` is as long as `samples`.
+  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts) const;
+
+  /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
+  [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
+  [[nodiscard]] RadiancePair rest_in_truth(const StimulusSample& sample) const;
+
+  /// Whether sun and sky on the rest are the truth's own.
+  [[nodiscard]] bool direct_from_truth() const {
+    return answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
+  }
+  /// The surface whose light on the rest is asked for; null when the sample shows none.
+  [[nodiscard]] const SurfacePoint* receiver(const StimulusSample& sample) const {
+    if (sample.shows != StimulusSample::Shows::rest) return nullptr;
+    return answers_.receiver == Who::depth || answers_.bounce == Who::depth ? &*sample.depth : &*sample.real;
+  }
+  [[nodiscard]] const Recipe& recipe() const { return recipe_; }
+  [[nodiscard]] const TruthScene& scene() const { return scene_; }
+
+ private:
+  [[nodiscard]] Sampler sampler_of(const SampleId& id) const { return {seed_, id.x, id.y, id.number}; }
+  [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
+  [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
+  [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
+  /// Whether one path through the depth mesh answers everything on the rest.
+  [[nodiscard]] bool rest_is_one_path() const {
+    return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
+           answers_.real_lit == Who::depth;
+  }
+  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  /// Whether the path of a sample through the depth mesh is followed together with others.
+  [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
+  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_one_path(const StimulusSample& sample, DepthPart& out) const;
+
+  const TruthScene& scene_;
+  const ObjectGeometry& geometry_;
+  const Geometry* depth_;
+  const Recipe& recipe_;
+  const Answers& answers_;
+  Worlds depth_worlds_;
+  std::uint64_t seed_;
+  LightSampling sampling_;
+};
+
+}  // namespace seamline::renderer

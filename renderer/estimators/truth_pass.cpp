@@ -1,0 +1,114 @@
+#include "renderer/estimators/truth_pass.h"
+
+#include <atomic>
+
+#include "renderer/common/parallel.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// Adds one sample of the truth to its pixel's sums.
+void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray,
+                const Sampler& sampler, TruthSums& sums) {
+  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray);
+  const std::optional<SurfacePoint> object =
+      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m});
+  if (object) {
+    ++sums.covered;
+    const RealQuestion truth{&geometry.truth, &*object};
+    sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler);
+    sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler).no.total()
+                        : scene.light.environment_radiance;
+  } else if (real) {
+    const RadiancePair pair = leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler);
+    ++sums.rest;
+    sums.no += pair.no;
+    sums.with += pair.with;
+  } else {
+    sums.sky += scene.light.environment_radiance;
+  }
+}
+
+std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide& guide) {
+  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray);
+  if (real) guide = {real->geometric_normal, real->distance_m};
+  const std::optional<SurfacePoint> object =
+      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m});
+  return static_cast<std::uint8_t>(object ? object->object_index : (real ? real->object_index : 0));
+}
+
+}  // namespace
+
+ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
+  return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};
+}
+
+TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
+                         const PassOptions& options) {
+  const Camera& camera = scene.camera;
+  TruthLayers layers{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  for (auto& half : layers.halves) half.resize(pixels);
+  layers.guides.resize(pixels);
+  layers.object_ids.resize(pixels);
+  std::atomic<std::int64_t> rays = 0;
+  const auto row = [&](int y) {
+    const std::int64_t before = rays_traced_by_this_thread();
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::size_t pixel = layers.index(x, y);
+      layers.object_ids[pixel] = id_at_centre(geometry, centre_ray(camera, x, y), layers.guides[pixel]);
+      for (int sample = 0; sample < options.spp; ++sample) {
+        const Sampler sampler(options.seed, x, y, sample);
+        add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler,
+                   layers.halves[static_cast<std::size_t>(sample % 2)][pixel]);
+      }
+    }
+    rays += rays_traced_by_this_thread() - before;
+  };
+  parallel_for(camera.height_px, options.threads, row, [&](int rows) {
+    if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
+  });
+  layers.rays = rays;
+  return layers;
+}
+
+ByteImage click_map(const TruthScene& scene) {
+  const Camera& camera = scene.camera;
+  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  ByteImage ids{camera.width_px, camera.height_px, 1, {}};
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::optional<SurfacePoint> centre = everything.nearest(centre_ray(camera, x, y));
+      ids.values.push_back(static_cast<std::uint8_t>(centre ? centre->object_index : 0));
+    }
+  return ids;
+}
+
+SceneReference render_reference(const TruthScene& scene, const PassOptions& options) {
+  const Camera& camera = scene.camera;
+  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  SceneReference reference{Image(camera.width_px, camera.height_px, 3), click_map(scene), 0};
+  std::atomic<std::int64_t> rays = 0;
+  const auto row = [&](int y) {
+    const std::int64_t before = rays_traced_by_this_thread();
+    for (int x = 0; x < camera.width_px; ++x) {
+      Rgb sum = Rgb::Zero();
+      for (int sample = 0; sample < options.spp; ++sample) {
+        const Sampler sampler(options.seed, x, y, sample);
+        const std::optional<SurfacePoint> point = everything.nearest(camera_ray(camera, x, y, sampler));
+        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler).no.total()
+                     : scene.light.environment_radiance;
+      }
+      reference.radiance.set_rgb(x, y, sum / static_cast<float>(options.spp));
+    }
+    rays += rays_traced_by_this_thread() - before;
+  };
+  parallel_for(camera.height_px, options.threads, row, [&](int rows) {
+    if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
+  });
+  reference.rays = rays;
+  return reference;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,75 @@
+#include "renderer/picture/pocket_filter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/common/b_spline.h"
+#include "renderer/common/parallel.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr int levels = 2;
+constexpr float depth_tolerance = 0.05F;  // relative
+
+/// Light and number of samples are filtered apart, so that pixels with few uncovered samples count for what
+/// they saw.
+struct Texel {
+  Rgb no = Rgb::Zero();
+  Rgb with = Rgb::Zero();
+  float samples = 0;
+
+  void add(const Texel& other, float weight) {
+    no += weight * other.no;
+    with += weight * other.with;
+    samples += weight * other.samples;
+  }
+};
+
+float likeness(const Guide& a, const Guide& b) {
+  const float cosine = std::max(0.0F, a.normal.dot(b.normal));
+  const float depth_step = std::abs(a.distance_m - b.distance_m) /
+                           (depth_tolerance * std::max(a.distance_m, b.distance_m) + 1e-30F);
+  return std::pow(cosine, 32.0F) * std::exp(-depth_step * depth_step);
+}
+
+}  // namespace
+
+std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
+                                          const std::vector<bool>& pockets, const std::vector<Guide>& guides,
+                                          int width_px, int height_px, int threads) {
+  std::vector<Texel> from(sums.size()), to(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (pockets[i]) from[i] = {sums[i].no, sums[i].with, sums[i].rest};
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
+  };
+  for (int level = 0; level < levels; ++level, std::swap(from, to)) {
+    const int step = 1 << level;
+    parallel_for(height_px, threads, [&](int y) {
+      for (int x = 0; x < width_px; ++x) {
+        const std::size_t centre = index(x, y);
+        to[centre] = {};
+        if (!pockets[centre]) continue;
+        for (int dy = -2; dy <= 2; ++dy)
+          for (int dx = -2; dx <= 2; ++dx) {
+            const int column = x + dx * step, row = y + dy * step;
+            if (column < 0 || row < 0 || column >= width_px || row >= height_px ||
+                !pockets[index(column, row)])
+              continue;
+            const std::size_t i = index(column, row);
+            const float weight =
+                b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
+            to[centre].add(from[i], i == centre ? weight : weight * likeness(guides[centre], guides[i]));
+          }
+      }
+    });
+  }
+  std::vector<FilteredLight> filtered(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (from[i].samples > 0) filtered[i] = {from[i].no / from[i].samples, from[i].with / from[i].samples};
+  return filtered;
+}
+
+}  // namespace seamline::renderer

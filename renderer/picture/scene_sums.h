@@ -1,0 +1,113 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/common/tiles.h"
+#include "renderer/transport/omissions.h"
+#include "renderer/transport/worlds.h"
+
+namespace seamline::renderer {
+
+/// Mean surface that samples saw, as sums.
+struct GuideSums {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  Rgb albedo = Rgb::Zero();
+  float distance_m = 0;
+  float inverse_reach =
+      0;  ///< 1 / how far gather rays get: large in creases, where bounce light changes fast
+
+  void add(const SurfacePoint& point, float reach_m) {
+    inverse_reach += 1.0F / (reach_m + 1e-3F * point.distance_m);
+    normal += point.normal;
+    albedo += point.albedo;
+    distance_m += point.distance_m;
+  }
+};
+
+/// What the camera sees through one pixel in each world, summed over the samples of one half.
+struct WorldSums {
+  std::array<Split, 4> seen = {};      ///< light of the surfaces that each world shows
+  std::array<float, 4> surfaces = {};  ///< number of samples that show a surface; the others show sky
+};
+
+/// Where an object lies on the camera ray, before or behind other things; of one pixel and half.
+struct ObjectSums {
+  Split object;       ///< its own light where it is in front
+  Split behind;       ///< light of what it covers, in the world without it,
+  Split behind_with;  ///< and in the world with it (only when the study asks who is in front)
+  Split hidden;       ///< its own light where something covers it (likewise)
+  float covered = 0, behind_surfaces = 0, hidden_samples = 0;
+};
+
+inline constexpr std::size_t tile_pixels =
+    static_cast<std::size_t>(TileGrid::side_px) * static_cast<std::size_t>(TileGrid::side_px);
+
+/// Whether the camera ray of each sample of a block meets an object, and whether something else is nearer; of
+/// all pixels of a sample together. A byte a sample: there are hundreds of millions.
+class ObjectOnRays {
+ public:
+  enum class Is : std::uint8_t { absent, in_front, covered };
+
+  void set(int sample, int x, int y, Is found) { found_[place(sample, x, y)] = found; }
+  /// Room for so many samples.
+  void extend(int samples) {
+    const std::size_t size = place(samples, 0, 0);
+    if (found_.size() >= size) return;
+    found_.reserve(size);  // and no more
+    found_.resize(size, Is::absent);
+  }
+  [[nodiscard]] Is at(int sample, int x, int y) const {
+    const std::size_t i = place(sample, x, y);
+    return i < found_.size() ? found_[i] : Is::absent;
+  }
+
+ private:
+  [[nodiscard]] static std::size_t place(int sample, int x, int y) {
+    constexpr int pixels = BlockGrid::side_px * BlockGrid::side_px;
+    return static_cast<std::size_t>(sample) * pixels + static_cast<std::size_t>(BlockGrid::place(x, y));
+  }
+  std::vector<Is> found_;
+};
+
+/// One object's part of a tile; only tiles that it is seen or hidden in have one.
+struct ObjectTile {
+  std::array<std::vector<ObjectSums>, 2> halves;
+  std::vector<GuideSums> guides;
+  /// Of each block. Only when the study asks who is in front.
+  std::array<ObjectOnRays, 4> on_rays;
+
+  [[nodiscard]] static std::size_t block_in_tile(int x, int y) {
+    static_assert(TileGrid::side_px == 2 * BlockGrid::side_px);
+    return static_cast<std::size_t>(y / BlockGrid::side_px % 2 * 2 + x / BlockGrid::side_px % 2);
+  }
+};
+
+/// All sums of a scene, its worlds and its objects.
+struct SceneSums {
+  TileGrid grid;
+  std::array<std::vector<WorldSums>, 2> halves;  ///< row by row
+  std::array<std::vector<GuideSums>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
+  std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
+  std::vector<int> spp;                                             ///< of each block, even
+  std::int64_t rays = 0;
+  OmittedRays omitted;
+
+  [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
+  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
+  /// Samples of a pixel.
+  [[nodiscard]] int samples_at(int x, int y) const {
+    return spp[static_cast<std::size_t>(blocks().square_of(x, y))];
+  }
+};
+
+/// The tiles that an object (1 to 3) is seen or hidden in.
+[[nodiscard]] inline TileSet tiles_of_object(const SceneSums& sums, int object) {
+  TileSet tiles;
+  for (const auto& there : sums.objects[static_cast<std::size_t>(object - 1)])
+    tiles.push_back(there != nullptr ? 1 : 0);
+  return tiles;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,194 @@
+#include "renderer/scene/gltf_accessor.h"
+
+#include <fmt/core.h>
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "support/text/error.h"
+#include "support/text/limits.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr auto largest_count = static_cast<std::size_t>(3 * limits::largest_scene_triangles);
+
+/// A run of elements inside one buffer, proven to lie within it.
+struct Run {
+  const unsigned char* data;
+  std::size_t stride;
+  std::size_t count;
+  int component_type;
+  bool normalised;
+};
+
+double component(const unsigned char* bytes, int type, bool normalised) {
+  const auto read = [&]<class T>(T value, double largest) {
+    std::memcpy(&value, bytes, sizeof value);
+    const double number = static_cast<double>(value);
+    return normalised ? std::max(number / largest, -1.0) : number;
+  };
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return read(std::int8_t{}, 127);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return read(std::uint8_t{}, 255);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return read(std::int16_t{}, 32767);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return read(std::uint16_t{}, 65535);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return read(std::uint32_t{}, 4294967295.0);
+    default:
+      break;
+  }
+  float value = 0;
+  std::memcpy(&value, bytes, sizeof value);
+  return double{value};
+}
+
+Run checked_run(const tinygltf::Model& model, int view_index, std::size_t offset, std::size_t stride_or_zero,
+                std::size_t element_bytes, std::size_t count, int component_type, const Complaint& where) {
+  const auto bad = [&](const std::string& wanted, const std::string& found) {
+    return input_error({.file = where.file, .field = where.field, .wanted = wanted, .found = found});
+  };
+  if (view_index < 0 || static_cast<std::size_t>(view_index) >= model.bufferViews.size())
+    throw bad("a buffer view that exists", std::to_string(view_index));
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
+  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size())
+    throw bad("a buffer that exists", std::to_string(view.buffer));
+  const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  const std::size_t stride = stride_or_zero != 0 ? stride_or_zero : element_bytes;
+  const bool view_inside =
+      view.byteLength <= bytes.size() && view.byteOffset <= bytes.size() - view.byteLength;
+  // Divided, not multiplied: hostile offsets and strides must not wrap around.
+  const bool inside =
+      view_inside &&
+      (count == 0 || (element_bytes <= view.byteLength && offset <= view.byteLength - element_bytes &&
+                      count - 1 <= (view.byteLength - element_bytes - offset) / stride));
+  if (!inside)
+    throw bad("an accessor inside its buffer",
+              fmt::format("{} elements of {} bytes from byte {} of {}", count, element_bytes, offset,
+                          std::min(view.byteLength, bytes.size())));
+  return {bytes.data() + view.byteOffset + offset, stride, count, component_type, false};
+}
+
+}  // namespace
+
+std::vector<double> GltfReader::components(int index, int wanted_components, const std::string& field) const {
+  const Complaint where{.file = file_, .field = field};
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
+    throw input_error(
+        {.file = file_, .field = field, .wanted = "an accessor that exists", .found = std::to_string(index)});
+  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const int component_bytes =
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+  const int component_count = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+  if (component_bytes <= 0 || component_count != wanted_components ||
+      accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+    throw input_error({.file = file_,
+                       .field = field,
+                       .wanted = fmt::format("an accessor of {} components", wanted_components),
+                       .found = fmt::format("{} of type {}", component_count, accessor.componentType)});
+  if (accessor.count > largest_count)
+    throw input_error({.file = file_,
+                       .field = field,
+                       .wanted = fmt::format("at most {} elements", largest_count),
+                       .found = std::to_string(accessor.count)});
+  std::vector<double> values;
+  if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {
+    const std::size_t element_bytes = static_cast<std::size_t>(component_bytes * component_count);
+    const bool view_exists =
+        accessor.bufferView >= 0 && static_cast<std::size_t>(accessor.bufferView) < model_.bufferViews.size();
+    const std::size_t stride =
+        view_exists ? model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride : 0;
+    const Run run = checked_run(model_, accessor.bufferView, accessor.byteOffset, stride, element_bytes,
+                                accessor.count, accessor.componentType, where);
+    values.resize(accessor.count * static_cast<std::size_t>(component_count), 0.0);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < run.count; ++i)
+      for (int c = 0; c < component_count; ++c)
+        values[next++] = component(run.data + i * run.stride + static_cast<std::size_t>(c * component_bytes),
+                                   accessor.componentType, accessor.normalized);
+  }
+  values.resize(accessor.count * static_cast<std::size_t>(component_count), 0.0);
+  if (accessor.sparse.isSparse) overwrite_sparse(index, component_count, values, field);
+  return values;
+}
+
+void GltfReader::overwrite_sparse(int index, int component_count, std::vector<double>& values,
+                                  const std::string& field) const {
+  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const Complaint where{.file = file_, .field = field + " (sparse)"};
+  const int index_type = accessor.sparse.indices.componentType;
+  const int index_bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(index_type));
+  const std::size_t component_bytes = static_cast<std::size_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
+  if (accessor.sparse.count < 0 || accessor.sparse.indices.byteOffset < 0 ||
+      accessor.sparse.values.byteOffset < 0 || index_bytes <= 0 ||
+      index_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
+    throw input_error({.file = where.file,
+                       .field = where.field,
+                       .wanted = "a count, offsets that are not negative, and whole-number indices",
+                       .found = "others"});
+  const std::size_t count = static_cast<std::size_t>(accessor.sparse.count);
+  const Run where_run = checked_run(model_, accessor.sparse.indices.bufferView,
+                                    static_cast<std::size_t>(accessor.sparse.indices.byteOffset), 0,
+                                    static_cast<std::size_t>(index_bytes), count, index_type, where);
+  const std::size_t element_bytes = component_bytes * static_cast<std::size_t>(component_count);
+  const Run value_run = checked_run(model_, accessor.sparse.values.bufferView,
+                                    static_cast<std::size_t>(accessor.sparse.values.byteOffset), 0,
+                                    element_bytes, count, accessor.componentType, where);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto target =
+        static_cast<std::size_t>(component(where_run.data + i * where_run.stride, index_type, false));
+    if (target >= accessor.count)
+      throw input_error({.file = where.file,
+                         .field = where.field,
+                         .wanted = "indices inside the accessor",
+                         .found = std::to_string(target)});
+    for (int c = 0; c < component_count; ++c)
+      values[target * static_cast<std::size_t>(component_count) + static_cast<std::size_t>(c)] =
+          component(value_run.data + i * value_run.stride + static_cast<std::size_t>(c) * component_bytes,
+                    accessor.componentType, accessor.normalized);
+  }
+}
+
+std::int64_t GltfReader::count(int index) const {
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return 0;
+  const std::size_t count = model_.accessors[static_cast<std::size_t>(index)].count;
+  return std::in_range<std::int64_t>(count) ? static_cast<std::int64_t>(count)
+                                            : std::numeric_limits<std::int64_t>::max();
+}
+
+std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& field) const {
+  const std::vector<double> values = components(index, 3, field);
+  std::vector<Eigen::Vector3d> result(values.size() / 3);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    if (!result[i].allFinite())
+      throw input_error({.file = file_,
+                         .field = field,
+                         .wanted = "finite numbers",
+                         .found = fmt::format("none at element {}", i)});
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> GltfReader::indices(int index, const std::string& field) const {
+  const std::vector<double> values = components(index, 1, field);
+  std::vector<std::uint32_t> result;
+  result.reserve(values.size());
+  for (const double value : values) {
+    if (!(value >= 0 && value <= 4294967295.0 && value == std::floor(value)))
+      throw input_error(
+          {.file = file_, .field = field, .wanted = "whole numbers", .found = std::to_string(value)});
+    result.push_back(static_cast<std::uint32_t>(value));
+  }
+  return result;
+}
+
+}  // namespace seamline::renderer

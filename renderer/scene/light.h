@@ -1,0 +1,42 @@
+#pragma once
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "support/arithmetic/colour.h"
+
+namespace seamline::renderer {
+
+/// A directional light; hard when the angular radius is 0.
+struct Sun {
+  Eigen::Vector3f to_sun = Eigen::Vector3f::UnitY();  ///< unit
+  Rgb irradiance_w_m2 = Rgb::Zero();                  ///< on a plane facing it
+  float angular_radius_rad = 0.0F;
+};
+
+/// All light that enters a scene from outside, and how far it is followed.
+struct Light {
+  std::vector<Sun> suns;
+  Rgb environment_radiance = Rgb::Zero();  ///< constant, from every direction
+  /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.
+  float sky_distance_m = std::numeric_limits<float>::infinity();
+  int bounces = 4;                 ///< further diffuse scatterings after the first
+  bool ambient_occlusion = false;  ///< no sun, no bounce
+  bool skips_sky = false;          ///< no ray is traced only for the environment, whose radiance is 0
+  /// Rays a sample for what the environment sends straight to the surface that the camera sees; by the fast
+  /// estimator only (`PathBatch`, `leaving_object`, `direct_on_object`).
+  int sky_rays = 1;
+};
+
+/// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.
+[[nodiscard]] Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point);
+
+/// A cosine-weighted direction about a unit normal.
+[[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point);
+
+/// Ray `number` of `count` about the same normal: the point's own direction turned, so that together they
+/// look all around.
+[[nodiscard]] Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point,
+                                               int number, int count);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,52 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/tracing/mesh.h"
+#include "support/arithmetic/colour.h"
+
+namespace seamline::renderer {
+
+/// One mesh primitive of a scene file in world space.
+struct FileMesh {
+  std::string name;  ///< of the node that places it
+  std::vector<Eigen::Vector3d> positions_m;
+  std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty
+  std::vector<Triangle> triangles;
+  std::optional<Rgb> albedo;   ///< base colour factor; none when the mesh has no material
+  Rgb emission = Rgb::Zero();  ///< radiance
+};
+
+/// A perspective camera: axes are columns right, up, back in world space.
+struct FileCamera {
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  double vertical_fov_rad = 0.7;
+};
+
+/// A directional light of KHR_lights_punctual.
+struct FileSun {
+  Eigen::Vector3d to_sun = Eigen::Vector3d::UnitY();  ///< unit, towards the sun
+  Rgb irradiance_w_m2 = Rgb::Zero();                  ///< lux / 683 times colour, on a plane facing the sun
+};
+
+/// What a glTF 2.0 file holds, as far as a diffuse scene needs it. Textures are left out.
+struct SceneFile {
+  std::vector<FileMesh> meshes;
+  std::optional<FileCamera> camera;  ///< the first in node order
+  std::vector<FileSun> suns;
+  std::vector<std::string> other_lights;  ///< names of point and spot lights, which Seamline does not render
+  std::string file = {};                  ///< its path, for complaints
+};
+
+/// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an
+/// accessor that points outside its buffer, an index past the vertices, a required extension that is not
+/// known, a cycle of nodes.
+[[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path);
+
+}  // namespace seamline::renderer

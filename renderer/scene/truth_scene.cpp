@@ -1,0 +1,161 @@
+#include "renderer/scene/truth_scene.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/text/error.h"
+#include "support/text/limits.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+Rgb rgb(const std::array<double, 3>& values) {
+  return Eigen::Array3d(values[0], values[1], values[2]).cast<float>();
+}
+
+}  // namespace
+
+Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
+                              Edges edges) const {
+  std::vector<std::shared_ptr<const Part>> parts;
+  if (with_background) parts = background;
+  for (const int index : object_indices) {
+    const auto& object = objects[static_cast<std::size_t>(index - 1)];
+    parts.insert(parts.end(), object.begin(), object.end());
+  }
+  return Geometry(parts, edges);
+}
+
+Geometry TruthScene::geometry_without(int object_index) const {
+  switch (object_index) {
+    case 1:
+      return geometry(true, {2, 3});
+    case 2:
+      return geometry(true, {1, 3});
+    default:
+      return geometry(true, {1, 2});
+  }
+}
+
+Eigen::Affine3d object_placement(const ObjectDefinition& object) {
+  const Eigen::Vector3d angle = object.rotation_deg * radians_per_degree;
+  Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+  placement.translate(object.position_m);
+  placement.rotate(Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()));
+  placement.rotate(Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX()));
+  placement.rotate(Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()));
+  placement.scale(object.scale);
+  return placement;
+}
+
+std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file, const Eigen::Affine3d& placement,
+                                                     const Eigen::Vector3d& centre_m, double default_albedo,
+                                                     int object_index) {
+  std::vector<std::shared_ptr<const Part>> parts;
+  const Eigen::Matrix3f rotation = placement.rotation().cast<float>();
+  for (const FileMesh& mesh : file.meshes) {
+    auto part = std::make_shared<Part>();
+    part->name = mesh.name;
+    part->object_index = object_index;
+    part->positions_m.reserve(mesh.positions_m.size());
+    for (const Eigen::Vector3d& vertex : mesh.positions_m) {
+      const Eigen::Vector3d place_m = placement * vertex - centre_m;
+      if (!(place_m.array().abs() <= limits::farthest_place_m).all())
+        throw input_error(
+            {.file = file.file,
+             .field = "mesh \"" + mesh.name + "\"",
+             .wanted = fmt::format("vertices within {:g} m of the camera", limits::farthest_place_m),
+             .found = "one farther away"});
+      part->positions_m.push_back(place_m.cast<float>());
+    }
+    part->normals.reserve(mesh.normals.size());
+    for (const Eigen::Vector3f& normal : mesh.normals) part->normals.push_back(rotation * normal);
+    part->triangles = mesh.triangles;
+    part->albedo = mesh.albedo.value_or(Rgb::Constant(static_cast<float>(default_albedo)));
+    part->emission = mesh.emission;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
+  Light light;
+  light.environment_radiance = rgb(definition.environment_radiance);
+  light.bounces = definition.bounces;
+  light.ambient_occlusion = definition.ambient_occlusion;
+  if (definition.ambient_occlusion) {
+    light.bounces = 0;
+    light.sky_distance_m = static_cast<float>(definition.ao_distance_m);
+    return light;
+  }
+  if (definition.sun) {
+    light.suns.push_back({definition.sun->to_sun.cast<float>().normalized(),
+                          rgb(definition.sun->irradiance_w_m2),
+                          static_cast<float>(definition.sun->angular_radius_deg * radians_per_degree)});
+    return light;
+  }
+  if (!file.other_lights.empty())
+    throw input_error({.file = definition.path.string(),
+                       .wanted = "directional lights only (or a [scene.sun] in the study file)",
+                       .found = file.other_lights.front()});
+  for (const FileSun& sun : file.suns)
+    light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2, 0.0F});
+  return light;
+}
+
+Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, int width_px, int height_px,
+                    Eigen::Vector3d& camera_position_m) {
+  Camera camera;
+  camera.width_px = width_px;
+  camera.height_px = height_px;
+  if (definition.camera) {
+    const CameraDefinition& given = *definition.camera;
+    const Eigen::Vector3d back = (given.position_m - given.look_at_m).normalized();
+    const Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(back).normalized();
+    Eigen::Matrix3d axes;
+    axes << right, back.cross(right), back;
+    camera.axes = axes.cast<float>();
+    camera.tan_half_horizontal =
+        static_cast<float>(std::tan(0.5 * given.horizontal_fov_deg * radians_per_degree));
+    camera_position_m = given.position_m;
+    return camera;
+  }
+  if (!file.camera)
+    throw input_error({.file = definition.path.string(),
+                       .wanted = "a camera in the scene file, or a [scene.camera] in the study file",
+                       .found = "none"});
+  camera.axes = file.camera->axes.cast<float>();
+  camera.tan_half_horizontal =
+      static_cast<float>(std::tan(0.5 * file.camera->vertical_fov_rad) * width_px / height_px);
+  camera_position_m = file.camera->position_m;
+  return camera;
+}
+
+TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
+  TruthScene scene;
+  scene.definition = definition;
+  const SceneFile background = read_scene_file(definition.path);
+  if (background.meshes.empty())
+    throw input_error(
+        {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
+  scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
+  scene.light = scene_light(definition, background);
+  scene.background =
+      place_parts(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+  for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
+    const ObjectDefinition& object = definition.objects[i];
+    const SceneFile file = read_scene_file(object.path);
+    if (file.meshes.empty())
+      throw input_error(
+          {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
+    scene.objects[i] = place_parts(file, object_placement(object), scene.camera_position_m, definition.albedo,
+                                   static_cast<int>(i) + 1);
+  }
+  return scene;
+}
+
+}  // namespace seamline::renderer

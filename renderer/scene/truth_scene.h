@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "renderer/scene/camera.h"
+#include "renderer/scene/light.h"
+#include "renderer/scene/scene_file.h"
+#include "renderer/tracing/geometry.h"
+#include "stimuli/definition/study_definition.h"
+
+namespace seamline::renderer {
+
+/// The truth: background and objects in the renderer's frame, the camera and the light. Read in double
+/// precision and recentred on the camera before going to float, so that scenes far from their file's origin
+/// lose nothing.
+struct TruthScene {
+  SceneDefinition definition;
+  Eigen::Vector3d camera_position_m = Eigen::Vector3d::Zero();  ///< in the scene file's world
+  Camera camera;
+  Light light;
+  std::vector<std::shared_ptr<const Part>> background;
+  std::array<std::vector<std::shared_ptr<const Part>>, 3> objects;
+
+  /// Background and the objects listed (1 to 3): one Embree scene.
+  [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
+                                  Edges edges = Edges::tight) const;
+  /// T of a virtual object: the background and the two other objects.
+  [[nodiscard]] Geometry geometry_without(int object_index) const;
+};
+
+/// Reads the scene's files. Throws InputError when a file is wrong, there is no camera, or a light cannot be
+/// rendered.
+[[nodiscard]] TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px);
+
+/// The scene's light: the study's sun, else the file's; ambient occlusion has neither sun nor bounce.
+[[nodiscard]] Light scene_light(const SceneDefinition& definition, const SceneFile& file);
+
+/// The camera of the study file, else the scene file's first; position in `camera_position_m`.
+[[nodiscard]] Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, int width_px,
+                                  int height_px, Eigen::Vector3d& camera_position_m);
+
+/// Meshes of a file placed in the world and moved so that `centre_m` becomes the origin.
+[[nodiscard]] std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file,
+                                                                   const Eigen::Affine3d& placement,
+                                                                   const Eigen::Vector3d& centre_m,
+                                                                   double default_albedo, int object_index);
+
+/// position + Ry(yaw) Rx(pitch) Rz(roll) (scale * vertex).
+[[nodiscard]] Eigen::Affine3d object_placement(const ObjectDefinition& object);
+
+}  // namespace seamline::renderer

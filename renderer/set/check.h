@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene_measures.h"
+
+namespace seamline::renderer {
+
+/// One of the paper's rules for its scenes (sections 4.1.1 and 4.1.2), as found in one scene.
+struct RuleResult {
+  std::string scene;
+  std::string rule;   ///< e.g. "distances equal within 5 %"
+  std::string found;  ///< the numbers
+  bool met = false;
+};
+
+/// The rules that a scene's artifacts ask for. `receiver`: distances, areas, shadows on several surfaces.
+/// `shadow` and `overlap`: distances, areas, bodies partly in shadow, shadows that cross. `occlusion`: equal
+/// areas, partly hidden. All: rich silhouettes. Objects with `exempt_from_shape_rules` (the paper's teapot)
+/// are left out of areas and silhouettes.
+[[nodiscard]] std::vector<RuleResult> check_scene(const TruthScene& scene);
+
+}  // namespace seamline::renderer

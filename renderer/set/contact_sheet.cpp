@@ -1,0 +1,176 @@
+#include "renderer/set/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "stimuli/set/set_files.h"
+#include "support/files/image.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26;
+constexpr std::uint8_t paper_code = 255, ink_code = 20;
+
+/// A rectangle of pixels, ends excluded.
+struct Box {
+  int left = 1 << 30, top = 1 << 30, right = 0, bottom = 0;
+  [[nodiscard]] bool empty() const { return right <= left; }
+  void include(int x, int y) {
+    left = std::min(left, x);
+    top = std::min(top, y);
+    right = std::max(right, x + 1);
+    bottom = std::max(bottom, y + 1);
+  }
+};
+
+int difference_at(const ByteImage& a, const ByteImage& b, int x, int y) {
+  int largest = 0;
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t i =
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width_px) + static_cast<std::size_t>(x)) *
+            3 +
+        static_cast<std::size_t>(c);
+    largest = std::max(largest, std::abs(int{a.values[i]} - int{b.values[i]}));
+  }
+  return largest;
+}
+
+/// The window moved so that the difference inside it lies in its middle, as far as the picture goes.
+Box centred(const Box& window, const ByteImage& stimulus, const ByteImage& reference) {
+  double weight = 0, sum_x = 0, sum_y = 0;
+  for (int y = window.top; y < window.bottom; ++y)
+    for (int x = window.left; x < window.right; ++x) {
+      const int difference = difference_at(stimulus, reference, x, y);
+      if (difference <= 12) continue;
+      weight += difference;
+      sum_x += difference * x;
+      sum_y += difference * y;
+    }
+  if (!(weight > 0)) return window;
+  const int width = window.right - window.left, height = window.bottom - window.top;
+  const int left = std::clamp(static_cast<int>(sum_x / weight) - width / 2, 0, stimulus.width_px - width);
+  const int top = std::clamp(static_cast<int>(sum_y / weight) - height / 2, 0, stimulus.height_px - height);
+  return {left, top, left + width, top + height};
+}
+
+/// Where a stimulus differs most from its reference: the densest window of the cell's shape, widened by half.
+Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
+  const int width = stimulus.width_px, height = stimulus.height_px;
+  const int window_width = std::max(8, width / 3),
+            window_height = std::min(height, window_width * cell_height_px / cell_width_px);
+  const std::size_t stride = static_cast<std::size_t>(width) + 1;
+  std::vector<double> integral(stride * (static_cast<std::size_t>(height) + 1), 0.0);
+  for (int y = 0; y < height; ++y) {
+    double row = 0;
+    for (int x = 0; x < width; ++x) {
+      const int difference = difference_at(stimulus, reference, x, y);
+      row += difference > 12 ? difference : 0;
+      const std::size_t i = (static_cast<std::size_t>(y) + 1) * stride + static_cast<std::size_t>(x) + 1;
+      integral[i] = integral[i - stride] + row;
+    }
+  }
+  const auto sum_to = [&](int x, int y) {
+    return integral[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
+  };
+  Box best{0, 0, window_width, window_height};
+  double most = -1;
+  for (int y = 0; y + window_height <= height; y += 2)
+    for (int x = 0; x + window_width <= width; x += 2) {
+      const double sum = sum_to(x + window_width, y + window_height) - sum_to(x, y + window_height) -
+                         sum_to(x + window_width, y) + sum_to(x, y);
+      if (sum > most) {
+        most = sum;
+        best = {x, y, x + window_width, y + window_height};
+      }
+    }
+  return centred(best, stimulus, reference);
+}
+
+/// Copies a window into a cell of the sheet, each cell pixel the mean of what it covers.
+void place(const ByteImage& from, const Box& window, ByteImage& sheet, int left, int top) {
+  const double step_x = static_cast<double>(window.right - window.left) / cell_width_px;
+  const double step_y = static_cast<double>(window.bottom - window.top) / cell_height_px;
+  for (int y = 0; y < cell_height_px; ++y)
+    for (int x = 0; x < cell_width_px; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const int x0 = window.left + static_cast<int>(x * step_x),
+                  y0 = window.top + static_cast<int>(y * step_y);
+        const int x1 = std::max(x0 + 1, window.left + static_cast<int>((x + 1) * step_x));
+        const int y1 = std::max(y0 + 1, window.top + static_cast<int>((y + 1) * step_y));
+        int sum = 0;
+        for (int v = y0; v < y1; ++v)
+          for (int u = x0; u < x1; ++u)
+            sum += from.values[(static_cast<std::size_t>(v) * static_cast<std::size_t>(from.width_px) +
+                                static_cast<std::size_t>(u)) *
+                                   3 +
+                               static_cast<std::size_t>(c)];
+        const std::size_t i = (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(sheet.width_px) +
+                               static_cast<std::size_t>(left + x)) *
+                                  3 +
+                              static_cast<std::size_t>(c);
+        sheet.values[i] = static_cast<std::uint8_t>(sum / ((x1 - x0) * (y1 - y0)));
+      }
+}
+
+using Row = std::map<int, const ManifestStimulus*, std::greater<>>;  // by width, the finest first
+
+ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& manifest,
+                   const std::map<std::pair<std::string, int>, Row>& rows) {
+  std::set<int, std::greater<>> widths;
+  for (const auto& [key, row] : rows)
+    for (const auto& [width_px, record] : row) widths.insert(width_px);
+  const int columns = static_cast<int>(widths.size()) + 1;
+  const int row_height = cell_height_px + gap_px;
+  ByteImage sheet{columns * (cell_width_px + gap_px) + gap_px,
+                  static_cast<int>(rows.size()) * row_height + label_px + gap_px,
+                  3,
+                  {}};
+  sheet.values.assign(
+      static_cast<std::size_t>(sheet.width_px) * static_cast<std::size_t>(sheet.height_px) * 3, paper_code);
+  const auto left_of = [](int column) { return gap_px + column * (cell_width_px + gap_px); };
+  int column = 0;
+  for (const int width_px : widths)
+    draw_text(sheet, left_of(column++) + 4, 19,
+              std::to_string(width_px) + " x " + std::to_string(width_px / 2), 16, ink_code);
+  draw_text(sheet, left_of(column) + 4, 19, "reference", 16, ink_code);
+  int top = label_px;
+  for (const auto& [key, row] : rows) {
+    const ManifestStimulus& coarsest = *row.rbegin()->second;
+    const auto picture_of = [&](const ManifestStimulus& record) {
+      return read_set_file(set_folder, stimulus_file(manifest, record));
+    };
+    const ByteImage reference = read_set_file(
+        set_folder, reference_file(manifest, reference_of(set_folder, manifest, coarsest.stimulus.scene)));
+    const Box window = artifact_window(picture_of(coarsest), reference);
+    column = 0;
+    for (const int width_px : widths) {
+      if (const auto found = row.find(width_px); found != row.end())
+        place(picture_of(*found->second), window, sheet, left_of(column), top);
+      ++column;
+    }
+    place(reference, window, sheet, left_of(column), top);
+    top += row_height;
+  }
+  return sheet;
+}
+
+}  // namespace
+
+void write_contact_sheets(const std::filesystem::path& set_folder) {
+  const Manifest manifest = read_manifest(set_folder);
+  for (const Artifact artifact : every_artifact) {
+    std::map<std::pair<std::string, int>, Row> rows;
+    for (const ManifestStimulus& record : manifest.stimuli)
+      if (record.stimulus.artifact == artifact)
+        rows[{record.stimulus.scene, record.stimulus.object_index}]
+            [record.stimulus.condition.depth_width_px] = &record;
+    if (!rows.empty())
+      write_png(set_folder / ("contact-" + std::string(word(artifact)) + ".png"),
+                sheet_of(set_folder, manifest, rows));
+  }
+}
+
+}  // namespace seamline::renderer

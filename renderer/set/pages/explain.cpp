@@ -1,0 +1,143 @@
+#include "renderer/set/pages/explain.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace seamline::renderer {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Rows with aligned columns, indented; nothing is padded at line ends.
+std::string table(const Rows& rows, int indent) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths.resize(std::max(widths.size(), i + 1));
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  std::string out;
+  for (const auto& row : rows) {
+    out += fmt::format("{:{}}", "", indent);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += i + 1 < row.size() ? fmt::format("{:{}}", row[i], widths[i] + 2) : row[i];
+    out += "\n";
+  }
+  return out;
+}
+
+const char* letter(Who who) {
+  switch (who) {
+    case Who::truth:
+      return "T";
+    case Who::depth:
+      return "D";
+  }
+  return "";
+}
+
+const char* kept(Keep keep) {
+  switch (keep) {
+    case Keep::everything:
+      return "everything";
+    case Keep::object_layer:
+      return "the object";
+    case Keep::rest_layer:
+      return "all but the object";
+  }
+  return "";
+}
+
+std::string counted(int number, const char* one, const char* many) {
+  return number == 0 ? fmt::format("no {}", one) : fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+std::string light_text(const ScenePlan& plan) {
+  const LightFacts& light = plan.light;
+  std::string text = fmt::format(
+      "  Light: {}, {}, {}{}.", counted(light.suns, "sun", "suns"), light.sky_is_dark ? "no sky" : "sky",
+      counted(plan.bounces, "bounce", "bounces"), light.emits ? ", surfaces that emit" : "");
+  return text + fmt::format(" Surfaces reflect at most {:.2f} of it.\n", light.brightest_albedo);
+}
+
+std::string answers_text(const ScenePlan& plan) {
+  Rows rows = {{"artifact", "shadow lands on", "real lit", "object lit", "in front", "bounce light", "kept"}};
+  for (const PlannedAnswers& one : plan.answers) {
+    const Answers& a = one.recipe.answers;
+    rows.push_back({std::string(word(one.artifact)), letter(a.receiver), letter(a.real_lit),
+                    letter(a.object_lit), letter(a.occlusion), letter(a.bounce), kept(one.recipe.keep)});
+  }
+  return "  Who answers, T the truth or D the depth mesh:\n" + table(rows, 4);
+}
+
+std::string omissions_text(const ScenePlan& plan) {
+  Rows rows = {{"name", "saves", "change of the picture"}};
+  for (const PlannedOmission& one : plan.omissions)
+    rows.push_back({one.name + (one.always ? " (always)" : ""), one.saves, one.change});
+  std::string out = "  Left out:\n" + table(rows, 4) + "  Because:\n";
+  Rows reasons;
+  for (const PlannedOmission& one : plan.omissions) reasons.push_back({one.name, one.why});
+  out += table(reasons, 4);
+  if (plan.not_omitted.empty()) return out;
+  Rows needed;
+  for (const NotOmitted& one : plan.not_omitted) needed.push_back({one.name, one.why});
+  return out + "  Not left out:\n" + table(needed, 4);
+}
+
+std::string millions(double number) {
+  return fmt::format("{:.2f} M", number * 1e-6);
+}
+
+}  // namespace
+
+std::string explain(const StudyDefinition& study, const RenderPlan& plan) {
+  const RenderSettings& settings = plan.settings;
+  std::string out = fmt::format(
+      "{}: {} x {} px, {} estimator, {}, isolation {}\n", study.name, study.width_px, study.height_px,
+      word(settings.estimator),
+      settings.error ? fmt::format("estimated error below {} of the display range", *settings.error)
+                     : fmt::format("{} samples a pixel", settings.spp),
+      word(plan.isolation));
+  for (const ScenePlan& scene : plan.scenes)
+    out +=
+        fmt::format("\n{}\n", scene.scene) + light_text(scene) + answers_text(scene) + omissions_text(scene);
+  return out + "\n--no-omit NAME turns one off, except those marked (always).\n";
+}
+
+std::string explain_savings(const std::string& scene, const Savings& savings) {
+  const OmittedRays& omitted = savings.omitted;
+  double rays = 0;
+  Rows rows;
+  const auto row = [&](const char* name, double saved_rays, const std::string& text) {
+    if (saved_rays <= 0) return;
+    rays += saved_rays;
+    rows.push_back({name, millions(saved_rays) + " rays", text});
+  };
+  const auto shared = static_cast<double>(savings.joint_rays) * static_cast<double>(savings.stimuli);
+  row("shared_truth", shared,
+      fmt::format("{} times the joint pass of {} rays", savings.stimuli,
+                  millions(static_cast<double>(savings.joint_rays))));
+  if (omitted.tails_traced > 0) {
+    const double rays_each =
+        static_cast<double>(omitted.tail_rays) / static_cast<double>(omitted.tails_traced);
+    const auto left_out = static_cast<double>(omitted.tails_left_out);
+    row("path_tails", left_out * rays_each,
+        fmt::format("{} tails at {:.2f} rays", millions(left_out), rays_each));
+  }
+  row("ratio_samples", savings.ratio_rays,
+      fmt::format("{} samples of the depth mesh", millions(static_cast<double>(savings.ratio_samples))));
+  row("untouched_tiles", static_cast<double>(savings.untouched_rays),
+      fmt::format("{} blocks of pixels, camera rays alone", savings.untouched_blocks));
+  row("dark_sky", static_cast<double>(omitted.dark_sky_rays), "last rays of paths");
+  if (savings.order_bytes > 0)
+    rows.push_back({"who_is_in_front",
+                    fmt::format("{:.1f} MB", static_cast<double>(savings.order_bytes) * 1e-6),
+                    "of samples, not kept"});
+  const auto traced = static_cast<double>(savings.joint_rays + savings.depth_rays);
+  std::string out =
+      fmt::format("\n{}: {} rays traced, about {} left out\n", scene, millions(traced), millions(rays));
+  return out + table(rows, 4);
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,62 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderer/set/set_records.h"
+#include "renderer/transport/answers.h"
+#include "renderer/transport/needed_light.h"
+
+namespace seamline::renderer {
+
+/// Something that is not computed.
+struct PlannedOmission {
+  std::string name = {};    ///< as in omission_names, or of one that has no switch
+  std::string where = {};   ///< the scene
+  std::string why = {};     ///< a clause
+  std::string saves = {};   ///< with its unit
+  std::string change = {};  ///< what the picture differs by at most from one that has it
+  bool always = false;      ///< has no switch
+};
+
+/// An omission that is not made in a scene.
+struct NotOmitted {
+  std::string name = {};
+  std::string why = {};
+};
+
+/// Who answers the five questions of one artifact.
+struct PlannedAnswers {
+  Artifact artifact = Artifact::none;
+  Recipe recipe = {};
+};
+
+struct ScenePlan {
+  std::string scene = {};
+  LightFacts light = {};
+  int bounces = 0;  ///< that are computed
+  std::vector<PlannedAnswers> answers = {};
+  std::vector<PlannedOmission> omissions = {};
+  std::vector<NotOmitted> not_omitted = {};
+};
+
+/// What a render job computes and what it leaves out.
+struct RenderPlan {
+  RenderSettings settings = {};
+  Isolation isolation = Isolation::query;
+  std::vector<ScenePlan> scenes = {};
+};
+
+/// The plan for the scenes of a study whose light is given, by name; others are left out. Depends on nothing
+/// measured.
+[[nodiscard]] RenderPlan render_plan(const StudyDefinition& study,
+                                     const std::map<std::string, LightFacts>& lights,
+                                     const RenderSettings& settings);
+
+/// Loads the scenes and looks at their light.
+[[nodiscard]] std::map<std::string, LightFacts> lights_of(const StudyDefinition& study);
+
+/// A sentence for each omission, for the manifest.
+[[nodiscard]] std::vector<std::string> sentences(const RenderPlan& plan);
+
+}  // namespace seamline::renderer

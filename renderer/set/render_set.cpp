@@ -1,0 +1,250 @@
+#include "renderer/set/render_set.h"
+
+#include <fmt/core.h>
+
+#include "renderer/common/parallel.h"
+#include "renderer/common/stopwatch.h"
+#include "renderer/depth/local_scene.h"
+#include "renderer/estimators/estimator.h"
+#include "renderer/picture/composite.h"
+#include "renderer/scene/visible_objects.h"
+#include "renderer/set/contact_sheet.h"
+#include "renderer/set/render_plan.h"
+#include "renderer/set/set_claim.h"
+#include "renderer/set/set_layers.h"
+#include "renderer/set/set_manifest.h"
+#include "renderer/set/set_pictures.h"
+#include "renderer/set/set_work.h"
+#include "renderer/set/timings.h"
+#include "stimuli/study_file/session_files.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/running/memory.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+/// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
+/// object, width.
+class SetRenderer {
+ public:
+  SetRenderer(const StudyDefinition& study, const RenderRequest& request)
+      : study_(study),
+        request_(request),
+        settings_(render_settings(study, request)),
+        hashes_(study, settings_),
+        records_(request.set_folder),
+        threads_(request.threads > 0 ? request.threads : default_thread_count()),
+        timings_(request.set_folder, threads_, request.shard, request.shard_count) {}
+
+  RenderSummary run() {
+    const Stopwatch watch;
+    check_existing_set();
+    work_ = find_work(study_, request_, hashes_, records_);
+    summary_.already_finished = work_.already_finished;
+    for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
+    for (const char* part : {"stimuli", "references", "records"})
+      prepare_output_folder(request_.set_folder / part);
+    const SetClaim claim(request_.set_folder, hashes_.of_set());
+    progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
+    for (const SceneDefinition& scene : study_.scenes) {
+      render_scene(scene);
+      give_back_freed_memory();
+    }
+    progress_.reset();
+    write_set();
+    summary_.seconds = watch.seconds();
+    timings_.write(summary_.seconds);
+    return summary_;
+  }
+
+ private:
+  void check_existing_set() {
+    if (!fs::exists(request_.set_folder / "manifest.json")) return;
+    const Manifest existing = read_manifest(request_.set_folder);
+    if (existing.study_name != study_.name)
+      throw input_error({.file = request_.set_folder.string(),
+                         .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
+                         .found = "a set of study \"" + existing.study_name + "\""});
+    earlier_stimuli_ = existing.stimuli.size();
+  }
+
+  /// Manifest and study file change together, at the end: until then a set stays what it was.
+  void write_set() {
+    Manifest written = manifest();
+    copy_session_files(study_, request_.set_folder);
+    write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
+    write_manifest(request_.set_folder, written);
+    // Another shard may have finished meanwhile: the last to look lists everything.
+    for (Manifest now = manifest(); now.stimuli.size() != written.stimuli.size(); now = manifest()) {
+      write_manifest(request_.set_folder, now);
+      written = std::move(now);
+    }
+    if (written.stimuli.size() < earlier_stimuli_)
+      fmt::print(
+          stderr,
+          "seamline: the set had {} stimuli and now has {}: the others were rendered with other settings; "
+          "render without --only to make them again\n",
+          earlier_stimuli_, written.stimuli.size());
+  }
+
+  ReportProgress report(double work, const std::string& what) {
+    return [this, work, what, last = 0.0](double share) mutable {
+      if (share < last) last = share;  // a further round over the same picture
+      progress_->advance((share - last) * work, what);
+      last = share;
+    };
+  }
+
+  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
+    EstimateOptions options{.spp = settings_.spp,
+                            .error = settings_.error,
+                            .seed = settings_.seed,
+                            .threads = threads_,
+                            .omit = settings_.omit};
+    const Answers asked = asked_by_any(scene.definition.artifacts, study_.isolation);
+    options.who_is_in_front = asked.occlusion == Who::depth;
+    options.depth_bounces = asked.bounce == Who::depth;
+    return make_estimator(settings_.estimator, scene, options);
+  }
+
+  /// Every wrong input is found before the first long computation.
+  void load_and_check(const SceneDefinition& definition) {
+    if (!work_.selected_scenes.contains(definition.name)) return;
+    if (!work_.is_pending(definition.name) &&
+        records_.finished_reference(definition.name, hashes_.of_reference(definition.name)))
+      return;
+    TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
+    require_visible_objects(study_, scene);
+    lights_.emplace(definition.name, light_facts(scene));
+    scenes_.emplace(definition.name, std::move(scene));
+  }
+
+  void render_scene(const SceneDefinition& definition) {
+    const auto found = scenes_.find(definition.name);
+    if (found == scenes_.end()) return;
+    const TruthScene& scene = found->second;
+    const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
+    finish_reference(scene, *estimator);
+    give_back_freed_memory();
+    for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
+    summary_.savings.emplace_back(definition.name, estimator->savings());
+    scenes_.erase(found);
+  }
+
+  void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.name;
+    const std::string inputs = hashes_.of_reference(name);
+    if (records_.finished_reference(name, inputs)) return;
+    const Stopwatch watch;
+    const SceneReference reference = estimator.reference(report(weights_.reference, name + " reference"));
+    records_.finish_reference(
+        write_reference(request_.set_folder, name, reference, scene.definition.exposure_ev), inputs);
+    timings_.add("reference-" + name, watch.seconds(), reference.rays);
+  }
+
+  void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
+    std::map<int, std::vector<PendingStimulus>> by_width;
+    for (const PendingStimulus& work : work_.pending)
+      if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
+        by_width[work.stimulus.condition.depth_width_px].push_back(work);
+    if (by_width.empty()) return;
+    const std::string what = scene.definition.name + " " +
+                             scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    const Stopwatch watch;
+    estimator.take_object(object_index, report(weights_.truth, what));
+    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), watch.seconds(),
+                 estimator.truth().rays);
+    for (const auto& [ignored, works] : by_width) render_width(scene, estimator, works);
+    give_back_freed_memory();
+  }
+
+  /// All artifacts of one depth map share its mesh.
+  void render_width(const TruthScene& scene, SceneEstimator& estimator,
+                    const std::vector<PendingStimulus>& works) {
+    const Condition& condition = works.front().stimulus.condition;
+    const Stopwatch watch;
+    std::optional<LocalScene> depth;
+    bool needed = request_.layers;
+    for (const PendingStimulus& work : works)
+      needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+    // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
+    // bytes.
+    const bool traces_rays = asked_by_any(scene.definition.artifacts, study_.isolation).traces_depth();
+    if (needed)
+      depth.emplace(make_local_scene(estimator.geometry().truth, condition,
+                                     {.density = settings_.mesh,
+                                      .tolerance = study_.mesh_tolerance,
+                                      .albedo = scene.definition.albedo,
+                                      .traces_rays = traces_rays,
+                                      .threads = threads_}));
+    progress_->advance(weights_.mesh, "depth mesh");
+    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
+                             condition.depth_width_px),
+                 watch.seconds(), 0);
+    for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
+    // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
+    if (asked_by_any(scene.definition.artifacts, study_.isolation).bounce == Who::depth)
+      give_back_freed_memory();
+  }
+
+  /// `depth` is null when no stimulus of its width asks it anything.
+  void render_one(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
+                  const PendingStimulus& work) {
+    const Stopwatch watch;
+    const std::string id = stimulus_id(work.stimulus);
+    const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
+    const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
+    const EstimatedStimulus made = estimator.stimulus(how, geometry, report(weights_.stimulus, id));
+    const Composite composite = compose(made.layers, Compositing::ratio, threads_);
+    ManifestStimulus record =
+        write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
+    record.isolation = study_.isolation;
+    if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
+    if (request_.layers)
+      write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
+                   {estimator.truth(), made.layers, composite});
+    records_.finish(record, work.inputs);
+    timings_.add(id, watch.seconds(), made.layers.rays, made.worst_tile);
+    ++summary_.rendered;
+  }
+
+  [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }
+
+  const StudyDefinition& study_;
+  const RenderRequest& request_;
+  RenderSettings settings_;
+  InputHashes hashes_;
+  SetRecords records_;
+  int threads_;
+  Timings timings_;
+  SetWork work_;
+  const WorkWeights weights_ = work_weights(settings_.estimator);
+  std::size_t earlier_stimuli_ = 0;
+  std::map<std::string, TruthScene> scenes_;
+  std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
+  std::optional<Progress> progress_;
+  RenderSummary summary_;
+};
+
+}  // namespace
+
+RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
+  return {.spp = request.spp.value_or(study.samples_per_pixel),
+          .seed = study.seed,
+          .mesh = request.mesh.value_or(study.mesh),
+          .estimator = request.estimator,
+          .error = request.error,
+          .omit = request.omit};
+}
+
+RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
+  const RenderSummary summary = SetRenderer(study, request).run();
+  if (request.contact_sheet) write_contact_sheets(request.set_folder);
+  return summary;
+}
+
+}  // namespace seamline::renderer

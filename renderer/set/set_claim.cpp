@@ -1,0 +1,75 @@
+#include "renderer/set/set_claim.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+/// Bytes of the file that locks are taken on; it need not be so long.
+constexpr off_t part_byte = 1000;  ///< everybody who renders shares it
+constexpr off_t gate_byte = 1001;  ///< one newcomer at a time reads the inputs, or changes them
+
+enum class Lock { taken, busy, not_supported };
+
+Lock lock_byte(int descriptor, off_t byte, short type, int how = F_OFD_SETLK) {
+  struct flock lock = {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = byte;
+  lock.l_len = 1;
+  while (::fcntl(descriptor, how, &lock) != 0)
+    if (errno != EINTR) return errno == EAGAIN || errno == EACCES ? Lock::busy : Lock::not_supported;
+  return Lock::taken;
+}
+
+std::string text_of(int descriptor) {
+  std::array<char, 256> text{};
+  const ssize_t count = ::pread(descriptor, text.data(), text.size(), 0);
+  return count > 0 ? std::string(text.data(), static_cast<std::size_t>(count)) : std::string();
+}
+
+bool write_text(int descriptor, const std::string& text) {
+  return ::ftruncate(descriptor, 0) == 0 &&
+         ::pwrite(descriptor, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+}
+
+}  // namespace
+
+SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
+  const fs::path path = set_folder / "records" / "rendered-with";
+  const auto unwritable = [&] {
+    const std::string found = std::strerror(errno);
+    if (descriptor_ >= 0) ::close(descriptor_);
+    return input_error({.file = path.string(), .wanted = "a place that can be written to", .found = found});
+  };
+  // A link in a set that somebody sent must not lead what is written here to another file.
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw unwritable();
+  if (lock_byte(descriptor_, gate_byte, F_WRLCK, F_OFD_SETLKW) == Lock::not_supported) return;
+  if (text_of(descriptor_) != inputs) {
+    // Exclusive only when nobody else has a part: then the set is ours to change.
+    if (lock_byte(descriptor_, part_byte, F_WRLCK) != Lock::taken) {
+      ::close(descriptor_);
+      throw input_error({.file = set_folder.string(),
+                         .wanted = "a set that nobody is rendering with other settings or inputs",
+                         .found = "another `seamline render` at work on it"});
+    }
+    if (!write_text(descriptor_, inputs)) throw unwritable();
+  }
+  lock_byte(descriptor_, part_byte, F_RDLCK);
+  lock_byte(descriptor_, gate_byte, F_UNLCK);
+}
+
+SetClaim::~SetClaim() {
+  ::close(descriptor_);
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,52 @@
+#include "renderer/set/set_manifest.h"
+
+#include <set>
+
+#include "renderer/scene/truth_scene.h"
+#include "renderer/tracing/geometry.h"
+#include "renderer/transport/needed_light.h"
+#include "support/files/assets.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// The plan for the scenes that the set has.
+RenderPlan plan_of(const std::set<std::string>& scenes, const SetState& set,
+                   std::map<std::string, LightFacts>& lights) {
+  std::map<std::string, LightFacts> of_set;
+  for (const SceneDefinition& scene : set.study.scenes) {
+    if (!scenes.contains(scene.name)) continue;
+    if (!lights.contains(scene.name))
+      lights.emplace(scene.name,
+                     light_facts(load_truth_scene(scene, set.study.width_px, set.study.height_px)));
+    of_set.emplace(scene.name, lights.at(scene.name));
+  }
+  return render_plan(set.study, of_set, set.settings);
+}
+
+}  // namespace
+
+Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights) {
+  Manifest out;
+  out.study_name = set.study.name;
+  out.study_hash = study_hash(set.study);
+  out.program_version = program_version();
+  out.instruction_set = RayDevice::instruction_set();
+  out.width_px = set.study.width_px;
+  out.height_px = set.study.height_px;
+  std::set<std::string> scenes;
+  for (const Stimulus& stimulus : list_stimuli(set.study))
+    if (const auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
+      out.stimuli.push_back(*record);
+      scenes.insert(stimulus.scene);
+    }
+  for (const SceneDefinition& scene : set.study.scenes)
+    if (const auto reference =
+            set.records.finished_reference(scene.name, set.hashes.of_reference(scene.name));
+        reference && scenes.contains(scene.name))
+      out.references.push_back(*reference);
+  out.left_out = sentences(plan_of(scenes, set, lights));
+  return out;
+}
+
+}  // namespace seamline::renderer

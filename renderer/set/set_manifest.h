@@ -1,0 +1,23 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "renderer/set/render_plan.h"
+#include "renderer/set/set_records.h"
+#include "stimuli/set/manifest.h"
+
+namespace seamline::renderer {
+
+/// What a set is rendered from, and what of it is finished.
+struct SetState {
+  const StudyDefinition& study;
+  const RenderSettings& settings;
+  const InputHashes& hashes;
+  const SetRecords& records;
+};
+
+/// The manifest of what is finished, in the study's order, with what was left out for it. `lights` holds
+/// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
+[[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,57 @@
+#include "renderer/set/set_pictures.h"
+
+#include "stimuli/pictures/difference.h"
+#include "support/files/hash.h"
+#include "support/files/image.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+std::string reference_picture(const std::string& scene) {
+  return "references/" + scene + ".png";
+}
+std::string click_map_picture(const std::string& scene) {
+  return "references/" + scene + "-ids.png";
+}
+
+}  // namespace
+
+ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stimulus,
+                                const StimulusPicture& picture) {
+  require_numbers(picture.composite.picture, stimulus_id(stimulus));
+  const StimulusLayers& layers = picture.made.layers;
+  ManifestStimulus record{.id = stimulus_id(stimulus),
+                          .stimulus = stimulus,
+                          .isolation = {},
+                          .image = "stimuli/" + stimulus_id(stimulus) + ".png",
+                          .object_ids = click_map_picture(stimulus.scene),
+                          .reference = reference_picture(stimulus.scene),
+                          .spp = layers.spp,
+                          .rays = layers.rays,
+                          .rmse = picture.made.rmse,
+                          .mesh = {},
+                          .tiny_denominators = picture.composite.tiny_denominators,
+                          .clipped_share = clipped_share(picture.composite.picture, picture.exposure_ev),
+                          .sha256 = {}};
+  write_png(set_folder / record.image, display_image(picture.composite.picture, picture.exposure_ev));
+  record.sha256 = sha256_of_file(set_folder / record.image);
+  return record;
+}
+
+ManifestReference write_reference(const fs::path& set_folder, const std::string& scene,
+                                  const SceneReference& reference, double exposure_ev) {
+  require_numbers(reference.radiance, "scene \"" + scene + "\"");
+  ManifestReference record{.scene = scene,
+                           .image = reference_picture(scene),
+                           .object_ids = click_map_picture(scene),
+                           .image_sha256 = {},
+                           .object_ids_sha256 = {}};
+  write_png(set_folder / record.image, display_image(reference.radiance, exposure_ev));
+  write_png(set_folder / record.object_ids, reference.object_ids);
+  record.image_sha256 = sha256_of_file(set_folder / record.image);
+  record.object_ids_sha256 = sha256_of_file(set_folder / record.object_ids);
+  return record;
+}
+
+}  // namespace seamline::renderer

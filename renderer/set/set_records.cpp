@@ -1,0 +1,177 @@
+#include "renderer/set/set_records.h"
+
+#include <fmt/core.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "renderer/tracing/geometry.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/files/confined_path.h"
+#include "support/files/hash.h"
+#include "support/text/error.h"
+#include "support/text/text_bounds.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The JSON part of a .gltf or .glb file; an unreadable one is complained about by the scene reader.
+Json gltf_json(const fs::path& path) {
+  std::string bytes = read_file(path, limits::largest_scene_file_bytes);
+  if (bytes.starts_with("glTF") && bytes.size() >= 20) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    bytes = bytes.substr(20, length);  // as long as there is
+  }
+  require_bounded_json(bytes, path.string());
+  return Json::parse(bytes, nullptr, false);
+}
+
+/// Hash of a scene file and of the buffer files beside it that it names.
+std::string scene_file_hash(const fs::path& path) {
+  std::string hashes = sha256_of_file(path);
+  const Json json = gltf_json(path);
+  if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array()) return hashes;
+  for (const Json& buffer : json["buffers"]) {
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+    const std::string uri = buffer["uri"];
+    std::error_code error;
+    if (!uri.starts_with("data:") && fs::is_regular_file(path.parent_path() / uri, error) &&
+        lies_below(path.parent_path() / uri, path.parent_path()))
+      hashes += sha256_of_file(path.parent_path() / uri);
+  }
+  return hashes;
+}
+
+std::string scene_inputs(const SceneDefinition& scene) {
+  std::string text = canonical_text(scene) + scene_file_hash(scene.path);
+  for (const ObjectDefinition& object : scene.objects) text += scene_file_hash(object.path);
+  return text;
+}
+
+/// Of a file of the set itself: one that a link leads out of it is made anew, in its place.
+bool has_hash(const fs::path& set_folder, const std::string& name, const std::string& expected) {
+  std::error_code error;
+  const fs::path file = set_folder / name;
+  return is_written_below(name) && fs::is_regular_file(file, error) && lies_below(file, set_folder) &&
+         sha256_of_file(file) == expected;
+}
+
+/// A record whose inputs agree; a record that cannot be read counts as unfinished work.
+std::optional<Json> read_record(const fs::path& path, const std::string& inputs) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;
+  std::string text;
+  try {
+    text = read_file(path);
+    require_bounded_json(text, path.string());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("inputs") || json["inputs"] != inputs || !json.contains("record"))
+    return std::nullopt;
+  return json["record"];
+}
+
+void write_record(const fs::path& path, const std::string& inputs, const Json& record) {
+  const Json json = {{"inputs", inputs}, {"record", record}};
+  write_file_atomically(path, json.dump(1) + "\n");
+}
+
+}  // namespace
+
+namespace {
+
+/// The running program's own bytes: a changed program renders its pictures anew.
+std::string program_hash() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  return error ? std::string() : sha256_of_file(self);
+}
+
+std::string amount_of_work(const RenderSettings& settings) {
+  const std::string amount =
+      settings.error ? fmt::format("error {}", *settings.error) : fmt::format("spp {}", settings.spp);
+  return fmt::format("{} {} not omitting [{}]", word(settings.estimator), amount, turned_off(settings.omit));
+}
+
+}  // namespace
+
+InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& settings)
+    : common_(fmt::format("seamline {} {} {} image {} {} {} seed {}", program_version(), program_hash(),
+                          RayDevice::instruction_set(), study.width_px, study.height_px,
+                          amount_of_work(settings), settings.seed)),
+      isolation_and_mesh_(
+          fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
+  for (const SceneDefinition& scene : study.scenes) scenes_[scene.name] = scene_inputs(scene);
+}
+
+std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {
+  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh_, stimulus_id(stimulus),
+                            scenes_.at(stimulus.scene)));
+}
+
+std::string InputHashes::of_reference(const std::string& scene) const {
+  return sha256(fmt::format("{} reference {}", common_, scenes_.at(scene)));
+}
+
+std::string InputHashes::of_set() const {
+  std::string text = common_ + " " + isolation_and_mesh_;
+  for (const auto& [name, inputs] : scenes_) text += " " + name + " " + inputs;
+  return sha256(text);
+}
+
+SetRecords::SetRecords(fs::path set_folder) : set_folder_(std::move(set_folder)) {}
+
+std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, const std::string& inputs) const {
+  const fs::path path = set_folder_ / "records" / (id + ".json");
+  const std::optional<Json> json = read_record(path, inputs);
+  if (!json) return std::nullopt;
+  try {
+    const ManifestStimulus record = stimulus_record_from_text(json->dump(), path.string());
+    if (has_hash(set_folder_, record.image, record.sha256)) return record;
+  } catch (const InputError&) {
+    // a damaged record is unfinished work
+  }
+  return std::nullopt;
+}
+
+void SetRecords::finish(const ManifestStimulus& record, const std::string& inputs) const {
+  write_record(set_folder_ / "records" / (record.id + ".json"), inputs,
+               Json::parse(stimulus_record_text(record)));
+}
+
+std::optional<ManifestReference> SetRecords::finished_reference(const std::string& scene,
+                                                                const std::string& inputs) const {
+  const std::optional<Json> json =
+      read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
+  if (!json) return std::nullopt;
+  ManifestReference reference{
+      .scene = scene, .image = {}, .object_ids = {}, .image_sha256 = {}, .object_ids_sha256 = {}};
+  try {
+    reference.image = json->at("image").get<std::string>();
+    reference.object_ids = json->at("object_ids").get<std::string>();
+    reference.image_sha256 = json->at("image_sha256").get<std::string>();
+    reference.object_ids_sha256 = json->at("object_ids_sha256").get<std::string>();
+  } catch (const Json::exception&) {
+    return std::nullopt;  // a damaged record is unfinished work
+  }
+  const bool whole = has_hash(set_folder_, reference.image, reference.image_sha256) &&
+                     has_hash(set_folder_, reference.object_ids, reference.object_ids_sha256);
+  return whole ? std::optional(reference) : std::nullopt;
+}
+
+void SetRecords::finish_reference(const ManifestReference& reference, const std::string& inputs) const {
+  write_record(set_folder_ / "records" / ("reference-" + reference.scene + ".json"), inputs,
+               {{"image", reference.image},
+                {"object_ids", reference.object_ids},
+                {"image_sha256", reference.image_sha256},
+                {"object_ids_sha256", reference.object_ids_sha256}});
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,38 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "renderer/set/render_set.h"
+
+namespace seamline::renderer {
+
+/// A stimulus to render, and the hash of what its picture depends on.
+struct PendingStimulus {
+  Stimulus stimulus;
+  std::string inputs;
+};
+
+/// What a render job has to do.
+struct SetWork {
+  std::vector<PendingStimulus> pending;
+  std::set<std::string> selected_scenes;  ///< that some stimulus asked for belongs to
+  int already_finished = 0;
+
+  [[nodiscard]] bool is_pending(const std::string& scene) const;
+};
+
+/// Stimuli that match `--only`, belong to this shard and are not finished. Shards share out the virtual
+/// objects of all scenes, because stimuli of one object share its truth. Throws InputError when the pattern
+/// matches none.
+[[nodiscard]] SetWork find_work(const StudyDefinition& study, const RenderRequest& request,
+                                const InputHashes& hashes, const SetRecords& records);
+
+/// Weights of the progress bar, about seconds: the fast estimator does most of its work once a scene.
+struct WorkWeights {
+  double reference = 0, truth = 0, mesh = 0, stimulus = 0;
+};
+[[nodiscard]] WorkWeights work_weights(Estimator estimator);
+[[nodiscard]] double total_weight(const SetWork& work, const WorkWeights& weights);
+
+}  // namespace seamline::renderer

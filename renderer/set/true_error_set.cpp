@@ -1,0 +1,159 @@
+#include "renderer/set/true_error_set.h"
+
+#include <fmt/core.h>
+
+#include <tuple>
+#include <vector>
+
+#include "renderer/common/parallel.h"
+#include "renderer/depth/local_scene.h"
+#include "renderer/estimators/estimator.h"
+#include "renderer/picture/composite.h"
+#include "renderer/picture/true_error.h"
+#include "renderer/picture/worst_tile.h"
+#include "stimuli/set/set_files.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr std::uint64_t reference_seed_offset = 1000;  // the reference shares no sample with the picture
+
+/// What shares a scene, a truth pass and a depth mesh comes together.
+using Key = std::tuple<std::string, int, int>;  // scene, object, width
+using Groups = std::map<Key, std::vector<ManifestStimulus>>;
+
+Groups unmeasured(const Manifest& manifest, const TrueErrorRequest& request, const TrueErrors& known) {
+  Groups groups;
+  bool any = false;
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    if (!matches_pattern(record.id, request.pattern)) continue;
+    any = true;
+    const auto found = known.find(record.id);
+    if (found != known.end() && found->second.picture_sha256 == record.sha256 &&
+        found->second.reference_spp == request.spp)
+      continue;
+    groups[{record.stimulus.scene, record.stimulus.object_index, record.stimulus.condition.depth_width_px}]
+        .push_back(record);
+  }
+  if (!any)
+    throw input_error({.file = request.set_folder.string(),
+                       .field = "--true-error",
+                       .wanted = "a pattern that matches a finished stimulus' id",
+                       .found = "\"" + request.pattern + "\""});
+  return groups;
+}
+
+class Measuring {
+ public:
+  Measuring(const StudyDefinition& study, const TrueErrorRequest& request)
+      : study_(study),
+        request_(request),
+        threads_(request.threads > 0 ? request.threads : default_thread_count()),
+        errors_(read_true_errors(request.set_folder)) {}
+
+  void run() {
+    const Manifest manifest = read_manifest(request_.set_folder);
+    forget_changed(manifest);
+    const Groups groups = unmeasured(manifest, request_, errors_);
+    double work = 0;
+    for (const auto& [key, records] : groups) work += 1 + static_cast<double>(records.size());
+    progress_.emplace("true errors of " + study_.name, work);
+    for (const SceneDefinition& scene : study_.scenes) measure_scene(scene, groups);
+    progress_.reset();
+    write_true_errors(request_.set_folder, errors_);
+  }
+
+ private:
+  /// Results for pictures that are no longer there say nothing.
+  void forget_changed(const Manifest& manifest) {
+    std::map<std::string, std::string> pictures;
+    for (const ManifestStimulus& record : manifest.stimuli) pictures[record.id] = record.sha256;
+    std::erase_if(errors_, [&](const auto& error) {
+      const auto found = pictures.find(error.first);
+      return found == pictures.end() || found->second != error.second.picture_sha256;
+    });
+  }
+
+  void measure_scene(const SceneDefinition& definition, const Groups& groups) {
+    std::optional<TruthScene> scene;
+    std::unique_ptr<SceneEstimator> estimator;
+    int object_taken = 0;
+    for (const auto& [key, records] : groups) {
+      const auto& [name, object_index, width_px] = key;
+      if (name != definition.name) continue;
+      if (!scene) {
+        scene = load_truth_scene(definition, study_.width_px, study_.height_px);
+        estimator = make_path_estimator(
+            *scene, {.spp = request_.spp, .seed = study_.seed + reference_seed_offset, .threads = threads_});
+      }
+      if (object_taken != object_index)
+        estimator->take_object(object_index, report(1, fmt::format("{} object {}", name, object_index)));
+      else
+        progress_->advance(1, name);
+      object_taken = object_index;
+      measure_width(*scene, *estimator, records);
+    }
+  }
+
+  void measure_width(const TruthScene& scene, SceneEstimator& estimator,
+                     const std::vector<ManifestStimulus>& records) {
+    const Condition& condition = records.front().stimulus.condition;
+    std::optional<LocalScene> depth;
+    for (const ManifestStimulus& record : records) {
+      const Recipe how = recipe(record.stimulus.artifact, study_.isolation);
+      if (how.answers.needs_depth() && !depth)
+        depth.emplace(make_local_scene(estimator.geometry().truth, condition,
+                                       {.density = request_.mesh.value_or(study_.mesh),
+                                        .tolerance = study_.mesh_tolerance,
+                                        .albedo = scene.definition.albedo,
+                                        .threads = threads_}));
+      const EstimatedStimulus made =
+          estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
+      measure(record, scene.definition.exposure_ev, made.layers);
+    }
+  }
+
+  void measure(const ManifestStimulus& record, double exposure_ev, const StimulusLayers& reference) {
+    const ByteImage shown =
+        read_set_file(request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
+    const TrueError error = true_error(
+        shown, {compose_half(reference, 0).picture, compose_half(reference, 1).picture}, exposure_ev);
+    const TrueErrorRecord result{.rmse = error.rmse(),
+                                 .standard_error = error.standard_error(),
+                                 .worst_tile = error.worst_tile_rmse(),
+                                 .reference_spp = request_.spp,
+                                 .picture_sha256 = record.sha256};
+    write_png(
+        request_.set_folder / ("worst-tile-" + record.id + ".png"),
+        worst_tile_picture(shown, display_image(compose(reference).picture, exposure_ev), error.worst_tile(),
+                           fmt::format("{}: error {:.4f} in this tile, {:.4f} in the picture (display units)",
+                                       record.id, result.worst_tile, result.rmse)));
+    errors_[record.id] = result;
+    write_true_errors(request_.set_folder, errors_);
+  }
+
+  /// A share of `work` as a pass reports it.
+  ReportProgress report(double work, const std::string& what) {
+    return [this, work, what, last = 0.0](double share) mutable {
+      if (share < last) last = share;
+      progress_->advance((share - last) * work, what);
+      last = share;
+    };
+  }
+
+  const StudyDefinition& study_;
+  const TrueErrorRequest& request_;
+  int threads_;
+  TrueErrors errors_;
+  std::optional<Progress> progress_;
+};
+
+}  // namespace
+
+void measure_true_errors(const StudyDefinition& study, const TrueErrorRequest& request) {
+  Measuring(study, request).run();
+}
+
+}  // namespace seamline::renderer

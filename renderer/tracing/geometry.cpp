@@ -1,0 +1,200 @@
+// Embree is included by this file, ray_packet.h, ray_device.cpp and the benchmarks (bench_embree.cpp) only.
+#include "renderer/tracing/geometry.h"
+
+#include <embree3/rtcore.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <new>
+#include <utility>
+
+#include "renderer/tracing/embree_handles.h"
+#include "renderer/tracing/quads.h"
+#include "renderer/tracing/ray_count.h"
+#include "renderer/tracing/ray_packet.h"
+#include "renderer/tracing/triangle_neighbours.h"
+#include "support/running/interrupt.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// Adds a mesh of triangles or of quads to a scene, which copies it.
+template <std::size_t corners>
+void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
+            const std::vector<std::array<std::uint32_t, corners>>& faces, RTCBuildQuality quality) {
+  static_assert(corners == 3 || corners == 4);
+  RTCGeometry geometry =
+      rtcNewGeometry(embree_device(), corners == 3 ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD);
+  rtcSetGeometryBuildQuality(geometry, quality);
+  const auto copy = [geometry](RTCBufferType type, RTCFormat format, const auto& values) {
+    using Value = std::decay_t<decltype(values.front())>;
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
+    std::copy(values.begin(), values.end(), static_cast<Value*>(buffer));
+  };
+  copy(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
+  copy(RTC_BUFFER_TYPE_INDEX, corners == 3 ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, faces);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+/// Embree keeps its errors to itself until asked: a scene that could not be built would be an empty one.
+void commit(RTCScene scene) {
+  rtcSetSceneProgressMonitorFunction(
+      scene, [](void*, double) { return !interrupted(); }, nullptr);
+  rtcCommitScene(scene);
+  stop_if_interrupted();
+  if (rtcGetDeviceError(embree_device()) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+void set_ray(RTCRay& out, const Ray& ray) {
+  out.org_x = ray.origin_m.x();
+  out.org_y = ray.origin_m.y();
+  out.org_z = ray.origin_m.z();
+  out.tnear = 0.0F;
+  out.dir_x = ray.direction.x();
+  out.dir_y = ray.direction.y();
+  out.dir_z = ray.direction.z();
+  out.time = 0.0F;
+  out.tfar = ray.far_m;
+  out.mask = 0xffffffffU;
+  out.flags = 0;
+}
+
+}  // namespace
+
+Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edges)
+    : scene_(rtcNewScene(embree_device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
+  if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
+  for (const auto& part : parts_) {
+    attach(as_scene(scene_), part->positions_m, part->triangles, RTC_BUILD_QUALITY_HIGH);
+    surfaces_.push_back(surface_table(*part));
+    emits_ = emits_ || (part->emission > 0.0F).any();
+  }
+  commit(as_scene(scene_));
+}
+
+Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality)
+    : scene_(rtcNewScene(embree_device())) {
+  surfaces_.push_back({.albedo = albedo});
+  const RTCBuildQuality of_tree =
+      quality == TreeQuality::for_light ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
+  rtcSetSceneBuildQuality(as_scene(scene_), of_tree);
+  if (mesh.triangles.size() > DirectionTable::most_triangles) {
+    attach(as_scene(scene_), mesh.vertices_m, mesh.triangles, of_tree);
+    commit(as_scene(scene_));
+    return;
+  }
+  const auto neighbours = triangle_neighbours(mesh.vertices_m.size(), mesh.triangles);
+  auto table = std::async(std::launch::async, [&mesh, &neighbours] {
+    return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
+  });
+  attach(as_scene(scene_), mesh.vertices_m, pair_into_quads(mesh.vertices_m, mesh.triangles, neighbours),
+         of_tree);
+  commit(as_scene(scene_));
+  directions_ = table.get();
+}
+
+std::int64_t Geometry::own_memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& part : parts_)
+    bytes += part->positions_m.size() * sizeof(Eigen::Vector3f) +
+             part->normals.size() * sizeof(Eigen::Vector3f) + part->triangles.size() * sizeof(Triangle);
+  if (directions_)
+    bytes += directions_->triangle_of_cell.size() * sizeof(std::uint32_t) +
+             directions_->triangles.size() * sizeof(CentreTriangle);
+  return static_cast<std::int64_t>(bytes);
+}
+
+Geometry::~Geometry() {
+  if (scene_ != nullptr) rtcReleaseScene(as_scene(scene_));
+}
+
+Geometry::Geometry(Geometry&& other) noexcept
+    : scene_(std::exchange(other.scene_, nullptr)),
+      surfaces_(std::move(other.surfaces_)),
+      parts_(std::move(other.parts_)),
+      boxes_(std::move(other.boxes_)),
+      directions_(std::move(other.directions_)),
+      emits_(other.emits_) {}
+
+std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
+  ++rays_traced;
+  if (!boxes_.may_meet(ray)) return std::nullopt;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query;
+  set_ray(query.ray, ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(as_scene(scene_), &context, &query);
+  std::optional<SurfacePoint> point;
+  if (const RTCHit& hit = query.hit; hit.geomID != RTC_INVALID_GEOMETRY_ID)
+    set_surface(surfaces_[hit.geomID], ray,
+                {{hit.Ng_x, hit.Ng_y, hit.Ng_z}, query.ray.tfar, hit.u, hit.v, hit.primID, hit.geomID},
+                point);
+  return point;
+}
+
+bool Geometry::occluded(const Ray& ray) const {
+  ++rays_traced;
+  if (!boxes_.may_meet(ray)) return false;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query;
+  set_ray(query, ray);
+  rtcOccluded1(as_scene(scene_), &context, &query);
+  return query.tfar < 0.0F;
+}
+
+void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+                       Coherence coherence) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  if (!boxes_.may_meet(rays)) {
+    std::fill_n(hits.begin(), rays.size(), std::nullopt);
+    return;
+  }
+  intersect_in_packets(as_scene(scene_), rays, coherence,
+                       [&](std::size_t i, const RTCRayHit8& packet, int lane) {
+                         const RTCHit8& hit = packet.hit;
+                         hits[i].reset();
+                         if (hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return;
+                         set_surface(surfaces_[hit.geomID[lane]], rays[i],
+                                     {{hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
+                                      packet.ray.tfar[lane],
+                                      hit.u[lane],
+                                      hit.v[lane],
+                                      hit.primID[lane],
+                                      hit.geomID[lane]},
+                                     hits[i]);
+                       });
+}
+
+void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+                        Coherence coherence) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  if (!boxes_.may_meet(rays)) {
+    std::fill_n(blocked.begin(), rays.size(), std::uint8_t{0});
+    return;
+  }
+  occlude_in_packets(as_scene(scene_), rays, coherence,
+                     [&](std::size_t i, bool is_blocked) { blocked[i] = is_blocked ? 1 : 0; });
+}
+
+void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m) const {
+  rays_traced += static_cast<std::int64_t>(rays.size());
+  intersect_in_packets(as_scene(scene_), rays, Coherence::together,
+                       [&](std::size_t i, const RTCRayHit8& packet, int lane) {
+                         distance_m[i] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
+                                             ? std::numeric_limits<float>::infinity()
+                                             : packet.ray.tfar[lane];
+                       });
+}
+
+std::int64_t rays_traced_by_this_thread() {
+  return rays_traced;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/arithmetic/colour.h"
+
+namespace seamline::renderer {
+
+/// Three indices into a mesh's vertices.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle mesh with one diffuse material, in the renderer's frame (metres, centred on the camera).
+struct Part {
+  std::string name;
+  int object_index = 0;  ///< 0 background, 1 left, 2 middle, 3 right
+  std::vector<Eigen::Vector3f> positions_m;
+  std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty: geometric ones are used
+  std::vector<Triangle> triangles;
+  Rgb albedo = Rgb::Constant(0.5F);
+  Rgb emission = Rgb::Zero();  ///< radiance, both sides
+};
+
+/// The local scene D: the mesh rebuilt from a depth map, in metres, relative to the panorama's centre.
+struct DepthMesh {
+  std::vector<Eigen::Vector3f> vertices_m;
+  std::vector<Triangle> triangles;
+  double max_relative_error =
+      0;  ///< largest |t_mesh - r| / r over the dense sphere's vertices; 0 for the full mesh
+};
+
+}  // namespace seamline::renderer

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/transport/transport.h"
+
+namespace seamline::renderer {
+
+/// Rays that ask whether light from outside reaches points, each past two geometries: the virtual object and
+/// the real world, which may be asked from different places. Asked many at once, in packets.
+class LightRays {
+ public:
+  /// Light that arrives where nothing is in the way.
+  struct Arriving {
+    std::size_t index;  ///< whatever the caller counts
+    Rgb radiance;
+  };
+
+  /// From `point` past the object and from `real.start` past the real world; nothing arrives from below that
+  /// start's horizon.
+  void add(const SurfacePoint& point, const RealQuestion& real, const Eigen::Vector3f& direction, float far_m,
+           const Arriving& light);
+  void drop_blocked_by_object(const Geometry& object, Coherence coherence) {
+    drop_blocked(object, past_object_, coherence);
+  }
+  void drop_blocked_by_real(const Geometry& real, Coherence coherence) {
+    drop_blocked(real, past_real_, coherence);
+  }
+  /// What is left, in the order it was added in.
+  [[nodiscard]] std::span<const Arriving> arriving() const { return arriving_; }
+  void clear() { resize(0); }
+
+ private:
+  void drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence);
+  void resize(std::size_t size);
+
+  std::vector<Ray> past_object_, past_real_;
+  std::vector<Arriving> arriving_;
+  std::vector<std::uint8_t> blocked_;
+};
+
+}  // namespace seamline::renderer

@@ -1,0 +1,52 @@
+#include "renderer/transport/needed_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace seamline::renderer {
+
+LightFacts light_facts(const TruthScene& scene) {
+  LightFacts facts{.brightest_albedo = scene.definition.albedo,  // of the depth mesh
+                   .sky_is_dark = scene.light.environment_radiance.isZero(0.0F),
+                   .bounces = scene.light.bounces,
+                   .suns = static_cast<int>(scene.light.suns.size())};
+  const auto look = [&](const std::vector<std::shared_ptr<const Part>>& parts) {
+    for (const auto& part : parts) {
+      facts.brightest_albedo = std::max(facts.brightest_albedo, double{part->albedo.maxCoeff()});
+      facts.emits = facts.emits || part->emission.maxCoeff() > 0.0F;
+    }
+  };
+  look(scene.background);
+  for (const auto& object : scene.objects) look(object);
+  Rgb radiance = scene.light.environment_radiance;
+  for (const Sun& sun : scene.light.suns) radiance += sun.irradiance_w_m2 * std::numbers::inv_pi_v<float>;
+  facts.brightest_radiance = double{radiance.maxCoeff()};
+  return facts;
+}
+
+BounceLimit needed_bounces(const LightFacts& facts, double exposure_ev, std::optional<double> error) {
+  constexpr double steepest_slope = 12.92, lights = 3, share_of_error = 0.1;
+  if (facts.emits) return {facts.bounces, 0.0};
+  const double allowed = share_of_error * error.value_or(1.0 / 255);
+  BounceLimit limit{facts.bounces, 0.0};
+  while (limit.bounces > 0) {
+    const double last = lights * steepest_slope * std::exp2(exposure_ev) * facts.brightest_radiance *
+                        std::pow(facts.brightest_albedo, limit.bounces + 1);
+    if (limit.change + last > allowed) break;
+    limit.change += last;
+    --limit.bounces;
+  }
+  return limit;
+}
+
+Light needed_light(const TruthScene& scene, const Omissions& omissions, std::optional<double> error) {
+  Light light = scene.light;
+  const LightFacts facts = light_facts(scene);
+  if (omissions.late_bounces)
+    light.bounces = needed_bounces(facts, scene.definition.exposure_ev, error).bounces;
+  light.skips_sky = omissions.dark_sky && facts.sky_is_dark;
+  return light;
+}
+
+}  // namespace seamline::renderer

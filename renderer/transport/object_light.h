@@ -1,0 +1,20 @@
+#pragma once
+#include <span>
+
+#include "renderer/transport/transport.h"
+
+namespace seamline::renderer {
+
+/// A sample's point on the virtual object, and where the real world is asked whether it is lit.
+struct ObjectPoint {
+  const SurfacePoint* point = nullptr;
+  RealQuestion lit_past = {nullptr, nullptr};  ///< one geometry for all points
+  Sampler sampler;
+};
+
+/// The direct part of `leaving_object`, of many points at once: their rays to the sun go together, those to
+/// the sky in packets of their own. `direct` is as long as `points`.
+void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,
+                      std::span<Rgb> direct);
+
+}  // namespace seamline::renderer

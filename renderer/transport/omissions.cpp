@@ -1,0 +1,45 @@
+#include "renderer/transport/omissions.h"
+
+#include <algorithm>
+
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+
+Omissions omissions_without(const std::vector<std::string>& names) {
+  Omissions omissions;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(omission_names.begin(), omission_names.end(),
+                                    [&](const OmissionName& known) { return known.name == name; });
+    if (found == omission_names.end()) {
+      std::string known;
+      for (const OmissionName& one : omission_names)
+        known += (known.empty() ? "" : ", ") + std::string(one.name);
+      throw input_error({.field = "--no-omit", .wanted = "one of " + known, .found = "\"" + name + "\""});
+    }
+    omissions.*(found->on) = false;
+  }
+  return omissions;
+}
+
+std::string turned_off(const Omissions& omissions) {
+  std::string names;
+  for (const OmissionName& one : omission_names)
+    if (!(omissions.*one.on)) names += (names.empty() ? "" : " ") + std::string(one.name);
+  return names;
+}
+
+OmittedRays& OmittedRays::operator+=(const OmittedRays& other) {
+  tails_traced += other.tails_traced;
+  tail_rays += other.tail_rays;
+  tails_left_out += other.tails_left_out;
+  dark_sky_rays += other.dark_sky_rays;
+  return *this;
+}
+
+OmittedRays operator-(const OmittedRays& a, const OmittedRays& b) {
+  return {a.tails_traced - b.tails_traced, a.tail_rays - b.tail_rays, a.tails_left_out - b.tails_left_out,
+          a.dark_sky_rays - b.dark_sky_rays};
+}
+
+}  // namespace seamline::renderer

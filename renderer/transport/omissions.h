@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace seamline::renderer {
+
+/// What the fast estimator leaves out because a scene or stimulus does not need it; each can be turned off
+/// (`--no-omit NAME`) to see that the picture stays what the plan says. renderer/set/render_plan.h says where
+/// each applies and what it may change.
+struct Omissions {
+  bool path_tails = true;       ///< the tail of a path is traced for every 4th sample only
+  bool bounce_filter = true;    ///< bounce light is filtered instead of sampled more
+  bool ratio_samples = true;    ///< the depth mesh is asked for few samples where the picture allows
+  bool untouched_tiles = true;  ///< tiles in which nothing asks the depth mesh are not traced
+  bool who_is_in_front = true;  ///< what an object hides is kept only when an artifact asks for it
+  bool late_bounces = true;     ///< bounces too dark to matter are not traced
+  bool dark_sky = true;         ///< no ray is traced only to find an environment without light
+};
+
+struct OmissionName {
+  std::string_view name;
+  bool Omissions::*on;
+};
+inline constexpr std::array<OmissionName, 7> omission_names = {
+    {{"path_tails", &Omissions::path_tails},
+     {"bounce_filter", &Omissions::bounce_filter},
+     {"ratio_samples", &Omissions::ratio_samples},
+     {"untouched_tiles", &Omissions::untouched_tiles},
+     {"who_is_in_front", &Omissions::who_is_in_front},
+     {"late_bounces", &Omissions::late_bounces},
+     {"dark_sky", &Omissions::dark_sky}}};
+
+/// All omissions but those named. Throws InputError for a name that is none, listing the names.
+[[nodiscard]] Omissions omissions_without(const std::vector<std::string>& names);
+
+/// The names of those turned off, for hashes; empty when all are on.
+[[nodiscard]] std::string turned_off(const Omissions& omissions);
+
+/// Work left out, counted while it is left out.
+struct OmittedRays {
+  std::int64_t tails_traced = 0, tail_rays = 0, tails_left_out = 0;
+  std::int64_t dark_sky_rays = 0;  ///< left out
+
+  OmittedRays& operator+=(const OmittedRays& other);
+  friend OmittedRays operator-(const OmittedRays& a, const OmittedRays& b);
+};
+/// What this thread has counted; read before and after a piece of work.
+inline thread_local OmittedRays omitted_rays;
+
+/// What omissions saved in a scene, from counters.
+struct Savings {
+  OmittedRays omitted;
+  std::int64_t joint_rays = 0;        ///< of the pass that all stimuli share
+  std::int64_t depth_rays = 0;        ///< of all stimuli's questions to depth meshes
+  std::int64_t stimuli = 0;           ///< rendered
+  std::int64_t ratio_samples = 0;     ///< samples not asked of the depth mesh
+  double ratio_rays = 0;              ///< the same times the rays of one such sample
+  std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
+  std::int64_t untouched_rays = 0;    ///< their camera rays, which is the least they would have cost
+  std::int64_t order_bytes = 0;       ///< who is in front on each ray, not kept
+};
+
+}  // namespace seamline::renderer

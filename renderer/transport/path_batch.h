@@ -1,0 +1,95 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/transport/worlds.h"
+
+namespace seamline::renderer {
+
+/// How one path is traced. Its tail is what comes after the sun at its second surface: to save rays without
+/// bias only every few samples trace it, and then it counts as many times.
+struct PathPlan {
+  bool has_tail = true;
+  float tail_weight = 1.0F;
+  bool sky_joins_bounce = false;  ///< the sky at the first surface is added to the light that may be filtered
+  WorldSet reach_of = 0xFF;       ///< the worlds whose first hit counts as how far the first ray got
+};
+/// Every `tail_every`-th sample of each half has a tail.
+[[nodiscard]] inline PathPlan path_plan(const Sampler& sampler, int tail_every,
+                                        bool sky_joins_bounce = false) {
+  return {.has_tail = sampler.turn(tail_every) == 0,
+          .tail_weight = static_cast<float>(tail_every),
+          .sky_joins_bounce = sky_joins_bounce};
+}
+
+/// Where a path begins.
+struct PathStart {
+  WorldSet set;  ///< the worlds in which the camera sees the point
+  SurfacePoint point;
+  Sampler sampler;
+  PathPlan plan = {};
+};
+
+/// What a path found.
+struct PathLight {
+  /// Radiance that the point sends to the camera, in the worlds that show it. The point's own emission counts
+  /// as direct light, so that no filter of bounce light touches it.
+  WorldLight light = {};
+  float reach_m = std::numeric_limits<float>::infinity();  ///< how far its first ray got
+};
+
+/// Many paths through several worlds, one sample each, followed together: at every vertex the rays of all
+/// paths to the sun are asked in one call, and so are those on which the paths go on.
+class PathBatch {
+ public:
+  /// Forgets the paths before. Both outlive the batch's use.
+  void begin(const Worlds& worlds, const Light& light);
+  void add(const PathStart& start) { starts_.push_back(start); }
+  [[nodiscard]] std::size_t size() const { return starts_.size(); }
+  [[nodiscard]] const PathStart& start(std::size_t i) const { return starts_[i]; }
+  /// Follows all paths to their ends; what they found, in the order they were added in. Once after `begin`.
+  [[nodiscard]] std::span<const PathLight> trace();
+
+ private:
+  /// A path at one of its surfaces.
+  struct Vertex {
+    std::size_t path;
+    WorldSet set;
+    SurfacePoint point;
+    Rgb throughput;  ///< from the surface to the camera, with its albedo
+  };
+  /// Light that arrives over a ray where nothing is in the way.
+  struct Arriving {
+    std::size_t path;
+    WorldSet set;
+    Rgb radiance;
+    bool direct;
+  };
+
+  [[nodiscard]] bool ends_at_sky(int vertex) const { return vertex >= light_->bounces && !emits_; }
+  void find_points(int dimension);
+  void add_sun(const Sun& sun, int vertex);
+  void add_sky_of_first();
+  void thin_tails();
+  void go_on(int vertex);
+  void meet(const Vertex& from, WorldSet set, const std::optional<SurfacePoint>& hit, int vertex);
+  void ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, bool direct);
+  void add_what_arrives(Coherence coherence);
+  void add(std::size_t path, WorldSet set, bool direct, const Rgb& radiance);
+
+  const Worlds* worlds_ = nullptr;
+  const Light* light_ = nullptr;
+  bool emits_ = false;
+  std::vector<PathStart> starts_;
+  std::vector<PathLight> found_;
+  std::vector<Vertex> vertices_, next_vertices_;
+  std::vector<Eigen::Array2f> points_;  ///< of each vertex
+  std::vector<Ray> rays_;
+  std::vector<Arriving> arriving_;          ///< of each ray
+  std::vector<std::size_t> vertex_of_ray_;  ///< of each ray that goes on
+  std::vector<std::uint8_t> blocked_;
+  std::vector<std::optional<SurfacePoint>> hits_;
+};
+
+}  // namespace seamline::renderer

@@ -1,0 +1,25 @@
+#pragma once
+#include <span>
+
+#include "renderer/transport/transport.h"
+
+namespace seamline::renderer {
+
+/// A sample's point off the virtual object: which surface receives light (question 1), from which the virtual
+/// object is seen, and of which geometry it is asked, at that geometry's own point, whether sun and sky reach
+/// it (question 2).
+struct RestPoint {
+  const SurfacePoint* receiver = nullptr;
+  RealQuestion lit = {nullptr, nullptr};  ///< one geometry for all points
+  Rgb albedo = Rgb::Zero();               ///< the truth's, whose bounce light joins it
+  Sampler sampler;
+  Rgb emission = Rgb::Zero();  ///< the truth's
+};
+
+/// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of
+/// their own. The sun is in `direct`, with what the points emit; the sky, which is smooth and may be
+/// filtered, in `bounce`. `pairs` is as long as `points`.
+void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
+                    std::span<RadiancePair> pairs);
+
+}  // namespace seamline::renderer

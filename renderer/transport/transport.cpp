@@ -1,0 +1,197 @@
+#include "renderer/transport/transport.h"
+
+#include "renderer/tracing/leaving_ray.h"
+#include "renderer/transport/omissions.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// Whether a ray that only looks for the sky is left out, because there is no light in it.
+bool leaves_out_sky(const Light& light) {
+  if (light.skips_sky) ++omitted_rays.dark_sky_rays;
+  return light.skips_sky;
+}
+
+/// What a path meets: real things, and the virtual object when it is there.
+struct World {
+  const Geometry& real;
+  const Geometry* object;
+
+  [[nodiscard]] bool occluded(const Ray& ray) const {
+    return real.occluded(ray) || (object != nullptr && object->occluded(ray));
+  }
+  [[nodiscard]] bool emits() const { return real.emits() || (object != nullptr && object->emits()); }
+  [[nodiscard]] std::optional<SurfacePoint> nearest(Ray ray) const {
+    std::optional<SurfacePoint> hit = real.nearest(ray);
+    if (object == nullptr) return hit;
+    if (hit) ray.far_m = hit->distance_m;
+    if (std::optional<SurfacePoint> nearer = object->nearest(ray)) return nearer;
+    return hit;
+  }
+};
+
+/// Radiance scattered by `point`, the path's vertex number `vertex`, and by all later ones.
+Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler,
+              int vertex) {
+  Rgb sum = Rgb::Zero();
+  Rgb throughput = Rgb::Ones();
+  for (;; ++vertex) {
+    throughput *= point.albedo;
+    for (const Sun& sun : light.suns) {
+      const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(vertex)));
+      const float cosine = sun_cosine(point, to_sun);
+      if (cosine > 0.0F && !world.occluded(leaving_ray(point, to_sun, endless)))
+        sum += throughput * sun.irradiance_w_m2 * (inverse_pi * cosine);
+    }
+    const Eigen::Vector3f direction =
+        cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
+    if (!above_horizon(point, direction)) return sum;
+    const Ray ray = leaving_ray(point, direction, light.sky_distance_m);
+    if (vertex >= light.bounces && !world.emits() && leaves_out_sky(light)) return sum;
+    if (vertex >= light.bounces && !world.emits())
+      return world.occluded(ray) ? sum : Rgb(sum + throughput * light.environment_radiance);
+    const std::optional<SurfacePoint> hit = world.nearest(ray);
+    if (!hit) return sum + throughput * light.environment_radiance;
+    sum += throughput * hit->emission;
+    if (vertex >= light.bounces) return sum;
+    point = *hit;
+  }
+}
+
+/// Light arriving from a surface that a path hit at the end of vertex `vertex`.
+Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, const Sampler& sampler,
+             int vertex) {
+  if (vertex >= light.bounces) return hit.emission;
+  return hit.emission + scattered(world, hit, light, sampler, vertex + 1);
+}
+
+}  // namespace
+
+RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
+                          const Light& light, const Sampler& sampler) {
+  RadiancePair pair;
+  pair.no.direct = pair.with.direct = first.emission;
+  const World without{real, nullptr};
+  const World with{real, object};
+  const bool emits = with.emits();
+  SurfacePoint point = first;
+  Rgb throughput = Rgb::Ones();
+  for (int vertex = 0;; ++vertex) {
+    Rgb& no = vertex == 0 ? pair.no.direct : pair.no.bounce;
+    Rgb& with_object = vertex == 0 ? pair.with.direct : pair.with.bounce;
+    throughput *= point.albedo;
+    for (const Sun& sun : light.suns) {
+      const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(vertex)));
+      const float cosine = sun_cosine(point, to_sun);
+      if (cosine <= 0.0F) continue;
+      const Ray ray = leaving_ray(point, to_sun, endless);
+      if (real.occluded(ray)) continue;
+      const Rgb lit = throughput * sun.irradiance_w_m2 * (inverse_pi * cosine);
+      no += lit;
+      if (object == nullptr || !object->occluded(ray)) with_object += lit;
+    }
+    const Eigen::Vector3f direction =
+        cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
+    if (!above_horizon(point, direction)) return pair;
+    Ray ray = leaving_ray(point, direction, light.sky_distance_m);
+    const Rgb sky = throughput * light.environment_radiance;
+    if (vertex >= light.bounces && !emits) {
+      if (leaves_out_sky(light) || real.occluded(ray)) return pair;
+      no += sky;
+      if (object == nullptr || !object->occluded(ray)) with_object += sky;
+      return pair;
+    }
+    const std::optional<SurfacePoint> hit = real.nearest(ray);
+    if (hit) ray.far_m = hit->distance_m;
+    const std::optional<SurfacePoint> object_hit = object == nullptr ? std::nullopt : object->nearest(ray);
+    if (object_hit) {  // here the two paths part
+      if (hit)
+        pair.no.bounce += throughput * arriving(without, *hit, light, sampler, vertex);
+      else
+        no += sky;
+      pair.with.bounce += throughput * arriving(with, *object_hit, light, sampler, vertex);
+      return pair;
+    }
+    if (!hit) {
+      no += sky;
+      with_object += sky;
+      return pair;
+    }
+    pair.no.bounce += throughput * hit->emission;
+    pair.with.bounce += throughput * hit->emission;
+    if (vertex >= light.bounces) return pair;
+    point = *hit;
+  }
+}
+
+namespace {
+
+bool reaches_past(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m) {
+  return above_horizon(*real.start, direction) &&
+         !real.geometry->occluded(leaving_ray(*real.start, direction, far_m));
+}
+
+/// The real surface that a ray of the object meets; a start below the depth mesh's horizon meets that mesh at
+/// once.
+std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction,
+                                     float far_m) {
+  if (!above_horizon(*real.start, direction)) {
+    SurfacePoint at_once = *real.start;
+    at_once.distance_m = 0.0F;
+    return at_once;
+  }
+  return real.geometry->nearest(leaving_ray(*real.start, direction, far_m));
+}
+
+}  // namespace
+
+Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by, const Geometry& object,
+                     const SurfacePoint& point, const Light& light, const Sampler& sampler) {
+  Split out;
+  out.direct = point.emission;
+  for (const Sun& sun : light.suns) {
+    const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(0)));
+    const float cosine = sun_cosine(point, to_sun);
+    if (cosine > 0.0F && !object.occluded(leaving_ray(point, to_sun, endless)) &&
+        reaches_past(lit_past, to_sun, endless))
+      out.direct += point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine);
+  }
+  const Rgb sky = point.albedo * light.environment_radiance / static_cast<float>(light.sky_rays);
+  for (int more = 1; more < light.sky_rays; ++more) {
+    const Eigen::Vector3f direction =
+        turned_direction(point.normal, sampler.point(dimension::direction(0)), more, light.sky_rays);
+    if (above_horizon(point, direction) &&
+        !object.occluded(leaving_ray(point, direction, light.sky_distance_m)) &&
+        reaches_past(lit_past, direction, light.sky_distance_m))
+      out.direct += sky;
+  }
+  const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(0)));
+  if (!above_horizon(point, direction)) return out;
+  Ray ray = leaving_ray(point, direction, light.sky_distance_m);
+  const bool bounces_matter =
+      bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());
+  if (!bounces_matter) {
+    if (!leaves_out_sky(light) && !object.occluded(ray) &&
+        reaches_past(lit_past, direction, light.sky_distance_m))
+      out.direct += sky;
+    return out;
+  }
+  const bool same = lit_past.geometry == bounced_by.geometry && lit_past.start == bounced_by.start;
+  std::optional<SurfacePoint> hit = real_hit(bounced_by, direction, light.sky_distance_m);
+  if (hit) ray.far_m = hit->distance_m;
+  // Only the nearer one matters for bounce light, but the sky is hidden by the object at any distance.
+  const std::optional<SurfacePoint> object_hit =
+      object.nearest(same || !hit ? ray : Ray{ray.origin_m, ray.direction, light.sky_distance_m});
+  const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
+  const bool sky_reaches =
+      !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m));
+  if (sky_reaches) out.direct += sky;
+  const World world{*bounced_by.geometry, &object};
+  if (object_first)
+    out.bounce += point.albedo * arriving(world, *object_hit, light, sampler, 0);
+  else if (hit)
+    out.bounce += point.albedo * arriving(world, *hit, light, sampler, 0);
+  return out;
+}
+
+}  // namespace seamline::renderer

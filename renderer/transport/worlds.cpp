@@ -1,0 +1,16 @@
+#include "renderer/transport/worlds.h"
+
+namespace seamline::renderer {
+
+WorldSet Worlds::reached_past_room(const Ray& ray, WorldSet set) const {
+  if (!objects->occluded(ray)) return set;
+  WorldSet reached = 0;
+  for (int world = 1; world <= object_count; ++world) {
+    if ((set & only_world(world)) == 0) continue;
+    const Geometry* there = others[static_cast<std::size_t>(world - 1)];
+    if (there == nullptr || !there->occluded(ray)) reached |= only_world(world);
+  }
+  return reached;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,38 @@
+#pragma once
+#include <functional>
+
+#include "renderer/depth/depth_mesh.h"
+#include "renderer/estimators/truth_pass.h"
+#include "renderer/picture/composite.h"
+#include "stability/common/namespaces.h"
+#include "stimuli/definition/artifact.h"
+
+namespace seamline::stability {
+
+/// How a finished stimulus is made of its sums; the product's is `compose`.
+using ComposeRule = std::function<Composite(const StimulusLayers&)>;
+[[nodiscard]] Composite compose_as_product(const StimulusLayers& layers);
+
+/// A small picture of a scene's left object, by the path estimator and a depth mesh of the scene.
+struct SmallRender {
+  Artifact artifact = Artifact::none;
+  Isolation isolation = Isolation::query;
+  int depth_width_px = 64;
+  int spp = 8;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ComposeRule compose = compose_as_product;
+};
+
+struct SmallPicture {
+  StimulusLayers layers;
+  Composite composite;
+  Image background, reference;
+};
+
+[[nodiscard]] SmallPicture render_small(const TruthScene& scene, const SmallRender& how);
+
+/// How many pixels are not finite, or below 0, or above `most`.
+[[nodiscard]] int pixels_out_of_range(const Image& image, double most);
+
+}  // namespace seamline::stability

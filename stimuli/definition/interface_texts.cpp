@@ -1,0 +1,88 @@
+#include "stimuli/definition/interface_texts.h"
+
+namespace seamline::inline stimuli {
+
+const std::vector<PhraseEntry>& every_phrase() {
+  static const std::vector<PhraseEntry> table = {
+      {Phrase::continue_button, "continue", "Continue"},
+      {Phrase::back_button, "back", "Back"},
+      {Phrase::left_object, "left_object", "on the left"},
+      {Phrase::middle_object, "middle_object", "in the middle"},
+      {Phrase::right_object, "right_object", "on the right"},
+      {Phrase::consent_title, "consent_title", "Before you begin"},
+      {Phrase::form_title, "form_title", "About you"},
+      {Phrase::form_submit, "form_submit", "Continue"},
+      {Phrase::form_optional, "form_optional", "may be left empty"},
+      {Phrase::form_missing, "form_missing", "Please answer this."},
+      {Phrase::form_not_a_number, "form_not_a_number", "Please enter a number, such as 33."},
+      {Phrase::form_out_of_range, "form_out_of_range", "Please enter a number from {least} to {most}."},
+      {Phrase::form_not_an_option, "form_not_an_option", "Please choose one of the answers."},
+      {Phrase::display_title, "display_title", "The screen"},
+      {Phrase::display_card, "display_card",
+       "Hold a bank card against the screen and change the size of the frame until it is as large as the "
+       "card."},
+      {Phrase::display_distance, "display_distance", "Distance from your eyes to the screen in centimetres"},
+      {Phrase::display_gamma, "display_gamma",
+       "From where you sit, with your eyes half closed, the striped and the plain fields should look the "
+       "same."},
+      {Phrase::display_confirm, "display_confirm", "They look the same"},
+      {Phrase::display_differ, "display_differ", "They look different"},
+      {Phrase::instructions_title, "instructions_title", "Your task"},
+      {Phrase::page_of, "page_of", "Page {page} of {pages}"},
+      {Phrase::training_hint, "training_hint", "Practice {done} of {all}. These answers do not count."},
+      {Phrase::ready_title, "ready_title", "Ready?"},
+      {Phrase::ready_text, "ready_text",
+       "From now on you will not be told whether you were right. Take the time that you need."},
+      {Phrase::ready_button, "ready_button", "Begin"},
+      {Phrase::choice_hint, "choice_hint", "Click an object, or press 1, 2 or 3"},
+      {Phrase::rating_hint, "rating_hint", "Click an answer, or press 1, 2, 3 or 4"},
+      {Phrase::progress, "progress", "{done} of {all}"},
+      {Phrase::break_title, "break_title", "Time for a break"},
+      {Phrase::break_text, "break_text",
+       "{done} of {all} pictures are done. Rest your eyes, and go on when you are ready."},
+      {Phrase::pause_title, "pause_title", "Pause"},
+      {Phrase::pause_text, "pause_text",
+       "Everything that you have answered is stored. The picture will be shown again."},
+      {Phrase::pause_continue, "pause_continue", "Go on"},
+      {Phrase::pause_leave, "pause_leave", "Leave for now"},
+      {Phrase::thanks_title, "thanks_title", "Thank you"},
+      {Phrase::thanks_text, "thanks_text",
+       "You have seen all the pictures and your answers are stored. Please tell the experimenter that you "
+       "are "
+       "done."},
+      {Phrase::declined_title, "declined_title", "Thank you for your time"},
+      {Phrase::declined_text, "declined_text",
+       "You have chosen not to take part. Nothing about you is stored."},
+      {Phrase::stopped_title, "stopped_title", "The session has stopped"},
+      {Phrase::stopped_text, "stopped_text",
+       "Something could not be stored. Everything that you answered before is safe. Please call the "
+       "experimenter.\n\n{message}"},
+      {Phrase::close_button, "close", "Close"},
+      {Phrase::text_size, "text_size", "Size of the text"},
+  };
+  return table;
+}
+
+std::string phrase_text(const InterfaceTexts& texts, Phrase phrase) {
+  if (const auto found = texts.find(phrase); found != texts.end()) return found->second;
+  return std::string(every_phrase()[static_cast<std::size_t>(phrase)].english);
+}
+
+std::string fill_in(std::string text, const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string filled;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    bool found = false;
+    for (const auto& [name, value] : values) {
+      const std::string place = "{" + name + "}";
+      if (text.compare(i, place.size(), place) != 0) continue;
+      filled += value;
+      i += place.size() - 1;
+      found = true;
+      break;
+    }
+    if (!found) filled += text[i];
+  }
+  return filled;
+}
+
+}  // namespace seamline::inline stimuli

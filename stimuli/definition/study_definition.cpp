@@ -1,0 +1,110 @@
+#include "stimuli/definition/study_definition.h"
+
+#include <fmt/core.h>
+
+#include "support/files/hash.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+std::string text(const Eigen::Vector3d& v) {
+  return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
+}
+std::string text(const std::array<double, 3>& v) {
+  return fmt::format("[{},{},{}]", v[0], v[1], v[2]);
+}
+
+std::string object_text(const ObjectDefinition& object) {
+  return fmt::format("object {} {} {} {} {}\n", object.name, object.file, text(object.position_m),
+                     text(object.rotation_deg), object.scale);
+}
+
+std::string session_text(const SessionDefinition& session, const ObserverDefinition& observer) {
+  std::string out = fmt::format("session {} | {} | {}\n", session.question, session.rating_question,
+                                session.break_every_trials);
+  for (const std::string& label : session.rating_labels) out += "label " + label + "\n";
+  out += fmt::format("observer {} {}\n", observer.scale_octaves, observer.people_sd_octaves);
+  for (const auto& [artifact, width_px] : observer.midpoint_width_px)
+    out += fmt::format("midpoint {} {}\n", word(artifact), width_px);
+  // Only where they differ, so that studies that were rendered before keep their hash.
+  if (observer.image_gain) out += fmt::format("image gain {}\n", *observer.image_gain);
+  if (observer.direction == Direction::increasing) out += "noticeability rises\n";
+  if (observer.pixels_per_degree != default_pixels_per_degree)
+    out += fmt::format("pixels per degree {}\n", observer.pixels_per_degree);
+  return out;
+}
+
+/// What else decides what people are shown, only where it differs from what it was before it could be said.
+/// Texts, form, consent and what becomes of those who come again are not part of it: they can be edited in a
+/// rendered set.
+std::string shown_text(const StudyDefinition& study) {
+  const SessionDefinition usual;
+  std::string out;
+  if (study.catches != CatchDefinition{})
+    out += fmt::format("catch attention {} reference {}\n", study.catches.attention, study.catches.reference);
+  if (study.training.trials != TrainingDefinition{}.trials || !study.training.stimuli.empty())
+    out += fmt::format("training {}\n", study.training.trials);
+  for (const std::string& id : study.training.stimuli) out += "training stimulus " + id + "\n";
+  if (study.session.minimum_viewing_s != usual.minimum_viewing_s)
+    out += fmt::format("minimum viewing {}\n", study.session.minimum_viewing_s);
+  if (study.session.inter_trial_s != usual.inter_trial_s)
+    out += fmt::format("inter-trial {}\n", study.session.inter_trial_s);
+  if (study.session.orders != usual.orders) out += fmt::format("orders {}\n", study.session.orders);
+  return out;
+}
+
+}  // namespace
+
+std::string_view word(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::fast:
+      return "fast";
+    case Estimator::path:
+      return "path";
+  }
+  return {};
+}
+
+std::string_view word(MeshDensity density) {
+  switch (density) {
+    case MeshDensity::adaptive:
+      return "adaptive";
+    case MeshDensity::full:
+      return "full";
+  }
+  return {};
+}
+
+std::string canonical_text(const SceneDefinition& scene) {
+  std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
+                                scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
+                                scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
+  for (const ObjectDefinition& object : scene.objects) out += object_text(object);
+  if (scene.sun)
+    out += fmt::format("sun {} {} {}\n", text(scene.sun->to_sun), text(scene.sun->irradiance_w_m2),
+                       scene.sun->angular_radius_deg);
+  if (scene.camera)
+    out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
+                       scene.camera->horizontal_fov_deg);
+  return out;
+}
+
+std::string canonical_text(const StudyDefinition& study) {
+  std::string out =
+      fmt::format("seamline study 1\nname {}\nisolation {}\nimage {} {} spp {} seed {} mesh {} {} yaw {}\n",
+                  study.name, word(study.isolation), study.width_px, study.height_px, study.samples_per_pixel,
+                  study.seed, word(study.mesh), study.mesh_tolerance, study.yaw_texels);
+  for (const int width_px : study.depth_width_px) out += fmt::format("depth_width_px {}\n", width_px);
+  for (const SceneDefinition& scene : study.scenes) {
+    out += canonical_text(scene);
+    for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
+  }
+  return out + session_text(study.session, study.observer) + canonical_text(study.procedure) +
+         shown_text(study);
+}
+
+std::string study_hash(const StudyDefinition& study) {
+  return sha256(canonical_text(study));
+}
+
+}  // namespace seamline::inline stimuli

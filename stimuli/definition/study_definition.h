@@ -1,0 +1,131 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stimuli/definition/artifact.h"
+#include "stimuli/definition/axis.h"
+#include "stimuli/definition/consent_definition.h"
+#include "stimuli/definition/form_definition.h"
+#include "stimuli/definition/instructions_definition.h"
+#include "stimuli/definition/interface_texts.h"
+#include "stimuli/definition/procedure_definition.h"
+#include "stimuli/definition/session_definition.h"
+
+namespace seamline::inline stimuli {
+
+/// An object put into a scene: which file, and where. Applied to the file's vertices as
+/// position + R(rotation) * (scale * vertex), R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, +Y up.
+struct ObjectDefinition {
+  std::string name;            ///< unique in its scene; part of stimulus ids
+  std::string file;            ///< as written: `builtin:statue` or a path beside the study file
+  std::filesystem::path path;  ///< resolved
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< pitch about X, yaw about Y, roll about Z
+  double scale = 1.0;
+  bool exempt_from_shape_rules = false;  ///< `check` leaves out area and silhouette rules (paper: the teapot)
+};
+
+/// The sun, when the study file overrides what the scene file holds (KHR_lights_punctual, directional).
+struct SunDefinition {
+  Eigen::Vector3d to_sun =
+      Eigen::Vector3d::UnitY();  ///< direction from the scene towards the sun, unit length
+  std::array<double, 3> irradiance_w_m2 = {0, 0, 0};  ///< on a plane facing the sun, linear RGB
+  double angular_radius_deg = 0.0;                    ///< 0: a hard sun
+};
+
+/// A pinhole camera. Its position is also the centre of the panoramic depth maps.
+struct CameraDefinition {
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d look_at_m = -Eigen::Vector3d::UnitZ();
+  double horizontal_fov_deg = 60.0;
+};
+
+/// A background with three objects, and what light does in it.
+struct SceneDefinition {
+  std::string name;
+  std::string file;
+  std::filesystem::path path;
+  std::vector<Artifact> artifacts;
+  std::vector<ObjectDefinition> objects;                   ///< left, middle, right
+  std::optional<SunDefinition> sun;                        ///< none: the scene file's own
+  std::optional<CameraDefinition> camera;                  ///< none: the scene file's own (its first camera)
+  std::array<double, 3> environment_radiance = {1, 1, 1};  ///< constant environment, W/m2/sr, linear RGB
+  bool ambient_occlusion = false;  ///< no sun, no bounce; visibility up to ao_distance_m
+  double ao_distance_m = 2.0;
+  int bounces = 4;           ///< further diffuse scatterings after the first
+  double albedo = 0.5;       ///< of the depth mesh, and of meshes without a material
+  double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
+};
+
+/// A picture shown pixel for pixel on a full-HD screen 0.531 m wide (24 inches) from 0.6 m, rounded.
+inline constexpr double default_pixels_per_degree = 38;
+
+/// What the simulated observers `threshold` and `image` are made of. The planted widths are not the paper's.
+struct ObserverDefinition {
+  std::map<Artifact, double> midpoint_width_px = {{Artifact::receiver, 300},  {Artifact::shadow, 180},
+                                                  {Artifact::occlusion, 620}, {Artifact::overlap, 900},
+                                                  {Artifact::bounce, 150},    {Artifact::all, 900},
+                                                  {Artifact::none, 1}};
+  double scale_octaves = 0.5;  ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
+  /// `increasing`: the `threshold` observer sees with 1 / (1 + exp(-(log2 W - log2 midpoint - shift) /
+  /// scale)).
+  Direction direction = Direction::decreasing;
+  double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
+  /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
+  /// stimulus and reference (stimuli/pictures/visible_difference.h); 1 / gain is what is seen half of the
+  /// time. None: `seamline predict` fixes it on the receiver artifact (documentation/predict_and_plan.md).
+  std::optional<double> image_gain = {};
+  double pixels_per_degree = default_pixels_per_degree;  ///< at which people see the pictures
+};
+
+enum class MeshDensity { adaptive, full };
+
+/// How light is computed: `path` traces every path to its end and is the reference; `fast` shares between
+/// stimuli and filters bounce light, with its bias in the reported error.
+enum class Estimator { fast, path };
+
+/// A whole study: everything that decides what people are shown. Defaults are those of DESIGN section 6.
+struct StudyDefinition {
+  std::string name;
+  std::filesystem::path file;  ///< where it was read from
+  Isolation isolation = Isolation::query;
+  int width_px = 960;
+  int height_px = 540;
+  int samples_per_pixel = 64;
+  std::uint64_t seed = 1;
+  MeshDensity mesh = MeshDensity::adaptive;
+  double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
+  std::vector<int> depth_width_px;
+  int yaw_texels = 0;
+  std::vector<SceneDefinition> scenes;
+  SessionDefinition session;
+  ProcedureDefinition procedure;
+  ObserverDefinition observer;
+  CatchDefinition catches;
+  TrainingDefinition training;
+  ConsentDefinition consent = default_consent();
+  std::vector<FormField> form = default_form();
+  std::vector<InstructionPage> instructions = default_instructions();
+  InterfaceTexts texts;
+};
+
+[[nodiscard]] std::string_view word(MeshDensity density);
+[[nodiscard]] std::string_view word(Estimator estimator);
+
+/// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its
+/// hash is over.
+[[nodiscard]] std::string canonical_text(const StudyDefinition& study);
+
+/// The same for one scene: what its pictures depend on, besides the bytes of its files.
+[[nodiscard]] std::string canonical_text(const SceneDefinition& scene);
+
+/// SHA-256 of `canonical_text`.
+[[nodiscard]] std::string study_hash(const StudyDefinition& study);
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,102 @@
+#include "stimuli/pictures/visible_difference.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <vector>
+
+#include "stimuli/pictures/flip.h"
+#include "stimuli/set/set_files.h"
+#include "support/running/parallel.h"
+#include "support/text/error.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string size_of(int width_px, int height_px) {
+  return fmt::format("{} x {} px", width_px, height_px);
+}
+
+ByteImage read_picture(const fs::path& path, const Manifest& manifest) {
+  ByteImage image = read_bytes_image(path);
+  if (image.width_px != manifest.width_px || image.height_px != manifest.height_px)
+    throw input_error({.file = path.string(),
+                       .wanted = size_of(manifest.width_px, manifest.height_px) + ", as in the manifest",
+                       .found = size_of(image.width_px, image.height_px)});
+  if (image.channels != 1 && image.channels != 3)
+    throw input_error(
+        {.file = path.string(), .wanted = "1 or 3 channels", .found = std::to_string(image.channels)});
+  return image;
+}
+
+/// Every reference of the set, looked at once.
+std::map<std::string, FlipPicture> read_references(const fs::path& folder, const Manifest& manifest,
+                                                   double ppd) {
+  std::map<std::string, FlipPicture> references;
+  for (const ManifestStimulus& stimulus : manifest.stimuli)
+    if (!references.contains(stimulus.reference))
+      references[stimulus.reference] =
+          flip_picture(read_picture(set_file_path(folder, stimulus.reference), manifest), ppd);
+  return references;
+}
+
+}  // namespace
+
+double pooled_difference(const Image& flip, double pixels_per_degree) {
+  double sum = 0;
+  for (const float value : flip.values)
+    if (value > 0) sum += std::pow(double{value}, pooling_exponent);
+  return std::pow(sum / (pixels_per_degree * pixels_per_degree), 1 / pooling_exponent);
+}
+
+double above_floor(double pooled, double floor) {
+  if (pooled <= floor) return 0;
+  if (floor <= 0) return pooled;
+  return std::pow(std::pow(pooled, pooling_exponent) - std::pow(floor, pooling_exponent),
+                  1 / pooling_exponent);
+}
+
+VisibleDifferences visible_differences(const fs::path& set_folder, const Manifest& manifest,
+                                       double pixels_per_degree, const DifferenceFloors& floors,
+                                       int threads) {
+  const std::map<std::string, FlipPicture> references =
+      read_references(set_folder, manifest, pixels_per_degree);
+  std::vector<double> pooled(manifest.stimuli.size());
+  run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
+    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
+    const ByteImage image = read_picture(set_file_path(set_folder, stimulus.image), manifest);
+    const Image flip =
+        flip_difference(references.at(stimulus.reference), flip_picture(image, pixels_per_degree));
+    pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, pixels_per_degree);
+  });
+  VisibleDifferences differences;
+  for (std::size_t i = 0; i < pooled.size(); ++i) differences[manifest.stimuli[i].id].pooled = pooled[i];
+  DifferenceFloors known = difference_floors(manifest, differences);
+  known.insert(floors.begin(), floors.end());
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    VisibleDifference& difference = differences[record.id];
+    const auto floor = known.find(floor_key(record.stimulus));
+    difference.above_floor = above_floor(difference.pooled, floor == known.end() ? 0 : floor->second);
+  }
+  return differences;
+}
+
+DifferenceFloors difference_floors(const Manifest& manifest, const VisibleDifferences& differences) {
+  DifferenceFloors sums;
+  std::map<std::string, int> counts;
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    if (record.stimulus.artifact != Artifact::none) continue;
+    sums[floor_key(record.stimulus)] += differences.at(record.id).pooled;
+    ++counts[floor_key(record.stimulus)];
+  }
+  for (auto& [key, sum] : sums) sum /= counts[key];
+  return sums;
+}
+
+std::string floor_key(const Stimulus& stimulus) {
+  return stimulus.scene + "/" + stimulus.object;
+}
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,223 @@
+#include "stimuli/set/manifest.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "stimuli/set/json_fields.h"
+#include "support/files/atomic_file.h"
+#include "support/files/hash.h"
+#include "support/text/error.h"
+#include "support/text/text_bounds.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr int widest_depth_px = 16384;  ///< as in study files
+
+Json to_json(const ManifestStimulus& record) {
+  const Stimulus& stimulus = record.stimulus;
+  Json json;
+  json["id"] = record.id;
+  json["scene"] = stimulus.scene;
+  json["artifact"] = word(stimulus.artifact);
+  json["object"] = stimulus.object;
+  json["object_index"] = stimulus.object_index;
+  json["condition"] = {{"depth_width_px", stimulus.condition.depth_width_px},
+                       {"depth_height_px", stimulus.condition.depth_height_px()},
+                       {"yaw_texels", stimulus.condition.yaw_texels}};
+  json["isolation"] = word(record.isolation);
+  json["image"] = record.image;
+  json["object_ids"] = record.object_ids;
+  json["reference"] = record.reference;
+  json["spp"] = record.spp;
+  json["rays"] = record.rays;
+  json["rmse"] = record.rmse ? Json(*record.rmse) : Json(nullptr);
+  json["mesh"] = {{"triangles", record.mesh.triangles},
+                  {"max_relative_error", record.mesh.max_relative_error}};
+  json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
+                               {"clamped_pixels", record.tiny_denominators.clamped_pixels},
+                               {"sealed_pixels", record.tiny_denominators.sealed_pixels},
+                               {"not_finite_pixels", record.tiny_denominators.not_finite_pixels}};
+  json["clipped_share"] = record.clipped_share;
+  json["sha256"] = record.sha256;
+  return json;
+}
+
+Artifact read_artifact(const JsonFields& fields) {
+  const auto text = fields.get<std::string>("artifact");
+  const std::optional<Artifact> artifact = artifact_from_word(text);
+  if (!artifact) throw fields.complaint("artifact", "a known artifact", "\"" + text + "\"");
+  return *artifact;
+}
+
+/// A scene or an object, as study files name them: it stands in logs, reports and figures.
+std::string read_name(const JsonFields& fields, const char* key) {
+  const auto name = fields.get<std::string>(key);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  if (name.empty() || name.find_first_not_of(letters) != std::string::npos)
+    throw fields.complaint(key, "lower-case letters, digits and _", "another name");
+  return name;
+}
+
+int read_depth_width(const JsonFields& condition) {
+  const int width_px = condition.number("depth_width_px", 2, widest_depth_px);
+  if (width_px % 2 != 0)
+    throw condition.complaint("depth_width_px", "an even number", std::to_string(width_px));
+  return width_px;
+}
+
+Stimulus read_stimulus(const JsonFields& fields) {
+  const JsonFields condition = fields.object("condition");
+  Stimulus stimulus{
+      .scene = read_name(fields, "scene"),
+      .artifact = read_artifact(fields),
+      .object = read_name(fields, "object"),
+      .object_index = fields.number("object_index", 1, 3),
+      .condition = {.depth_width_px = read_depth_width(condition),
+                    .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
+  return stimulus;
+}
+
+/// It becomes part of file names.
+std::string read_id(const JsonFields& fields) {
+  const auto id = fields.get<std::string>("id");
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+  if (id.empty() || id.size() > 200 || id.front() == '.' ||
+      id.find_first_not_of(letters) != std::string::npos)
+    throw fields.complaint("id", "letters, digits, dots, dashes and underscores", "\"" + id + "\"");
+  return id;
+}
+
+ManifestStimulus read_record(const JsonFields& fields) {
+  ManifestStimulus record;
+  record.id = read_id(fields);
+  record.stimulus = read_stimulus(fields);
+  const auto isolation = isolation_from_word(fields.get<std::string>("isolation"));
+  if (!isolation) throw fields.complaint("isolation", "query or mask", fields.get<std::string>("isolation"));
+  record.isolation = *isolation;
+  record.image = fields.file_below("image");
+  record.object_ids = fields.file_below("object_ids");
+  record.reference = fields.file_below("reference");
+  record.spp = fields.get<int>("spp");
+  record.rays = fields.get<std::int64_t>("rays");
+  const auto rmse = fields.get<Json>("rmse");
+  if (rmse.is_number()) record.rmse = rmse.get<double>();
+  const JsonFields mesh = fields.object("mesh");
+  record.mesh = {mesh.get<std::int64_t>("triangles"), mesh.get<double>("max_relative_error")};
+  const JsonFields tiny = fields.object("tiny_denominators");
+  record.tiny_denominators = {
+      tiny.get<std::int64_t>("floored_pixels"), tiny.get<std::int64_t>("clamped_pixels"),
+      tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
+  record.clipped_share = fields.get<double>("clipped_share");
+  record.sha256 = fields.get<std::string>("sha256");
+  return record;
+}
+
+Json to_json(const ManifestReference& reference) {
+  Json json;
+  json["scene"] = reference.scene;
+  json["image"] = reference.image;
+  json["object_ids"] = reference.object_ids;
+  json["image_sha256"] = reference.image_sha256;
+  json["object_ids_sha256"] = reference.object_ids_sha256;
+  return json;
+}
+
+Json parse(const std::string& text, const std::string& file) {
+  require_bounded_json(text, file);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw input_error(
+        {.file = file, .wanted = "JSON", .found = "something else at byte " + std::to_string(error.byte)});
+  } catch (const Json::exception&) {
+    throw input_error({.file = file, .wanted = "JSON with numbers of this machine", .found = "a larger one"});
+  }
+}
+
+void check_version(const JsonFields& fields) {
+  const auto format = fields.get<std::string>("format");
+  if (format != manifest_format)
+    throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
+  const int version = fields.get<int>("version");
+  if (version != manifest_version)
+    throw fields.complaint(
+        "version",
+        "version " + std::to_string(manifest_version) + " (render the set again with this program)",
+        std::to_string(version));
+}
+
+std::filesystem::path manifest_path(const std::filesystem::path& set_folder) {
+  return set_folder / "manifest.json";
+}
+
+}  // namespace
+
+Manifest read_manifest(const std::filesystem::path& set_folder) {
+  const std::filesystem::path path = manifest_path(set_folder);
+  if (!std::filesystem::exists(path))
+    throw input_error(
+        {.file = path.string(), .wanted = "a set rendered by `seamline render`", .found = "no such file"});
+  const Json json = parse(read_file(path), path.string());
+  const JsonFields fields(json, path.string(), "");
+  check_version(fields);
+  Manifest manifest;
+  const JsonFields study = fields.object("study");
+  manifest.study_name = study.get<std::string>("name");
+  manifest.study_hash = study.get<std::string>("sha256");
+  manifest.study_file = study.file_below("file");
+  const JsonFields program = fields.object("program");
+  manifest.program_version = program.get<std::string>("version");
+  manifest.instruction_set = program.get<std::string>("instruction_set");
+  manifest.left_out = fields.get<std::vector<std::string>>("left_out");
+  manifest.width_px = fields.number("width_px", 1, limits::largest_picture_side_px);
+  manifest.height_px = fields.number("height_px", 1, limits::largest_picture_side_px);
+  for (const Json& item : fields.array("references")) {
+    const JsonFields reference(item, path.string(),
+                               "references[" + std::to_string(manifest.references.size()) + "].");
+    manifest.references.push_back(
+        {read_name(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
+         reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256")});
+  }
+  std::set<std::string> ids;
+  for (const Json& item : fields.array("stimuli")) {
+    const JsonFields record(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].");
+    manifest.stimuli.push_back(read_record(record));
+    if (!ids.insert(manifest.stimuli.back().id).second)
+      throw record.complaint("id", "an id that no other stimulus has", manifest.stimuli.back().id);
+  }
+  return manifest;
+}
+
+void write_manifest(const std::filesystem::path& set_folder, const Manifest& manifest) {
+  Json json;
+  json["format"] = manifest_format;
+  json["version"] = manifest_version;
+  json["study"] = {
+      {"name", manifest.study_name}, {"sha256", manifest.study_hash}, {"file", manifest.study_file}};
+  json["program"] = {{"version", manifest.program_version}, {"instruction_set", manifest.instruction_set}};
+  json["left_out"] = manifest.left_out;
+  json["width_px"] = manifest.width_px;
+  json["height_px"] = manifest.height_px;
+  json["references"] = Json::array();
+  for (const ManifestReference& reference : manifest.references)
+    json["references"].push_back(to_json(reference));
+  json["stimuli"] = Json::array();
+  for (const ManifestStimulus& record : manifest.stimuli) json["stimuli"].push_back(to_json(record));
+  write_file_atomically(manifest_path(set_folder), json.dump(1) + "\n");
+}
+
+std::string stimulus_record_text(const ManifestStimulus& record) {
+  return to_json(record).dump();
+}
+
+ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file) {
+  const Json json = parse(text, file);
+  return read_record(JsonFields(json, file, ""));
+}
+
+std::string set_hash(const std::filesystem::path& set_folder) {
+  return sha256_of_file(manifest_path(set_folder));
+}
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,79 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stimuli/definition/stimulus.h"
+
+namespace seamline::inline stimuli {
+
+inline constexpr const char* manifest_format = "seamline set";
+inline constexpr int manifest_version = 1;
+
+struct TinyDenominators {
+  std::int64_t floored_pixels = 0;  ///< ratio taken as 1, because S_no was under 1e-6 of the frame's median
+  std::int64_t clamped_pixels = 0;  ///< ratio clamped to 0..4
+  std::int64_t sealed_pixels =
+      0;  ///< ratio faded towards 1, because the depth mesh is far darker than the photograph
+  std::int64_t not_finite_pixels = 0;  ///< infinite or not a number: shown black or white, and counted
+};
+
+struct MeshRecord {
+  std::int64_t triangles = 0;
+  double max_relative_error = 0;  ///< against the dense sphere, along its rays; 0 for the full mesh
+};
+
+/// One rendered stimulus as the manifest records it. Paths are relative to the set's folder.
+struct ManifestStimulus {
+  std::string id;
+  Stimulus stimulus;
+  Isolation isolation = Isolation::query;
+  std::string image;
+  std::string object_ids;  ///< 8-bit PNG: 0 background, 1 left, 2 middle, 3 right
+  std::string reference;
+  int spp = 0;
+  std::int64_t rays = 0;       ///< traced for this stimulus
+  std::optional<double> rmse;  ///< estimated noise, display units 0..1; none at 1 sample a pixel
+  MeshRecord mesh;
+  TinyDenominators tiny_denominators;
+  double clipped_share = 0;  ///< share of channel values over display white
+  std::string sha256;        ///< of the image file
+};
+
+/// A reference picture and its click map: one for each scene.
+struct ManifestReference {
+  std::string scene;
+  std::string image, object_ids;
+  std::string image_sha256, object_ids_sha256;
+};
+
+/// A rendered stimulus set: `SET/manifest.json`, byte-equal for equal input.
+struct Manifest {
+  std::string study_name;
+  std::string study_hash;
+  std::string study_file = "study.toml";  ///< copy of the study file, relative to the set
+  std::string program_version;
+  std::string instruction_set;        ///< Embree's; changes last bits
+  std::vector<std::string> left_out;  ///< what was not computed, and why
+  int width_px = 0, height_px = 0;
+  std::vector<ManifestReference> references;
+  std::vector<ManifestStimulus> stimuli;
+};
+
+/// Throws InputError when there is no manifest, it is of another format or version, or a field is missing or
+/// wrong.
+[[nodiscard]] Manifest read_manifest(const std::filesystem::path& set_folder);
+
+/// Writes `manifest.json` atomically.
+void write_manifest(const std::filesystem::path& set_folder, const Manifest& manifest);
+
+/// One stimulus record as JSON text and back; what makes a finished stimulus known to a later run.
+[[nodiscard]] std::string stimulus_record_text(const ManifestStimulus& record);
+[[nodiscard]] ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file);
+
+/// SHA-256 of the manifest file's bytes: the set's identity in logs.
+[[nodiscard]] std::string set_hash(const std::filesystem::path& set_folder);
+
+}  // namespace seamline::inline stimuli

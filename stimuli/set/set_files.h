@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "stimuli/set/manifest.h"
+#include "support/files/image.h"
+
+namespace seamline::inline stimuli {
+
+/// A picture that a manifest names, relative to the set's folder: the SHA-256 of its bytes, and its shape.
+struct SetFile {
+  std::string file;
+  std::string sha256;
+  int width_px = 0, height_px = 0;
+  int channels = 3;  ///< 1: a click map
+
+  bool operator==(const SetFile&) const = default;
+};
+
+[[nodiscard]] SetFile stimulus_file(const Manifest& manifest, const ManifestStimulus& stimulus);
+[[nodiscard]] SetFile reference_file(const Manifest& manifest, const ManifestReference& reference);
+[[nodiscard]] SetFile click_map_file(const Manifest& manifest, const ManifestReference& reference);
+
+/// The reference of a stimulus' scene. Throws InputError naming the manifest of `set_folder` when there is
+/// none.
+[[nodiscard]] const ManifestReference& reference_of(const std::filesystem::path& set_folder,
+                                                    const Manifest& manifest, const std::string& scene);
+
+/// Every picture of a set: references, their click maps, stimuli; each once.
+[[nodiscard]] std::vector<SetFile> set_files(const Manifest& manifest);
+
+/// Where a file is that the manifest names. Everything that opens one asks here: throws InputError when a
+/// link leads out of the set's folder, because a set may have come from somebody else.
+[[nodiscard]] std::filesystem::path set_file_path(const std::filesystem::path& set_folder,
+                                                  const std::string& name);
+
+/// Throws InputError unless the file is there, has the bytes that the set was rendered with, and its header
+/// says that it is a picture of the wanted shape.
+void check_set_file(const std::filesystem::path& set_folder, const SetFile& wanted);
+
+/// The picture, after `check_set_file`: what all readers of a set's pictures may rely on.
+[[nodiscard]] ByteImage read_set_file(const std::filesystem::path& set_folder, const SetFile& wanted);
+
+/// Throws InputError naming the first picture of the set that is not there or has another shape than the
+/// manifest says. Reads no more than headers: thousands take a tenth of a second.
+void check_set_shapes(const std::filesystem::path& set_folder, const Manifest& manifest);
+
+/// check_set_file for every picture of the set, on all cores.
+void check_set_files(const std::filesystem::path& set_folder, const Manifest& manifest);
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,144 @@
+#include "stimuli/study_file/study_file_people.h"
+
+#include <set>
+
+#include "stimuli/study_file/study_file_words.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+ConsentDefinition read_consent(const TomlTable& table) {
+  ConsentDefinition consent = default_consent();
+  consent.text = table.text("text", consent.text);
+  consent.accept = table.text("accept", consent.accept);
+  consent.decline = table.text("decline", consent.decline);
+  table.finish();
+  return consent;
+}
+
+enum class FieldKind { number, choice };
+
+NumberField read_number_field(const TomlTable& table) {
+  NumberField number;
+  number.least = table.number("least", number.least, {-1e9, 1e9});
+  number.most = table.number("most", number.most, {-1e9, 1e9});
+  number.whole = table.boolean("whole", number.whole);
+  if (number.least > number.most)
+    throw table.complaint("most", fmt::format("at least {}", number.least), fmt::format("{}", number.most));
+  return number;
+}
+
+ChoiceField read_choice_field(const TomlTable& table) {
+  ChoiceField choice{table.texts("options")};
+  const std::set<std::string> different(choice.options.begin(), choice.options.end());
+  if (choice.options.size() < 2 || different.size() != choice.options.size() || different.contains(""))
+    throw table.complaint("options", "at least two texts that differ",
+                          fmt::format("{}, {} of them different", choice.options.size(), different.size()));
+  return choice;
+}
+
+FormField read_form_field(const TomlTable& table) {
+  FormField field;
+  field.name = table.text("name");
+  if (field.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
+    throw table.complaint("name", "lower-case letters, digits and _", "\"" + field.name + "\"");
+  field.label = table.text("label");
+  field.required = table.boolean("required", true);
+  if (!table.has("kind")) throw table.complaint("kind", "\"number\" or \"choice\"", "nothing");
+  switch (one_of<FieldKind>(table, "kind", FieldKind::number,
+                            {{"number", FieldKind::number}, {"choice", FieldKind::choice}})) {
+    case FieldKind::number:
+      field.kind = read_number_field(table);
+      break;
+    case FieldKind::choice:
+      field.kind = read_choice_field(table);
+      break;
+  }
+  table.finish();
+  return field;
+}
+
+std::vector<FormField> read_form(const TomlTable& study) {
+  const bool asked = study.boolean("participant_form", true);
+  std::vector<FormField> form;
+  std::set<std::string> names;
+  for (const TomlTable& table : study.tables("form_field")) {
+    form.push_back(read_form_field(table));
+    if (!names.insert(form.back().name).second)
+      throw table.complaint("name", "a name that no other field has", "\"" + form.back().name + "\"");
+  }
+  if (!asked && !form.empty())
+    throw study.complaint("participant_form", "true where there is a [[form_field]]", "false");
+  return asked && form.empty() ? default_form() : form;
+}
+
+std::vector<InstructionPage> read_instructions(const TomlTable& table) {
+  std::vector<InstructionPage> pages;
+  for (const TomlTable& page : table.tables("page")) {
+    InstructionPage read;
+    if (page.has("pictures")) read.pictures = page.texts("pictures");
+    read.text = page.text("text", "");
+    page.finish();
+    if (read.text.empty() && read.pictures.empty())
+      throw page.complaint("text", "a text, or pictures", "neither");
+    pages.push_back(std::move(read));
+  }
+  table.finish();
+  if (pages.empty()) throw table.complaint("page", "at least one [[instructions.page]]", "none");
+  return pages;
+}
+
+TrainingDefinition read_training(const TomlTable& table) {
+  TrainingDefinition training;
+  if (table.has("stimuli")) {
+    if (table.has("trials"))
+      throw table.complaint("trials", "either trials or stimuli in [training]", "both");
+    training.stimuli = table.texts("stimuli");
+    training.trials = static_cast<int>(training.stimuli.size());
+  }
+  training.trials = table.integer("trials", training.trials, {0, 1000, "trials"});
+  training.feedback_right = table.text("feedback_right", training.feedback_right);
+  training.feedback_wrong = table.text("feedback_wrong", training.feedback_wrong);
+  table.finish();
+  return training;
+}
+
+/// The `{word}` places of a text.
+std::set<std::string> places_of(const std::string& text) {
+  std::set<std::string> places;
+  for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
+    const std::size_t close = text.find('}', open);
+    if (close == std::string::npos) break;
+    places.insert(text.substr(open, close - open + 1));
+  }
+  return places;
+}
+
+InterfaceTexts read_texts(const TomlTable& table) {
+  InterfaceTexts texts;
+  for (const PhraseEntry& entry : every_phrase()) {
+    const std::string key(entry.key);
+    if (!table.has(key)) continue;
+    const std::string text = table.text(key);
+    const std::set<std::string> known = places_of(std::string(entry.english));
+    for (const std::string& place : places_of(text))
+      if (!known.contains(place))
+        throw table.complaint(key, fmt::format("only places that \"{}\" has", entry.english),
+                              "\"" + place + "\"");
+    texts[entry.phrase] = text;
+  }
+  table.finish();
+  return texts;
+}
+
+}  // namespace
+
+void read_people(const TomlTable& study, StudyDefinition& definition) {
+  if (const auto consent = study.table("consent")) definition.consent = read_consent(*consent);
+  definition.form = read_form(study);
+  if (const auto pages = study.table("instructions")) definition.instructions = read_instructions(*pages);
+  if (const auto training = study.table("training")) definition.training = read_training(*training);
+  if (const auto texts = study.table("texts")) definition.texts = read_texts(*texts);
+}
+
+}  // namespace seamline::inline stimuli

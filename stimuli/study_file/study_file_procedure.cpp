@@ -1,0 +1,132 @@
+#include "stimuli/study_file/study_file_procedure.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "stimuli/study_file/study_file_range.h"
+#include "stimuli/study_file/study_file_words.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr std::int64_t most_points = 1000000;  // of the whole grid
+
+/// The axis of a study, and how its keys end: lengths on the log2 axis are octaves, on the linear one px.
+struct AxisWords {
+  bool linear = false;
+  const char* unit = "octaves";
+
+  [[nodiscard]] std::string key(const std::string& name) const {
+    return name + (linear ? "_px" : "_octaves");
+  }
+  [[nodiscard]] Range bounds() const { return {1e-3, linear ? 1e9 : 100, unit}; }
+};
+
+/// The key of a length on the axis. Throws InputError when the table has that of the other axis.
+std::string length_key(const TomlTable& table, const std::string& name, const AxisWords& axis) {
+  const std::string other = AxisWords{.linear = !axis.linear}.key(name);
+  if (table.has(other))
+    throw table.complaint(
+        other, fmt::format("{} where axis = \"{}\"", axis.key(name), axis.linear ? "linear" : "log2"), other);
+  return axis.key(name);
+}
+
+void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
+  const std::int64_t points = std::int64_t{1} * quest.threshold_px.count * quest.scale.count *
+                              quest.lapse.count * quest.guess.count * quest.rating_step.count;
+  if (points > most_points)
+    throw table.complaint("threshold_px",
+                          fmt::format("at most {} combinations of all parameters", most_points),
+                          fmt::format("{}", points));
+  if (quest.lapse.most + quest.guess.most >= 1)
+    throw table.complaint("lapse", "lapse and guess that leave room for seeing (less than 1 together)",
+                          fmt::format("{}", quest.lapse.most + quest.guess.most));
+  if (quest.min_trials > quest.max_trials)
+    throw table.complaint("min_trials", fmt::format("at most max_trials ({})", quest.max_trials),
+                          fmt::format("{}", quest.min_trials));
+}
+
+void read_ratings(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
+  const bool asked = quest.outcome == PlacementOutcome::noticeability;
+  const std::string key = length_key(table, "rating_step", axis);
+  if (!asked && table.has(key))
+    throw table.complaint("outcome", "\"noticeability\" where there are " + key, "\"correct\"");
+  quest.rating_step = asked
+                          ? read_range(table, key.c_str(), quest.rating_step, {axis.bounds(), Steps::ratios})
+                          : ParameterRange{1, 1, 1};
+}
+
+void read_stops(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
+  if (!table.has("max_shows_per_image"))
+    throw table.complaint("max_shows_per_image", "how often a participant may see the same image", "nothing");
+  quest.max_shows_per_image = table.integer("max_shows_per_image", 1, {1, 100000, "shows"});
+  quest.max_trials = table.integer("max_trials", quest.max_trials, {1, 100000, "trials"});
+  quest.min_trials =
+      table.integer("min_trials", std::min(quest.min_trials, quest.max_trials), {1, 100000, "trials"});
+  const std::string interval = length_key(table, "stop_interval", axis);
+  if (table.has(interval)) quest.stop_interval = table.number(interval, 0, axis.bounds());
+  if (table.has("stop_entropy_nats"))
+    quest.stop_entropy_nats = table.number("stop_entropy_nats", 0, {0, 100, "nats"});
+  quest.edge_share = table.number("edge_share", quest.edge_share, {1e-6, 1});
+}
+
+/// On the linear axis, what the usual octaves are to the seven widths of the paper, which span six.
+void set_linear_lengths(QuestPlusDefinition& quest, const std::vector<int>& depth_width_px) {
+  const double span_px =
+      depth_width_px.size() > 1 ? depth_width_px.back() - depth_width_px.front() : depth_width_px.back();
+  for (ParameterRange* range : {&quest.scale, &quest.rating_step}) {
+    range->least *= span_px / 6;
+    range->most *= span_px / 6;
+  }
+}
+
+void read_grid(const TomlTable& table, const std::vector<int>& depth_width_px, QuestPlusDefinition& quest) {
+  const bool linear = quest.axis == Axis::linear;
+  const AxisWords axis{.linear = linear, .unit = linear ? "px" : "octaves"};
+  if (linear) set_linear_lengths(quest, depth_width_px);
+  const ParameterRange around{depth_width_px.front() / 2.0, depth_width_px.back() * 2.0, 41};
+  quest.threshold_px =
+      read_range(table, "threshold_px", around, {{1e-3, 1e9, "px"}, linear ? Steps::equal : Steps::ratios});
+  quest.scale = read_range(table, length_key(table, "scale", axis).c_str(), quest.scale,
+                           {axis.bounds(), Steps::ratios});
+  quest.lapse = read_range(table, "lapse", quest.lapse, {{0, 0.5}, Steps::equal, true});
+  quest.guess = read_range(table, "guess", quest.guess, {{0, 0.99}, Steps::equal, true});
+  read_ratings(table, axis, quest);
+  read_stops(table, axis, quest);
+}
+
+QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<int>& depth_width_px) {
+  QuestPlusDefinition quest;
+  quest.outcome = one_of<PlacementOutcome>(
+      table, "outcome", quest.outcome,
+      {{"correct", PlacementOutcome::correct}, {"noticeability", PlacementOutcome::noticeability}});
+  quest.track =
+      one_of<PlacementTrack>(table, "track", quest.track,
+                             {{"artifact", PlacementTrack::artifact}, {"object", PlacementTrack::object}});
+  quest.sigmoid = one_of<Sigmoid>(
+      table, "sigmoid", quest.sigmoid,
+      {{"logistic", Sigmoid::logistic}, {"norm", Sigmoid::normal}, {"gumbel", Sigmoid::gumbel}});
+  quest.axis = one_of<Axis>(table, "axis", quest.axis, {{"log2", Axis::log2}, {"linear", Axis::linear}});
+  quest.direction = read_direction(table);
+  read_grid(table, depth_width_px, quest);
+  table.finish();
+  check_sizes(table, quest);
+  return quest;
+}
+
+}  // namespace
+
+ProcedureDefinition read_procedure(const TomlTable& study, const std::vector<int>& depth_width_px) {
+  const bool adaptive = one_of<bool>(study, "procedure", false, {{"constant", false}, {"quest_plus", true}});
+  const std::optional<TomlTable> settings = study.table("quest_plus");
+  if (settings && !adaptive)
+    throw study.complaint("procedure", "\"quest_plus\" where there is a table [quest_plus]", "\"constant\"");
+  if (!adaptive) return ConstantDefinition{};
+  if (!settings)
+    throw study.complaint("quest_plus", "a table [quest_plus] with at least max_shows_per_image", "nothing");
+  return read_quest_plus(*settings, depth_width_px);
+}
+
+}  // namespace seamline::inline stimuli

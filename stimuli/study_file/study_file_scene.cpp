@@ -1,0 +1,118 @@
+#include "stimuli/study_file/study_file_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "support/text/limits.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr double unlimited = limits::farthest_place_m;
+
+Eigen::Vector3d vector(const std::array<double, 3>& values) {
+  return {values[0], values[1], values[2]};
+}
+
+std::string read_name(const TomlTable& table) {
+  const std::string name = table.text("name");
+  for (const char c : name)
+    if (!(std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) ||
+          c == '_'))
+      throw table.complaint("name", "lower-case letters, digits and _ (it becomes part of file names)",
+                            "\"" + name + "\"");
+  return name;
+}
+
+std::filesystem::path find_asset(const TomlTable& table, const std::string& file, const AssetFolders& folders,
+                                 AssetCheck assets) {
+  return assets == AssetCheck::must_exist ? resolve_asset(file, folders, table.field("file"))
+                                          : std::filesystem::path{};
+}
+
+ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
+  ObjectDefinition object;
+  object.name = read_name(table);
+  object.file = table.text("file");
+  object.position_m = vector(table.triple("position_m", {0, 0, 0}, {-unlimited, unlimited, "m"}));
+  object.rotation_deg = vector(table.triple("rotation_deg", {0, 0, 0}, {-360, 360, "degrees"}));
+  object.scale = table.number("scale", 1.0, {1e-9, unlimited});
+  object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
+  table.finish();
+  object.path = find_asset(table, object.file, folders, assets);
+  return object;
+}
+
+SunDefinition read_sun(const TomlTable& table) {
+  SunDefinition sun;
+  sun.to_sun = vector(table.triple("to_sun", {0, 1, 0}, {-unlimited, unlimited}));
+  if (!(sun.to_sun.norm() > 0)) throw table.complaint("to_sun", "a direction that is not zero", "[0, 0, 0]");
+  sun.to_sun.normalize();
+  sun.irradiance_w_m2 = table.triple("irradiance_w_m2", {0, 0, 0}, {0, limits::strongest_light, "W/m2"});
+  sun.angular_radius_deg = table.number("angular_radius_deg", 0.0, {0, 45, "degrees"});
+  table.finish();
+  return sun;
+}
+
+CameraDefinition read_camera(const TomlTable& table) {
+  CameraDefinition camera;
+  camera.position_m = vector(table.triple("position_m", {0, 0, 0}, {-unlimited, unlimited, "m"}));
+  camera.look_at_m = vector(table.triple("look_at_m", {0, 0, -1}, {-unlimited, unlimited, "m"}));
+  camera.horizontal_fov_deg = table.number("horizontal_fov_deg", 60, {1, 170, "degrees"});
+  const Eigen::Vector3d view = camera.look_at_m - camera.position_m;
+  if (view.cross(Eigen::Vector3d::UnitY()).norm() <= 1e-9 * view.norm())
+    throw table.complaint("look_at_m", "a point that is not straight above, below or at the camera",
+                          "no such point");
+  table.finish();
+  return camera;
+}
+
+std::vector<Artifact> read_artifacts(const TomlTable& table) {
+  std::vector<Artifact> artifacts;
+  for (const std::string& text : table.texts("artifacts")) {
+    const std::optional<Artifact> artifact = artifact_from_word(text);
+    if (!artifact)
+      throw table.complaint("artifacts", "receiver, shadow, occlusion, overlap, bounce, all or none",
+                            "\"" + text + "\"");
+    if (std::find(artifacts.begin(), artifacts.end(), *artifact) != artifacts.end())
+      throw table.complaint("artifacts", "each artifact once", "\"" + text + "\" twice");
+    artifacts.push_back(*artifact);
+  }
+  return artifacts;
+}
+
+}  // namespace
+
+SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
+  SceneDefinition scene;
+  scene.name = read_name(table);
+  scene.file = table.text("file");
+  scene.artifacts = read_artifacts(table);
+  scene.environment_radiance = table.triple("environment_radiance", scene.environment_radiance,
+                                            {0, limits::strongest_light, "W/m2/sr"});
+  scene.ambient_occlusion = table.boolean("ambient_occlusion", false);
+  scene.ao_distance_m = table.number("ao_distance_m", scene.ao_distance_m, {1e-9, unlimited, "m"});
+  scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
+  scene.albedo = table.number("albedo", scene.albedo, {0, 1});
+  scene.exposure_ev = table.number("exposure_ev", 0.0, {-60, 60, "stops"});
+  if (const auto sun = table.table("sun")) scene.sun = read_sun(*sun);
+  if (const auto camera = table.table("camera")) scene.camera = read_camera(*camera);
+  std::set<std::string> names;
+  for (const TomlTable& object : table.tables("object")) {
+    scene.objects.push_back(read_object(object, folders, assets));
+    if (!names.insert(scene.objects.back().name).second)
+      throw object.complaint("name", "a name that no other object of the scene has",
+                             "\"" + scene.objects.back().name + "\"");
+  }
+  table.finish();
+  if (scene.objects.size() != 3)
+    throw table.complaint("object", "three objects: left, middle, right",
+                          std::to_string(scene.objects.size()));
+  scene.path = find_asset(table, scene.file, folders, assets);
+  return scene;
+}
+
+}  // namespace seamline::inline stimuli

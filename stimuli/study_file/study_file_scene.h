@@ -1,0 +1,13 @@
+#pragma once
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/study_file/study_file.h"
+#include "stimuli/study_file/toml_table.h"
+#include "support/files/assets.h"
+
+namespace seamline::inline stimuli {
+
+/// Reads one `[[scene]]` with its `[[scene.object]]`, `[scene.sun]` and `[scene.camera]`.
+[[nodiscard]] SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders,
+                                         AssetCheck assets);
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,14 @@
+#pragma once
+#include "stimuli/definition/instructions_definition.h"
+#include "stimuli/definition/session_definition.h"
+#include "stimuli/study_file/toml_table.h"
+
+namespace seamline::inline stimuli {
+
+/// Reads `[session]`. Throws InputError as read_study does.
+[[nodiscard]] SessionDefinition read_session(const TomlTable& session);
+
+/// Reads `[catch]`.
+[[nodiscard]] CatchDefinition read_catches(const TomlTable& catches);
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,30 @@
+#include "study/app/pictures/frame_times.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "support/text/error.h"
+
+namespace seamline::study::app {
+
+FrameTimes::FrameTimes(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  file_.reset(std::fopen(file.c_str(), "we"));
+  if (!file_)
+    throw input_error({.file = file.string(),
+                       .field = "--frame-times",
+                       .wanted = "a file that can be written to",
+                       .found = std::strerror(errno)});
+  fmt::print(file_.get(), "swap,screen,begun_ns,frame_ns,late,turn_to_shown_ns\n");
+}
+
+void FrameTimes::add(const FrameTime& frame) {
+  if (!file_) return;
+  fmt::print(file_.get(), "{},{},{},{},{},{}\n", frame.swap, frame.screen, frame.begun_ns,
+             frame.shown_ns - frame.begun_ns, frame.late ? 1 : 0,
+             frame.turn_ns ? fmt::format("{}", frame.shown_ns - *frame.turn_ns) : "");
+}
+
+}  // namespace seamline::study::app

@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "study/app/window/geometry.h"
+#include "support/files/image.h"
+
+namespace seamline::study::app {
+
+/// Where the three objects of a scene are, from its reference's click map: the same for every stimulus of the
+/// scene, so nothing that is drawn from it tells which object was inserted. Picture pixels.
+struct ObjectMap {
+  int width_px = 0, height_px = 0;
+  std::vector<std::uint8_t>
+      nearest;  ///< 0, or the object within reach of the pixel: 1 left, 2 middle, 3 right
+  /// Frames around the objects: each has its object's middle, and all have the size of the largest one.
+  std::array<Rect, 3> frames = {};
+};
+
+/// `object_ids`: 1 channel, 0 background, 1..3. A click counts up to `reach_px` outside of an object, for the
+/// nearest one; thin objects could hardly be hit otherwise.
+[[nodiscard]] ObjectMap make_object_map(const ByteImage& object_ids, int reach_px = 8);
+
+/// The object at a place of the picture: 1..3, or 0.
+[[nodiscard]] int object_at(const ObjectMap& map, double x_px, double y_px);
+
+}  // namespace seamline::study::app

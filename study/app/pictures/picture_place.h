@@ -1,0 +1,30 @@
+#pragma once
+#include "study/app/window/geometry.h"
+
+namespace seamline::study::app {
+
+/// Where a trial's picture and its questions go on the screen.
+struct TrialPlace {
+  Rect picture;      ///< integer corners
+  Rect questions;    ///< the strip below the picture
+  double scale = 1;  ///< screen pixels a picture pixel
+};
+
+/// Height of the strip with questions and answers, in multiples of the type's size.
+inline constexpr double questions_em = 6.0;
+
+/// The screen that pictures need to be shown pixel for pixel, with the questions below them.
+[[nodiscard]] Size needed_screen(Size picture_px, double em_px);
+
+[[nodiscard]] bool fits(Size screen_px, Size picture_px, double em_px);
+
+/// Pixel for pixel where it fits; else, with scaling allowed, as large as there is room.
+[[nodiscard]] TrialPlace place_trial(Size screen_px, Size picture_px, double em_px);
+
+/// A place on the screen in the picture's own pixels.
+[[nodiscard]] Point in_picture(const TrialPlace& place, const Point& on_screen);
+
+/// A frame in picture pixels on the screen.
+[[nodiscard]] Rect on_screen(const TrialPlace& place, const Rect& in_picture);
+
+}  // namespace seamline::study::app

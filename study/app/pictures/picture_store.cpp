@@ -1,0 +1,62 @@
+#include "study/app/pictures/picture_store.h"
+
+#include <algorithm>
+
+#include "study/trials/trial_picture.h"
+
+namespace seamline::study::app {
+namespace {
+
+const std::string& scene_of(const StudySet& set, const PlannedTrial& trial) {
+  return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.scene;
+}
+
+}  // namespace
+
+PictureStore::PictureStore(const StudySet& set, bool scaled)
+    : set_(set),
+      scaled_(scaled),
+      loader_([&set](const PlannedTrial& trial) { return load_trial_picture(set, trial); }) {
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+    const PlannedTrial trial{.stimulus = i};
+    const std::string& scene = scene_of(set, trial);
+    if (!objects_.contains(scene)) objects_[scene] = make_object_map(load_object_ids(set, trial));
+  }
+}
+
+void PictureStore::prepare(const PlannedTrial& due, const std::optional<PlannedTrial>& after) {
+  std::vector<PlannedTrial> wanted;
+  if (find(due) == nullptr) wanted.push_back(due);
+  if (after && *after != due && find(*after) == nullptr) wanted.push_back(*after);
+  loader_.want(wanted);
+  for (Slot& slot : slots_)
+    if (slot.trial == due) slot.used = ++clock_;
+  for (const PlannedTrial& trial : wanted) fetch(trial);
+}
+
+void PictureStore::fetch(const PlannedTrial& trial) {
+  const std::optional<ByteImage> picture = loader_.take(trial);
+  if (!picture) return;
+  Slot& slot = oldest_slot();
+  slot.texture.upload(*picture);
+  slot.texture.smooth(scaled_);
+  slot.trial = trial;
+  slot.used = ++clock_;
+}
+
+PictureStore::Slot& PictureStore::oldest_slot() {
+  return *std::min_element(slots_.begin(), slots_.end(),
+                           [](const Slot& a, const Slot& b) { return a.used < b.used; });
+}
+
+const Texture* PictureStore::find(const PlannedTrial& trial) const {
+  for (const Slot& slot : slots_)
+    if (slot.trial == trial) return &slot.texture;
+  return nullptr;
+}
+
+const ObjectMap& PictureStore::objects(const PlannedTrial& trial) const {
+  return objects_.at(scene_of(set_, trial));
+}
+
+}  // namespace seamline::study::app

@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "study/app/window/texture.h"
+#include "study/trials/study_set.h"
+
+namespace seamline::study::app {
+
+/// The pictures of each instruction page. Throws InputError when a file is missing or is no picture.
+[[nodiscard]] std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set);
+
+}  // namespace seamline::study::app

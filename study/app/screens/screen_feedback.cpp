@@ -1,0 +1,35 @@
+#include <array>
+
+#include "study/app/pictures/picture_store.h"
+#include "study/app/screens/stage.h"
+#include "study/app/screens/trial_view.h"
+#include "study/app/window/look.h"
+
+namespace seamline::study::app {
+
+/// The practice picture once more, with corners around the object that was inserted.
+Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
+  const TrialPlace place = trial_place(stage);
+  if (const std::optional<PlannedTrial> trial = trial_on_screen(visit)) {
+    if (const Texture* picture = stage.pictures.find(*trial)) stage.canvas().picture(*picture, place.picture);
+    if (screen.right_index >= 1)
+      draw_bracket(
+          stage, place,
+          stage.pictures.objects(*trial).frames.at(static_cast<std::size_t>(screen.right_index - 1)));
+  }
+  constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
+  const TrainingDefinition& training = stage.set.study.training;
+  const std::string text =
+      screen.right_index >= 1
+          ? fill_in(screen.right() ? training.feedback_right : training.feedback_wrong,
+                    {{"object", stage.phrase(sides.at(static_cast<std::size_t>(screen.right_index - 1)))}})
+          : "";
+  draw_question(stage, place, Font::body, text, 0.9);
+  const bool used =
+      stage.ui.button_in({"continue", stage.phrase(Phrase::continue_button), Ui::ButtonKind::leading},
+                         {place.questions.centre().x_px, place.questions.y_px + 3.6 * stage.ui.em()});
+  if (used) return Continued{};
+  return std::nullopt;
+}
+
+}  // namespace seamline::study::app

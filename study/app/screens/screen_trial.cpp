@@ -1,0 +1,193 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/app/pictures/picture_store.h"
+#include "study/app/screens/stage.h"
+#include "study/app/screens/trial_view.h"
+#include "study/app/window/look.h"
+#include "study/placement/overloaded.h"
+
+namespace seamline::study::app {
+namespace {
+
+/// A trial while it is on the screen.
+struct TrialOnScreen {
+  Stage& stage;
+  TrialPlace place;
+  const ObjectMap& objects;
+
+  [[nodiscard]] int object_under_mouse() const {
+    const Point at = in_picture(place, stage.input.mouse);
+    return object_at(objects, at.x_px, at.y_px);
+  }
+  [[nodiscard]] bool mouse_has_moved() const {
+    const Point& before = stage.drafts.mouse_at_onset;
+    return stage.input.mouse.x_px != before.x_px || stage.input.mouse.y_px != before.y_px;
+  }
+  void bracket(int object) const {
+    if (object >= 1) draw_bracket(stage, place, objects.frames.at(static_cast<std::size_t>(object - 1)));
+  }
+};
+
+/// The keyboard's place among ratings 0..3 and objects 4..6.
+constexpr int first_object_place = highest_rating;
+constexpr int places = highest_rating + objects_per_stimulus;
+
+bool uses(const Stage& stage) {
+  return stage.input.key && !stage.input.key->repeated &&
+         (stage.input.pressed(Key::enter) || stage.input.pressed(Key::space));
+}
+
+/// Moves the keyboard's place within [first, last]; Tab and arrows go round.
+void move_focus(Stage& stage, int first, int last) {
+  if (!stage.input.key) return;
+  const bool back = stage.input.pressed(Key::left) || stage.input.pressed(Key::up) ||
+                    (stage.input.pressed(Key::tab) && stage.input.key->shift);
+  const bool on = !back && (stage.input.pressed(Key::right) || stage.input.pressed(Key::down) ||
+                            stage.input.pressed(Key::tab));
+  if (!back && !on) return;
+  int& focus = stage.drafts.trial_focus;
+  const int count = last - first + 1;
+  if (focus < first || focus > last)
+    focus = on ? first : last;
+  else
+    focus = first + (focus - first + (on ? 1 : count - 1)) % count;
+}
+
+Outcome choose(const TrialOnScreen& trial) {
+  Stage& stage = trial.stage;
+  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::choice_hint), 2.4);
+  move_focus(stage, first_object_place, places - 1);
+  const int hovered = trial.object_under_mouse();
+  const int focused = stage.drafts.trial_focus - first_object_place + 1;
+  trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused);
+  int chosen = 0;
+  if (stage.input.mouse_pressed) chosen = hovered;
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus) chosen = digit;
+  if (focused >= 1 && uses(stage)) chosen = focused;
+  if (chosen == 0) return std::nullopt;
+  return Event(ObjectChosen{chosen, stage.input.now_ns});
+}
+
+std::array<Rect, 4> rating_buttons(const TrialOnScreen& trial, Font font) {
+  const Stage& stage = trial.stage;
+  const double em = stage.ui.em();
+  double width_px = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    width_px = std::max(
+        width_px, stage.canvas()
+                      .measure(font, fmt::format("{}  {}", i + 1, stage.set.study.session.rating_labels[i]))
+                      .width_px);
+  width_px = std::round(width_px + 1.4 * em);
+  const double gap_px = std::round(0.5 * em);
+  const double total_px = 4 * width_px + 3 * gap_px;
+  std::array<Rect, 4> buttons;
+  for (std::size_t i = 0; i < 4; ++i)
+    buttons.at(i) = {
+        std::round((stage.screen_px.width_px - total_px) / 2 + static_cast<double>(i) * (width_px + gap_px)),
+        std::round(trial.place.questions.y_px + 2.5 * em), width_px, std::round(2 * em)};
+  return buttons;
+}
+
+Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
+  Stage& stage = trial.stage;
+  draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
+  move_focus(stage, 0, places - 1);
+  const int hovered_object = trial.object_under_mouse();
+  const int focus = stage.drafts.trial_focus;
+  trial.bracket(phase.chosen_index);
+  if (hovered_object != 0) trial.bracket(hovered_object);
+  if (focus >= first_object_place) trial.bracket(focus - first_object_place + 1);
+
+  Font font = Font::body;
+  std::array<Rect, 4> buttons = rating_buttons(trial, font);
+  if (buttons[0].x_px < 8) buttons = rating_buttons(trial, font = Font::small);
+  int rating = 0;
+  for (int i = 0; i < highest_rating; ++i) {
+    const Rect& rect = buttons.at(static_cast<std::size_t>(i));
+    const bool hovered = rect.contains(stage.input.mouse);
+    stage.ui.mark(fmt::format("rating/{}", i + 1), rect);
+    stage.canvas().fill(rect, hovered ? look::control_hover : look::card, 6);
+    stage.canvas().outline(rect, look::card_edge, 1, 6);
+    if (focus == i) {
+      stage.canvas().outline(rect.grown(4), look::focus_halo, 3, 9);
+      stage.canvas().outline(rect.grown(5.5), look::focus, 2, 10);
+    }
+    const std::string text =
+        fmt::format("{}  {}", i + 1, stage.set.study.session.rating_labels[static_cast<std::size_t>(i)]);
+    const Size size = stage.canvas().measure(font, text);
+    stage.canvas().text(
+        font,
+        {rect.x_px + (rect.width_px - size.width_px) / 2, rect.y_px + (rect.height_px - size.height_px) / 2},
+        text, look::ink);
+    if ((stage.input.mouse_pressed && hovered) || (focus == i && uses(stage))) rating = i + 1;
+  }
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= highest_rating) rating = digit;
+  if (rating != 0) return Event(RatingGiven{rating, stage.input.now_ns});
+  int again = stage.input.mouse_pressed ? hovered_object : 0;
+  if (focus >= first_object_place && uses(stage)) again = focus - first_object_place + 1;
+  if (again != 0) return Event(ObjectChosen{again, stage.input.now_ns});
+  return std::nullopt;
+}
+
+/// A trial of practice or of the study, whatever its phase shows.
+Outcome draw_trial(const Session& session, Stage& stage) {
+  const std::optional<PlannedTrial> due = current_trial(session.trials);
+  if (!due) return std::nullopt;
+  const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due)};
+  const Texture* picture = stage.pictures.find(*due);
+  const auto show_picture = [&] {
+    if (picture != nullptr) stage.canvas().picture(*picture, trial.place.picture);
+  };
+  return std::visit(Overloaded{[&](const Grey&) -> Outcome {
+                                 stage.drafts.trial_focus = -1;
+                                 draw_fixation(stage);
+                                 return std::nullopt;
+                               },
+                               [&](const AwaitingImage&) -> Outcome {
+                                 stage.drafts.trial_focus = -1;
+                                 stage.drafts.mouse_at_onset = stage.input.mouse;
+                                 if (picture == nullptr) draw_fixation(stage);
+                                 show_picture();
+                                 return std::nullopt;
+                               },
+                               [&](const Choosing& phase) -> Outcome {
+                                 show_picture();
+                                 const std::int64_t ready_ns =
+                                     phase.onset_ns + session.pace.minimum_viewing_ns;
+                                 if (monotonic_ns() < ready_ns) return std::nullopt;
+                                 return choose(trial);
+                               },
+                               [&](const Rating& phase) -> Outcome {
+                                 show_picture();
+                                 return rate(trial, phase);
+                               },
+                               [](const Storing&) -> Outcome { return std::nullopt; },
+                               [](const OnBreak&) -> Outcome { return std::nullopt; },
+                               [](const Done&) -> Outcome { return std::nullopt; }},
+                    session.phase);
+}
+
+}  // namespace
+
+Outcome draw(const TrainingScreen&, const Visit& visit, Stage& stage) {
+  const std::string hint = stage.phrase(
+      Phrase::training_hint, {{"done", fmt::format("{}", answered_trials(visit.training.trials) + 1)},
+                              {"all", fmt::format("{}", planned_trials(visit.training.trials))}});
+  Outcome outcome = draw_trial(visit.training, stage);
+  stage.canvas().text(Font::small, {stage.ui.em(), 0.6 * stage.ui.em()}, hint, look::ink_on_background);
+  return outcome;
+}
+
+Outcome draw(const TrialScreen&, const Visit& visit, Stage& stage) {
+  Outcome outcome = draw_trial(visit.session, stage);
+  const int done = answered_trials(visit.session.trials), all = planned_trials(visit.session.trials);
+  draw_progress(stage, done, all);
+  return outcome;
+}
+
+}  // namespace seamline::study::app

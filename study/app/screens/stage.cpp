@@ -1,0 +1,41 @@
+#include "study/app/screens/stage.h"
+
+#include <unistd.h>
+
+#include <array>
+
+#include "study/app/pictures/picture_place.h"
+
+namespace seamline::study::app {
+
+std::string Stage::phrase(Phrase which,
+                          const std::vector<std::pair<std::string, std::string>>& values) const {
+  return fill_in(phrase_text(set.study.texts, which), values);
+}
+
+DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile) {
+  std::array<char, 256> machine{};
+  if (::gethostname(machine.data(), machine.size() - 1) != 0) machine[0] = '\0';
+  const Size picture_px{static_cast<double>(stage.set.manifest.width_px),
+                        static_cast<double>(stage.set.manifest.height_px)};
+  const double scale = place_trial(stage.screen_px, picture_px, stage.ui.em()).scale;
+  return {.machine = machine.data(),
+          .monitor = stage.display.monitor,
+          .renderer = stage.display.graphics,
+          .mode_width_px = stage.display.mode_width,
+          .mode_height_px = stage.display.mode_height,
+          .refresh_hz = static_cast<double>(stage.display.refresh_hz),
+          .content_scale = stage.display.content_scale,
+          .framebuffer_width_px = stage.display.framebuffer_width_px,
+          .framebuffer_height_px = stage.display.framebuffer_height_px,
+          .mm_per_px = profile.mm_per_px,
+          .viewing_distance_mm = profile.viewing_distance_mm,
+          .pixels_per_degree = pixels_per_degree_of(profile.mm_per_px, profile.viewing_distance_mm),
+          .gamma_confirmed = profile.gamma_confirmed,
+          .read_back_bytes = stage.pixel_check.bytes,
+          .read_back_different = stage.pixel_check.different,
+          .scaling_allowed = stage.scaling_allowed,
+          .image_scale = scale};
+}
+
+}  // namespace seamline::study::app

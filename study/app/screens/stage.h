@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/app/pictures/display_profile.h"
+#include "study/app/pictures/pixel_check.h"
+#include "study/app/window/ui.h"
+#include "study/app/window/window.h"
+#include "study/trials/study_set.h"
+#include "study/visit/visit.h"
+
+namespace seamline::study::app {
+
+class PictureStore;
+
+/// Which of the display check's steps is on the screen.
+enum class DisplayStep { card, distance, gamma };
+
+/// What a person has entered and not yet sent: the only state that screens have.
+struct Drafts {
+  std::map<std::string, std::string> form;  ///< by field
+  DisplayStep display_step = DisplayStep::card;
+  double card_width_px = 0;
+  std::string distance_cm;
+  bool distance_wrong = false;
+  Point mouse_at_onset;  ///< corners follow the mouse once it has moved, not where it happened to rest
+  int trial_focus = -1;  ///< what the keyboard is on in a trial: ratings 0..3, then objects; -1: nothing
+};
+
+/// What a screen draws on and reads from.
+struct Stage {
+  Ui& ui;
+  const StudySet& set;
+  PictureStore& pictures;
+  const DisplayInfo& display;
+  PixelCheck pixel_check = {};
+  bool scaling_allowed = false;
+  FrameInput input = {};
+  Size screen_px = {};
+  Drafts drafts = {};
+  double text_scale = 1;  ///< what the person chose, on top of the study's
+  std::vector<std::vector<Texture>> instruction_pictures = {};  ///< by page
+  Texture stripes = {};                                         ///< of the gamma pattern
+  bool leave = false;                                           ///< the person asked to leave for now
+  bool close = false;                                           ///< the last page was closed
+
+  [[nodiscard]] std::string phrase(Phrase which,
+                                   const std::vector<std::pair<std::string, std::string>>& values = {}) const;
+  [[nodiscard]] Canvas& canvas() const { return ui.canvas(); }
+};
+
+// One function a screen, one file each: draws the screen and returns what the person did.
+
+using Outcome = std::optional<VisitEvent>;
+
+[[nodiscard]] Outcome draw(const ConsentScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const FormScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const DisplayScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const InstructionScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const TrainingScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const FeedbackScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const ReadyScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const TrialScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const BreakScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const PauseScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const ThanksScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const DeclinedScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const StoppedScreen&, const Visit&, Stage&);
+
+/// What the display check knows, with the pixels per degree that follow.
+[[nodiscard]] DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile);
+
+}  // namespace seamline::study::app

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/trials/study_set.h"
+
+namespace seamline::study::app {
+
+/// A text of the study file that the window shows, and where it stands.
+struct ShownText {
+  std::string field;
+  std::string text;
+};
+
+/// Every text that a participant of the study may see.
+[[nodiscard]] std::vector<ShownText> shown_texts(const StudyDefinition& study);
+
+/// All of them together, for the font. Throws InputError for a text that cannot be set (see characters.h).
+[[nodiscard]] std::string characters_needed(const StudySet& set);
+
+}  // namespace seamline::study::app

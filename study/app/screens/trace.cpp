@@ -1,0 +1,61 @@
+#include "study/app/screens/trace.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "study/app/pictures/picture_store.h"
+#include "study/app/screens/screen_names.h"
+#include "study/app/screens/trial_view.h"
+#include "support/text/error.h"
+
+namespace seamline::study::app {
+namespace {
+
+nlohmann::json rectangle(const Rect& rect) {
+  return {rect.x_px, rect.y_px, rect.width_px, rect.height_px};
+}
+
+}  // namespace
+
+Trace::Trace(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor_ < 0)
+    throw input_error({.file = file.string(),
+                       .field = "--trace",
+                       .wanted = "a file that can be written to",
+                       .found = std::strerror(errno)});
+}
+
+Trace::~Trace() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void Trace::shown(const Visit& visit, const Stage& stage) {
+  if (descriptor_ < 0) return;
+  nlohmann::json line = {{"screen", screen_name(visit.screen)},
+                         {"answered", answered_trials(visit.session.trials)},
+                         {"items", nlohmann::json::object()}};
+  for (const UiItem& item : stage.ui.items()) line["items"][item.id] = rectangle(item.rect);
+  if (const Session* session = session_on_screen(visit)) {
+    line["phase"] = phase_name(session->phase);
+    line["trial"] = answered_trials(session->trials);
+    const TrialPlace place = trial_place(stage);
+    line["picture"] = rectangle(place.picture);
+    if (const std::optional<PlannedTrial> due = current_trial(session->trials)) {
+      line["kind"] = word(due->kind);
+      line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
+      for (const Rect& frame : stage.pictures.objects(*due).frames)
+        line["objects"].push_back(rectangle(on_screen(place, frame)));
+    }
+  }
+  const std::string text = line.dump() + "\n";
+  if (text == last_) return;
+  last_ = text;
+  if (::write(descriptor_, text.data(), text.size()) < 0) descriptor_ = -1;  // only a test is the poorer
+}
+
+}  // namespace seamline::study::app

@@ -1,0 +1,74 @@
+#include "study/app/screens/trial_view.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/app/window/look.h"
+
+namespace seamline::study::app {
+
+TrialPlace trial_place(const Stage& stage) {
+  return place_trial(
+      stage.screen_px,
+      {static_cast<double>(stage.set.manifest.width_px), static_cast<double>(stage.set.manifest.height_px)},
+      stage.ui.em());
+}
+
+void draw_fixation(Stage& stage) {
+  const Point centre = trial_place(stage).picture.centre();
+  const double arm_px = 12, x_px = std::round(centre.x_px), y_px = std::round(centre.y_px);
+  stage.canvas().fill({x_px - arm_px, y_px - 1, 2 * arm_px, 2}, look::ink_on_background);
+  stage.canvas().fill({x_px - 1, y_px - arm_px, 2, 2 * arm_px}, look::ink_on_background);
+}
+
+void draw_bracket(Stage& stage, const TrialPlace& place, const Rect& frame_in_picture) {
+  if (frame_in_picture.width_px <= 0) return;
+  const Rect frame = on_screen(place, frame_in_picture);
+  const double arm_px = std::round(std::min({24.0, frame.width_px / 3, frame.height_px / 3}));
+  const auto corner = [&](double x_px, double y_px, double to_right, double to_bottom, double edge_px,
+                          Colour colour) {
+    // Two bars that meet at the corner, each 3 pixels wide, with an edge that is seen on any picture.
+    const double across_px = 3;
+    const Rect lying{to_right > 0 ? x_px : x_px - arm_px, to_bottom > 0 ? y_px : y_px - across_px, arm_px,
+                     across_px};
+    const Rect standing{to_right > 0 ? x_px : x_px - across_px, to_bottom > 0 ? y_px : y_px - arm_px,
+                        across_px, arm_px};
+    stage.canvas().fill(lying.grown(edge_px), colour);
+    stage.canvas().fill(standing.grown(edge_px), colour);
+  };
+  for (const bool edge : {true, false}) {
+    const double edge_px = edge ? 1.0 : 0.0;
+    const Colour colour = edge ? look::bracket_edge : look::bracket;
+    corner(frame.x_px, frame.y_px, 1, 1, edge_px, colour);
+    corner(frame.right_px(), frame.y_px, -1, 1, edge_px, colour);
+    corner(frame.x_px, frame.bottom_px(), 1, -1, edge_px, colour);
+    corner(frame.right_px(), frame.bottom_px(), -1, -1, edge_px, colour);
+  }
+}
+
+void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::string& text,
+                   double from_top_em) {
+  const Size size = stage.canvas().measure(font, text);
+  const double x_px = place.questions.x_px + (place.questions.width_px - size.width_px) / 2;
+  stage.canvas().text(font, {x_px, place.questions.y_px + from_top_em * stage.ui.em()}, text,
+                      font == Font::small ? look::quiet_on_background : look::ink_on_background);
+}
+
+void draw_progress(Stage& stage, int done, int all) {
+  const double height_px = 4, bottom_px = stage.screen_px.height_px - height_px;
+  stage.canvas().fill({0, bottom_px, stage.screen_px.width_px, height_px}, grey(116));
+  if (all > 0)
+    stage.canvas().fill({0, bottom_px, std::round(stage.screen_px.width_px * done / all), height_px},
+                        grey(84));
+  const std::string text =
+      stage.phrase(Phrase::progress, {{"done", fmt::format("{}", done)}, {"all", fmt::format("{}", all)}});
+  const Size size = stage.canvas().measure(Font::small, text);
+  stage.canvas().text(Font::small,
+                      {stage.screen_px.width_px - size.width_px - stage.ui.em(),
+                       bottom_px - size.height_px - 0.4 * stage.ui.em()},
+                      text, grey(88));
+}
+
+}  // namespace seamline::study::app

@@ -1,0 +1,25 @@
+#pragma once
+#include "study/app/pictures/object_map.h"
+#include "study/app/pictures/picture_place.h"
+#include "study/app/screens/stage.h"
+
+namespace seamline::study::app {
+
+// What trials, practice and feedback draw alike.
+
+[[nodiscard]] TrialPlace trial_place(const Stage& stage);
+
+/// Grey with a mark where the middle of the picture will be.
+void draw_fixation(Stage& stage);
+
+/// Corners around an object's frame. They look the same for every object, and never follow its outline.
+void draw_bracket(Stage& stage, const TrialPlace& place, const Rect& frame_in_picture);
+
+/// A line of text in the middle of the strip below the picture, `from_top_em` below its upper edge.
+void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::string& text,
+                   double from_top_em);
+
+/// A thin bar at the bottom edge of the screen, of the background's colours.
+void draw_progress(Stage& stage, int done, int all);
+
+}  // namespace seamline::study::app

@@ -1,0 +1,32 @@
+#pragma once
+#include "support/files/image.h"
+
+namespace seamline::study::app {
+
+/// A picture in graphics memory, shown pixel for pixel: 8-bit codes as they are (no sRGB conversion, no
+/// mipmaps), nearest sampling. Its storage is used again for the next picture of the same size, so memory
+/// stays flat however many pictures are shown.
+class Texture {
+ public:
+  Texture() = default;
+  ~Texture();
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+
+  /// Replaces the picture: 3 channels, or 1 shown as grey.
+  void upload(const ByteImage& image);
+  /// Linear sampling, for pictures that are shown smaller or larger than they are.
+  void smooth(bool on);
+
+  [[nodiscard]] unsigned name() const { return name_; }
+  [[nodiscard]] int width_px() const { return width_px_; }
+  [[nodiscard]] int height_px() const { return height_px_; }
+
+ private:
+  unsigned name_ = 0;
+  int width_px_ = 0, height_px_ = 0;
+};
+
+}  // namespace seamline::study::app

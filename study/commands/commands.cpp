@@ -1,0 +1,158 @@
+#include "study/commands/commands.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "stimuli/set/set_files.h"
+#include "study/log/log_admin.h"
+#include "study/log/log_writer.h"
+#include "study/log/recovery/log_recovery.h"
+#include "study/running/quest_plus_results.h"
+#include "study/running/simulation.h"
+#include "study/trials/study_set.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+#include "support/text/suggest.h"
+
+namespace seamline::study {
+namespace {
+
+struct StudyOptions {
+  std::string set_folder, log, participant, observer;
+  std::string frame_times, trace;
+  bool pilot = false, allow_scaling = false, windowed = false, display_check = false;
+  int count = 20;
+  std::uint64_t seed = 1;
+  double gain = 0;  // 0: the study's
+};
+
+struct LogOptions {
+  std::string log, exclude, forget, recover, set;
+  bool status = false, tracks = false;
+};
+
+ObserverKind parse_observer(const std::string& text) {
+  if (const std::optional<ObserverKind> kind = observer_kind_from_word(text)) return *kind;
+  std::vector<std::string> known;
+  known.reserve(every_observer_kind.size());
+  for (const ObserverKind kind : every_observer_kind) known.emplace_back(word(kind));
+  const std::string nearest = nearest_word(text, known);
+  throw input_error({.field = "--observer",
+                     .wanted = fmt::format("threshold, image, guesser or perfect{}",
+                                           nearest.empty() ? "" : " (did you mean " + nearest + "?)"),
+                     .found = "\"" + text + "\""});
+}
+
+void simulate(const StudyOptions& options) {
+  for (const auto& [given, flag] :
+       {std::pair(options.pilot, "--pilot"), std::pair(options.allow_scaling, "--allow-scaling"),
+        std::pair(!options.frame_times.empty(), "--frame-times"), std::pair(options.windowed, "--windowed"),
+        std::pair(options.display_check, "--display-check")})
+    if (given)
+      throw input_error({.field = flag, .wanted = "a person (--participant)", .found = "--observer"});
+  std::optional<double> gain;
+  if (options.gain > 0) gain = options.gain;
+  const StudySet set = load_study_set(options.set_folder);
+  check_set_files(set.folder, set.manifest);
+  const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
+                                                         .log = options.log,
+                                                         .observer = parse_observer(options.observer),
+                                                         .image_gain = gain,
+                                                         .count = options.count,
+                                                         .seed = options.seed});
+  fmt::print("{}: {} simulated participants run ({} answers), {} were complete before\n", options.log,
+             summary.participants_run, summary.answers_added, summary.participants_complete);
+  if (summary.tracks_on_edge > 0)
+    fmt::print("alarm: in {} tracks the threshold leans on the edge of the grid (seamline log {} --tracks)\n",
+               summary.tracks_on_edge, options.log);
+}
+
+void study(const StudyOptions& options, const ParticipantRunner& run_participant) {
+  if (options.participant.empty() == options.observer.empty())
+    throw input_error({.field = "seamline study",
+                       .wanted = "either --participant CODE or --observer KIND",
+                       .found = options.observer.empty() ? "neither" : "both"});
+  if (!options.observer.empty()) return simulate(options);
+  check_participant_code(options.participant);
+  run_participant({.set_folder = options.set_folder,
+                   .log = options.log,
+                   .code = options.participant,
+                   .pilot = options.pilot,
+                   .allow_scaling = options.allow_scaling,
+                   .frame_times = options.frame_times,
+                   .windowed = options.windowed,
+                   .display_check = options.display_check,
+                   .trace = options.trace});
+}
+
+void administer(const LogOptions& options) {
+  const bool does_something = options.status || options.tracks || !options.exclude.empty() ||
+                              !options.forget.empty() || !options.recover.empty();
+  if (!does_something)
+    throw input_error({.field = "seamline log",
+                       .wanted = "--status, --tracks, --exclude CODE, --forget CODE or --recover OUT",
+                       .found = "none"});
+  if (!options.recover.empty()) {
+    const LogRecovery recovery = recover_log(options.log, options.recover, options.set);
+    fmt::print("{}", recovery_text(recovery, options.log, options.recover));
+    return;
+  }
+  if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
+  if (!options.forget.empty()) forget_participant(options.log, options.forget);
+  if (options.status) fmt::print("{}", status_text(read_log(options.log)));
+  if (options.tracks) fmt::print("{}", tracks_text(quest_plus_estimates(read_log(options.log))));
+}
+
+}  // namespace
+
+void refuse_without_window(const ParticipantRequest&) {
+  throw input_error({.field = "--participant",
+                     .wanted = "a seamline that was built with its window application",
+                     .found = "one without (simulated people need no window: --observer KIND)"});
+}
+
+void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant) {
+  const auto study_options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("study", "Run a session: a person in a window, or simulated people");
+  command->add_option("set", study_options->set_folder, "folder of the rendered set")->required();
+  command->add_option("--log", study_options->log, "SQLite log of answers; made when it is missing")
+      ->required();
+  command->add_option("--participant", study_options->participant, "a person's code, never a name");
+  command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
+  command->add_flag("--allow-scaling", study_options->allow_scaling,
+                    "show pictures that do not fit the screen smaller; the log says so with every answer");
+  command->add_option("--frame-times", study_options->frame_times, "CSV for the time of every frame");
+  command->add_flag("--windowed", study_options->windowed,
+                    "a window instead of the whole screen, to try things");
+  command->add_flag("--display-check", study_options->display_check,
+                    "measure the screen again, though it is known on this machine");
+  command->add_option("--trace", study_options->trace)->group("");  // for tests that drive the window
+  command->add_option("--observer", study_options->observer,
+                      "simulated people: threshold, image (looks at the pictures), guesser or perfect");
+  add_number(*command, "--count", study_options->count, {1, 1000000}, "how many simulated people")
+      ->capture_default_str();
+  add_number(*command, "--seed", study_options->seed, any_seed, "of the simulated people")
+      ->capture_default_str();
+  add_number(*command, "--gain", study_options->gain, {1e-9, 1e9},
+             "of the observer image, as `predict` prints it (else the study's observer.image_gain)");
+  command->callback([study_options, run_participant] { study(*study_options, run_participant); });
+
+  const auto log_options = std::make_shared<LogOptions>();
+  CLI::App* log =
+      app.add_subcommand("log", "Look after a log: who did what, exclude or forget a participant");
+  log->add_option("log", log_options->log, "the log")->required();
+  log->add_flag("--status", log_options->status, "print who has done what");
+  log->add_flag("--tracks", log_options->tracks, "print the thresholds of an adaptive study (QUEST+)");
+  log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
+  log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  CLI::Option* recover =
+      log->add_option("--recover", log_options->recover,
+                      "save what can be read of a damaged log into a new one, and say what is lost");
+  log->add_option("--set", log_options->set, "for --recover: the set, where the log's own study is lost")
+      ->needs(recover);
+  log->callback([log_options] { administer(*log_options); });
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,155 @@
+#include "study/log/log.h"
+
+#include "study/log/log_database.h"
+#include "study/log/log_values.h"
+#include "study/log/session_claims.h"
+#include "support/text/printable.h"
+
+namespace seamline::study {
+namespace fs = std::filesystem;
+namespace {
+
+void read_study_row(SQLite::Database& database, LogContents& log) {
+  SQLite::Statement row(database,
+                        "SELECT study_name, study_hash, set_hash, set_folder, study_text FROM study");
+  if (!row.executeStep())
+    throw input_error({.file = log.file.string(), .field = "study", .wanted = "a study", .found = "none"});
+  const LogValues values(row, log.file, "study");
+  log.study_name = values.text(0);
+  log.study_hash = values.text(1);
+  log.set_hash = values.text(2);
+  log.set_folder = row.getColumn(3).getString();
+  log.study_text = row.getColumn(4).getString();
+}
+
+std::vector<FormAnswer> read_form(SQLite::Database& database, std::int64_t participant) {
+  SQLite::Statement row(database,
+                        "SELECT field, value FROM form_answers WHERE participant = ? ORDER BY field");
+  SQLite::bind(row, participant);
+  std::vector<FormAnswer> form;
+  while (row.executeStep())
+    form.push_back({.field = clean_text(row.getColumn(0).getString()),
+                    .value = clean_text(row.getColumn(1).getString())});
+  return form;
+}
+
+std::vector<ParticipantRecord> read_participants(SQLite::Database& database, const fs::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, pilot, excluded, observer, completed, seed,
+             (SELECT count(*) FROM trials
+              WHERE trials.participant = participants.participant AND kind = 'stimulus'),
+             participant, slot, image_gain,
+             (SELECT count(*) FROM sessions WHERE sessions.participant = participants.participant),
+             (SELECT coalesce(max(last_unix_s), 0) FROM sessions
+              WHERE sessions.participant = participants.participant),
+             (SELECT coalesce(max(attempt), 0) FROM set_aside_answers
+              WHERE set_aside_answers.participant = participants.participant)
+      FROM participants ORDER BY participant)sql");
+  std::vector<ParticipantRecord> participants;
+  const LogValues values(row, file, "participants");
+  while (row.executeStep()) {
+    const std::int64_t number = row.getColumn(7).getInt64();
+    participants.push_back({.code = values.code(0),
+                            .pilot = values.flag(1),
+                            .excluded = values.flag(2),
+                            .simulated = !row.getColumn(3).isNull(),
+                            .observer = values.text(3),
+                            .completed = values.flag(4),
+                            .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
+                            .planned_trials = row.getColumn(6).getInt(),
+                            .slot = values.number(8, 0),
+                            .sessions = row.getColumn(10).getInt(),
+                            .restarts = row.getColumn(12).getInt(),
+                            .last_seen_unix_s = values.time(11)});
+    ParticipantRecord& record = participants.back();
+    if (!row.getColumn(9).isNull()) record.image_gain = values.positive(9);
+    if (record.simulated) continue;
+    record.in_progress = is_claimed(file, number);
+    record.form = read_form(database, number);
+  }
+  return participants;
+}
+
+Artifact artifact_of(const std::string& text, const fs::path& file) {
+  const std::optional<Artifact> artifact = artifact_from_word(text);
+  if (!artifact)
+    throw input_error({.file = file.string(),
+                       .field = "stimuli.artifact",
+                       .wanted = "a known artifact",
+                       .found = "\"" + text + "\""});
+  return *artifact;
+}
+
+std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
+             chosen_index, rating, choice_ns, rating_ns, image_scale
+      FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
+                   JOIN participants USING (participant)
+      WHERE kind = 'stimulus'
+      ORDER BY participant, trial_index)sql");
+  const LogValues values(row, file, "answers");
+  std::vector<Answer> answers;
+  while (row.executeStep())
+    answers.push_back({.participant = values.text(0),
+                       .trial_index = values.number(1, 0),
+                       .stimulus_id = values.text(2),
+                       .scene = values.text(3),
+                       .artifact = artifact_of(row.getColumn(4).getString(), file),
+                       .object = values.text(5),
+                       .object_index = values.number(6, 1, 3),
+                       .depth_width_px = values.number(7, 2),
+                       .chosen_index = values.number(8, 1, 3),
+                       .rating = values.number(9, 1, 4),
+                       .choice_ns = values.time(10),
+                       .rating_ns = values.time(11),
+                       .image_scale = values.positive(12)});
+  return answers;
+}
+
+std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns
+      FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
+                   JOIN participants USING (participant)
+      WHERE kind <> 'stimulus'
+      ORDER BY participant, trial_index)sql");
+  const LogValues values(row, file, "answers");
+  std::vector<CatchTrialAnswer> catches;
+  while (row.executeStep()) {
+    const TrialKind kind = values.kind(2);
+    catches.push_back({.participant = values.text(0),
+                       .trial_index = values.number(1, 0),
+                       .kind = kind,
+                       .scene = values.text(3),
+                       .right_index = kind == TrialKind::attention ? values.number(4, 1, 3) : 0,
+                       .chosen_index = values.number(5, 1, 3),
+                       .rating = values.number(6, 1, 4),
+                       .choice_ns = values.time(7),
+                       .rating_ns = values.time(8)});
+  }
+  return catches;
+}
+
+LogContents read_tables(SQLite::Database& database, const fs::path& path) {
+  const SQLite::Transaction one_moment(database);  // a session may be writing meanwhile
+  check_undamaged(database, path);
+  LogContents log;
+  log.file = path;
+  read_study_row(database, log);
+  log.participants = read_participants(database, path);
+  log.answers = read_answers(database, path);
+  log.catches = read_catches(database, path);
+  log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();
+  log.declined_visits = database.execAndGet("SELECT count(*) FROM declines").getInt();
+  return log;
+}
+
+}  // namespace
+
+LogContents read_log(const fs::path& path) {
+  SQLite::Database database = open_log_database(path, LogAccess::read);
+  return with_log_errors(path, [&] { return read_tables(database, path); });
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,188 @@
+#include <fmt/core.h>
+
+#include "stimuli/definition/artifact.h"
+#include "study/log/log_database.h"
+#include "study/placement/trial.h"
+
+namespace seamline::study {
+namespace {
+
+/// 'receiver', 'shadow', ...
+template <class Words>
+std::string word_list(const Words& words) {
+  std::string list;
+  for (const auto value : words) list += fmt::format("{}'{}'", list.empty() ? "" : ", ", word(value));
+  return list;
+}
+
+// STRICT tables refuse values of another type. Participants are codes, and codes have no room for a name with
+// spaces. Rows of a participant hang on the participant, so that forgetting one is one DELETE.
+constexpr const char* schema = R"sql(
+CREATE TABLE study (
+  id              INTEGER PRIMARY KEY CHECK (id = 1),
+  study_name      TEXT NOT NULL,
+  study_hash      TEXT NOT NULL CHECK (length(study_hash) > 0),
+  set_hash        TEXT NOT NULL CHECK (length(set_hash) > 0),
+  set_folder      TEXT NOT NULL,
+  study_text      TEXT NOT NULL,
+  program_version TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE stimuli (
+  stimulus        INTEGER PRIMARY KEY CHECK (stimulus >= 0),  -- place in the manifest
+  stimulus_id     TEXT NOT NULL UNIQUE CHECK (length(stimulus_id) > 0),
+  scene           TEXT NOT NULL CHECK (length(scene) > 0),
+  artifact        TEXT NOT NULL CHECK (artifact IN ({artifacts})),
+  object          TEXT NOT NULL CHECK (length(object) > 0),
+  object_index    INTEGER NOT NULL CHECK (object_index BETWEEN 1 AND 3),
+  depth_width_px  INTEGER NOT NULL CHECK (depth_width_px >= 2 AND depth_width_px % 2 = 0),
+  yaw_texels      INTEGER NOT NULL,
+  sha256          TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE participants (
+  participant     INTEGER PRIMARY KEY,
+  code            TEXT NOT NULL UNIQUE CHECK (length(code) BETWEEN 1 AND 64 AND code NOT GLOB '*[^A-Za-z0-9._-]*'),
+  slot            INTEGER NOT NULL CHECK (slot >= 0),          -- which order of trials
+  pilot           INTEGER NOT NULL CHECK (pilot IN (0, 1)),
+  excluded        INTEGER NOT NULL DEFAULT 0 CHECK (excluded IN (0, 1)),
+  completed       INTEGER NOT NULL DEFAULT 0 CHECK (completed IN (0, 1)),
+  observer        TEXT CHECK (length(observer) > 0),           -- kind of simulated observer; NULL for a person
+  seed            INTEGER,                                     -- of the simulation: 64 bits, stored as signed
+  image_gain      REAL CHECK (image_gain > 0),                 -- of the simulated observer `image`
+  CHECK ((observer IS NULL) = (seed IS NULL)),
+  CHECK (image_gain IS NULL OR observer = 'image')
+) STRICT;
+
+CREATE TABLE sessions (
+  session         INTEGER PRIMARY KEY,
+  participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
+  started_unix_s  INTEGER NOT NULL CHECK (started_unix_s >= 0),
+  last_unix_s     INTEGER NOT NULL CHECK (last_unix_s >= 0),   -- last answer, or the start
+  frames          INTEGER NOT NULL DEFAULT 0 CHECK (frames >= 0),
+  late_frames     INTEGER NOT NULL DEFAULT 0 CHECK (late_frames >= 0),
+  program_version TEXT NOT NULL
+) STRICT;
+CREATE INDEX sessions_of_participant ON sessions (participant);
+
+CREATE TABLE displays (  -- what the pictures of a session were shown on
+  session              INTEGER PRIMARY KEY REFERENCES sessions ON DELETE CASCADE,
+  machine              TEXT NOT NULL,
+  monitor              TEXT NOT NULL,
+  renderer             TEXT NOT NULL,
+  mode_width_px        INTEGER NOT NULL CHECK (mode_width_px >= 0),
+  mode_height_px       INTEGER NOT NULL CHECK (mode_height_px >= 0),
+  refresh_hz           REAL NOT NULL CHECK (refresh_hz >= 0),
+  content_scale        REAL NOT NULL CHECK (content_scale > 0),
+  framebuffer_width_px INTEGER NOT NULL CHECK (framebuffer_width_px >= 0),
+  framebuffer_height_px INTEGER NOT NULL CHECK (framebuffer_height_px >= 0),
+  mm_per_px            REAL NOT NULL CHECK (mm_per_px >= 0),
+  viewing_distance_mm  REAL NOT NULL CHECK (viewing_distance_mm >= 0),
+  pixels_per_degree    REAL NOT NULL CHECK (pixels_per_degree >= 0),
+  gamma_confirmed      INTEGER NOT NULL CHECK (gamma_confirmed IN (0, 1)),
+  read_back_bytes      INTEGER NOT NULL CHECK (read_back_bytes >= 0),
+  read_back_different  INTEGER NOT NULL CHECK (read_back_different BETWEEN 0 AND read_back_bytes),
+  scaling_allowed      INTEGER NOT NULL CHECK (scaling_allowed IN (0, 1)),
+  image_scale          REAL NOT NULL CHECK (image_scale > 0),
+  CHECK (scaling_allowed = 1 OR image_scale = 1)
+) STRICT;
+
+CREATE TABLE consent_texts (  -- what people agreed to, word for word; a study file can be edited
+  text_sha256     TEXT PRIMARY KEY CHECK (length(text_sha256) = 64),
+  text            TEXT NOT NULL CHECK (length(text) > 0)
+) STRICT;
+
+CREATE TABLE consents (
+  participant     INTEGER PRIMARY KEY REFERENCES participants ON DELETE CASCADE,
+  accepted_unix_s INTEGER NOT NULL CHECK (accepted_unix_s >= 0),
+  text_sha256     TEXT NOT NULL REFERENCES consent_texts
+) STRICT;
+
+CREATE TABLE declines (  -- that someone did not take part, and when; not who
+  decline         INTEGER PRIMARY KEY,
+  declined_unix_s INTEGER NOT NULL CHECK (declined_unix_s >= 0)
+) STRICT;
+
+CREATE TABLE form_answers (
+  participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
+  field           TEXT NOT NULL CHECK (length(field) > 0),
+  value           TEXT NOT NULL CHECK (length(value) > 0),
+  PRIMARY KEY (participant, field)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE trials (  -- planned; an adaptive procedure adds them one by one, and may show a stimulus again
+  participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
+  trial_index     INTEGER NOT NULL CHECK (trial_index >= 0),
+  kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
+  stimulus        INTEGER NOT NULL REFERENCES stimuli,         -- of a catch trial: whose scene and object
+  PRIMARY KEY (participant, trial_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE answers (
+  participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
+  trial_index     INTEGER NOT NULL,
+  session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
+  choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),     -- from the image's onset
+  rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
+  image_scale     REAL NOT NULL CHECK (image_scale > 0),       -- screen pixels a picture pixel
+  PRIMARY KEY (participant, trial_index),
+  FOREIGN KEY (participant, trial_index) REFERENCES trials ON DELETE CASCADE
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE training_answers (  -- practice with feedback: never analysed
+  session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
+  training_index  INTEGER NOT NULL CHECK (training_index >= 0),
+  kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
+  stimulus        INTEGER NOT NULL REFERENCES stimuli,
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
+  choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),
+  rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
+  PRIMARY KEY (session, training_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE set_aside_answers (  -- of participants who began again: never analysed
+  participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
+  attempt         INTEGER NOT NULL CHECK (attempt >= 1),       -- 1: the first one
+  trial_index     INTEGER NOT NULL CHECK (trial_index >= 0),
+  kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
+  stimulus        INTEGER NOT NULL REFERENCES stimuli,
+  session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
+  choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),
+  rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
+  image_scale     REAL NOT NULL CHECK (image_scale > 0),
+  PRIMARY KEY (participant, attempt, trial_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE events (  -- raw: shown, choice, rating, focus, pause, resize, ...
+  event           INTEGER PRIMARY KEY,
+  session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
+  monotonic_ns    INTEGER NOT NULL CHECK (monotonic_ns >= 0),
+  kind            TEXT NOT NULL CHECK (length(kind) > 0),
+  trial_index     INTEGER CHECK (trial_index >= 0),            -- NULL outside trials
+  detail          TEXT NOT NULL DEFAULT '',
+  swap            INTEGER CHECK (swap >= 0)                    -- buffer swap that showed it; NULL: none did
+) STRICT;
+CREATE INDEX events_of_session ON events (session);
+
+CREATE TABLE deletions (  -- that someone was forgotten, and when; not who
+  deletion        INTEGER PRIMARY KEY,
+  deleted_unix_s  INTEGER NOT NULL CHECK (deleted_unix_s >= 0),
+  answers         INTEGER NOT NULL CHECK (answers >= 0)
+) STRICT;
+)sql";
+
+}  // namespace
+
+std::string log_schema_sql() {
+  return fmt::format("{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
+                     fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(every_artifact)),
+                                 fmt::arg("kinds", word_list(every_trial_kind))),
+                     log_application_id, log_schema_version);
+}
+
+}  // namespace seamline::study

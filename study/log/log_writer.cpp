@@ -1,0 +1,187 @@
+#include "study/log/log_writer.h"
+
+#include <fmt/core.h>
+
+#include <cassert>
+
+#include "study/log/log_tables.h"
+#include "support/files/assets.h"
+
+namespace seamline::study {
+namespace fs = std::filesystem;
+namespace {
+
+void check_same(const fs::path& path, const char* field, const std::string& wanted,
+                const std::string& found) {
+  if (wanted == found) return;
+  throw input_error({.file = path.string(),
+                     .field = field,
+                     .wanted = wanted + " (one log holds one set of one study; name another log file)",
+                     .found = found});
+}
+
+}  // namespace
+
+std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
+  SQLite::Statement insert(
+      database, "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
+  std::int64_t entered = 0;
+  for (std::size_t i = 0; i < stimuli.size(); ++i) {
+    const Stimulus& stimulus = stimuli[i].stimulus;
+    run(insert, static_cast<std::int64_t>(i), stimuli[i].id, stimulus.scene,
+        std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index,
+        stimulus.condition.depth_width_px, stimulus.condition.yaw_texels, stimuli[i].sha256);
+    entered += insert.getChanges();
+  }
+  return entered;
+}
+
+void enter_study_row(SQLite::Database& database, const StudySet& set) {
+  SQLite::Statement insert(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
+  run(insert, set.study.name, set.manifest.study_hash, set.set_hash, set.folder.string(), set.study_text,
+      program_version());
+}
+
+namespace {
+
+void enter_study(SQLite::Database& database, const StudySet& set) {
+  enter_study_row(database, set);
+  const auto wanted = static_cast<std::int64_t>(set.manifest.stimuli.size());
+  const std::int64_t entered = enter_missing_stimuli(database, set.manifest.stimuli);
+  if (entered != wanted)
+    throw input_error({.file = (set.folder / "manifest.json").string(),
+                       .field = "stimuli",
+                       .wanted = "each stimulus id once",
+                       .found = std::to_string(entered) + " different ones among " + std::to_string(wanted)});
+}
+
+/// Trials name stimuli by their place in the manifest.
+void check_stimuli(SQLite::Database& database, const fs::path& path,
+                   const std::vector<ManifestStimulus>& wanted) {
+  SQLite::Statement row(database, R"sql(
+      SELECT stimulus, stimulus_id, scene, artifact, object, object_index, depth_width_px, yaw_texels, sha256
+      FROM stimuli ORDER BY stimulus)sql");
+  std::size_t same = 0;
+  while (row.executeStep() && same < wanted.size()) {
+    const ManifestStimulus& record = wanted[same];
+    const Stimulus& stimulus = record.stimulus;
+    if (row.getColumn(0).getInt64() != static_cast<std::int64_t>(same) ||
+        row.getColumn(1).getString() != record.id || row.getColumn(2).getString() != stimulus.scene ||
+        row.getColumn(3).getString() != word(stimulus.artifact) ||
+        row.getColumn(4).getString() != stimulus.object ||
+        row.getColumn(5).getInt64() != stimulus.object_index ||
+        row.getColumn(6).getInt64() != stimulus.condition.depth_width_px ||
+        row.getColumn(7).getInt64() != stimulus.condition.yaw_texels ||
+        row.getColumn(8).getString() != record.sha256)
+      break;
+    ++same;
+  }
+  if (same == wanted.size() && row.isDone()) return;
+  throw input_error(
+      {.file = path.string(),
+       .field = "stimuli",
+       .wanted =
+           "the stimuli of the set that the log names (`seamline log LOG --recover OUT --set SET` takes "
+           "them from it)",
+       .found = fmt::format("other ones from place {} on", same)});
+}
+
+/// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
+void claim_log(SQLite::Database& database, const fs::path& path, const StudySet& set) {
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  SQLite::Statement row(database, "SELECT study_hash, set_hash FROM study");
+  if (!row.executeStep())
+    throw input_error({.file = path.string(), .field = "study", .wanted = "a study", .found = "none"});
+  check_same(path, "study_hash", row.getColumn(0).getString(), set.manifest.study_hash);
+  check_same(path, "set_hash", row.getColumn(1).getString(), set.set_hash);
+  row.reset();
+  check_stimuli(database, path, set.manifest.stimuli);
+  SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");
+  run(moved, set.folder.string());
+  transaction.commit();
+}
+
+}  // namespace
+
+LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)) {
+  const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
+  SQLite::Database database = open_or_create_log_database(path_, fill);
+  with_log_errors(path_, [&] {
+    check_undamaged(database, path_);
+    claim_log(database, path_, set);
+    tables_ = std::make_unique<Tables>(std::move(database), path_, set.study.session.orders);
+  });
+}
+
+LogWriter::~LogWriter() = default;
+
+void LogWriter::Tables::check_still_there() const {
+  if (file_identity(place) == file && file_identity(ahead_file(place)) == ahead) return;
+  throw input_error({.file = path.string(),
+                     .wanted = "the log where it was when the session began",
+                     .found = "nothing or another file: it was deleted or moved meanwhile"});
+}
+
+void LogWriter::transaction(const std::function<void()>& work) {
+  if (tables_->depth > 0) return work();
+  with_log_errors(path_, [&] {
+    SQLite::Transaction transaction(tables_->database, SQLite::TransactionBehavior::IMMEDIATE);
+    tables_->depth = 1;
+    try {
+      work();
+      tables_->check_still_there();
+      transaction.commit();
+    } catch (...) {
+      tables_->depth = 0;
+      throw;
+    }
+    tables_->depth = 0;
+  });
+}
+
+void LogWriter::plan_trials(OpenSession& session, std::span<const PlannedTrial> trials) {
+  transaction([&] {
+    auto trial_index = static_cast<std::int64_t>(session.planned.size());
+    for (const PlannedTrial& trial : trials)
+      run(tables_->plan, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus);
+  });
+  session.planned.insert(session.planned.end(), trials.begin(), trials.end());
+}
+
+void LogWriter::append_answer(OpenSession& session, const TrialAnswer& answer) {
+  assert(answer.trial_index == session.answered && session.session != 0);
+  transaction([&] {
+    run(tables_->answer, session.participant, answer.trial_index, session.session, answer.chosen_index,
+        answer.rating, answer.choice_ns, answer.rating_ns, session.image_scale);
+    if (!session.simulated) run(tables_->seen, now_unix_s(), session.session);
+  });
+  session.answers.push_back(answer);
+  ++session.answered;
+}
+
+void LogWriter::restart(OpenSession& session) {
+  transaction([&] {
+    SQLite::Statement set_aside(tables_->database, R"sql(
+        INSERT INTO set_aside_answers
+        SELECT participant, 1 + (SELECT coalesce(max(attempt), 0) FROM set_aside_answers WHERE participant = ?1),
+               trial_index, kind, stimulus, session, chosen_index, rating, choice_ns, rating_ns, image_scale
+        FROM answers JOIN trials USING (participant, trial_index) WHERE participant = ?1)sql");
+    run(set_aside, session.participant);
+    SQLite::Statement plan(tables_->database, "DELETE FROM trials WHERE participant = ?");
+    run(plan, session.participant);  // the answers go with it
+  });
+  session.planned.clear();
+  session.answers.clear();
+  session.answered = 0;
+}
+
+void LogWriter::complete(OpenSession& session) {
+  transaction([&] {
+    SQLite::Statement completed(tables_->database,
+                                "UPDATE participants SET completed = 1 WHERE participant = ?");
+    run(completed, session.participant);
+  });
+  session.completed = true;
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,158 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stimuli/definition/form_definition.h"
+#include "study/observers/observer.h"
+#include "study/placement/trial.h"
+#include "study/trials/study_set.h"
+#include "study/visit/display_facts.h"
+
+namespace seamline::study {
+
+/// Who a simulated participant is.
+struct Simulated {
+  ObserverKind observer = ObserverKind::threshold;
+  std::uint64_t seed = 0;                 ///< of the whole simulation
+  std::optional<double> image_gain = {};  ///< of `image`
+  bool operator==(const Simulated&) const = default;
+};
+
+/// Who is about to take part.
+struct Enrolment {
+  std::string code = {};  ///< 1 to 64 of A-Z a-z 0-9 . _ -; a code, never a name
+  bool pilot = false;
+  std::optional<Simulated> simulated = {};  ///< none: a person
+  std::optional<int> slot = {};             ///< none: the log chooses, see LogWriter::open_session
+};
+
+/// A participant's place in the log, as found when the session began.
+struct OpenSession {
+  std::int64_t participant = 0;            ///< row in the log
+  std::int64_t session = 0;                ///< row in the log; 0 when nothing is left to do
+  int slot = 0;                            ///< which order of trials
+  std::vector<PlannedTrial> planned = {};  ///< so far
+  int answered = 0;                        ///< the first `answered` of them have answers
+  std::vector<TrialAnswer> answers = {};   ///< those answers
+  bool completed = false;
+  bool excluded = false;
+  bool simulated = false;
+  bool consented = false;
+  bool form_done = false;  ///< the participant form is answered
+  double image_scale = 1;  ///< screen pixels a picture pixel, see record_display
+};
+
+/// A participant whom the log knows, before any session is opened.
+struct KnownParticipant {
+  int answered = 0;
+  bool consented = false;
+  bool completed = false;
+  bool excluded = false;
+  bool in_progress = false;  ///< a session is open somewhere else
+};
+
+/// Frames of a session.
+struct FrameCounts {
+  std::int64_t shown = 0;
+  std::int64_t late = 0;  ///< that missed at least one refresh of the screen
+};
+
+/// The answer to a practice trial.
+struct TrainingAnswer {
+  PlannedTrial trial;
+  TrialAnswer answer;  ///< its trial_index is the place within this session's practice
+};
+
+/// Something raw that happened in a session: shown, choice, rating, focus_lost, focus_gained, pause, resize,
+/// ...
+struct RawEvent {
+  std::int64_t monotonic_ns = 0;
+  std::string kind = {};
+  std::optional<int> trial_index = {};
+  std::string detail = {};
+  std::optional<std::int64_t> swap = {};  ///< number of the buffer swap that showed it, from 0 at the start
+};
+
+/// Throws InputError unless the code is one that the log takes (see Enrolment).
+void check_participant_code(const std::string& code);
+
+/// The log, open for a session. Every call is a transaction of its own, on the disk (synchronous=FULL) when
+/// the call returns, unless it is made inside `transaction`. Throws InputError when the disk or the file
+/// fails; what was committed before stays.
+class LogWriter {
+ public:
+  /// Opens or creates the log of a set, and proves by a committed write that it can be written to. Throws
+  /// InputError when it cannot, or when the log belongs to another study or set; a log begun here is removed
+  /// again then.
+  LogWriter(std::filesystem::path path, const StudySet& set);
+  ~LogWriter();
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
+  /// What the log knows of a code; none: a newcomer. Throws InputError as open_session does.
+  [[nodiscard]] std::optional<KnownParticipant> find(const Enrolment& enrolment);
+
+  /// Enters a newcomer, or finds the participant again, and begins a session. Throws InputError when the code
+  /// is not well formed, belongs to a participant of another kind (pilot, simulated, observer, seed, gain),
+  /// or, for a person, a session of the participant is open elsewhere. The claim on the participant ends with
+  /// this LogWriter, or with the process, however that ends.
+  ///
+  /// A newcomer's slot, unless the enrolment names one: where everybody has an order of their own, the lowest
+  /// that nobody of the same kind (pilot, person, simulated) holds who is not excluded; where orders are
+  /// shared, the one with the fewest completed participants of that kind, then the fewest unfinished ones,
+  /// then the lowest.
+  [[nodiscard]] OpenSession open_session(const Enrolment& enrolment);
+
+  /// Adds trials after those already planned.
+  void plan_trials(OpenSession& session, std::span<const PlannedTrial> trials);
+
+  /// Stores the answer to trial `session.answered`, which must be planned.
+  void append_answer(OpenSession& session, const TrialAnswer& answer);
+
+  /// Sets the participant's plan and answers aside (kept in the log, never analysed): the session is at
+  /// trial 0 again, with nothing planned.
+  void restart(OpenSession& session);
+
+  /// That somebody declined to take part, and when; not who.
+  void record_decline();
+
+  /// That the participant accepted this text, and when.
+  void record_consent(OpenSession& session, const std::string& consent_text, std::int64_t accepted_unix_s);
+
+  /// The participant form; replaces what was answered before.
+  void record_form(OpenSession& session, std::span<const FormAnswer> answers);
+
+  /// What the session's pictures are shown on; replaces what was recorded before in this session. Answers
+  /// stored from now on carry its `image_scale`.
+  void record_display(OpenSession& session, const DisplayFacts& facts);
+
+  /// What was recorded last on this machine and monitor.
+  [[nodiscard]] std::optional<DisplayFacts> latest_display(const std::string& machine,
+                                                           const std::string& monitor);
+
+  /// Adds to the session's frame counts.
+  void add_frames(const OpenSession& session, const FrameCounts& frames);
+
+  void append_training(const OpenSession& session, const TrainingAnswer& answer);
+
+  void append_events(const OpenSession& session, std::span<const RawEvent> events);
+
+  /// Marks the participant as having answered everything.
+  void complete(OpenSession& session);
+
+  /// Runs `work` as one transaction: all of its calls are stored, or, when it throws, none.
+  void transaction(const std::function<void()>& work);
+
+ private:
+  struct Tables;
+  std::filesystem::path path_;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace seamline::study

@@ -1,0 +1,62 @@
+// What a recovery says to people.
+#include <fmt/core.h>
+
+#include "study/log/recovery/log_recovery.h"
+
+namespace seamline::study {
+namespace fs = std::filesystem;
+namespace {
+
+std::string trial_list(const std::vector<int>& trials) {
+  std::string text;
+  for (std::size_t i = 0; i < trials.size();) {
+    std::size_t end = i;
+    while (end + 1 < trials.size() && trials[end + 1] == trials[end] + 1) ++end;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", trials[i] + 1);
+    if (end > i) text += fmt::format("-{}", trials[end] + 1);
+    i = end + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string recovery_text(const LogRecovery& recovery, const fs::path& damaged, const fs::path& out) {
+  const auto count = [](const std::map<std::string, std::int64_t>& rows, const char* table) {
+    const auto found = rows.find(table);
+    return found == rows.end() ? std::int64_t{0} : found->second;
+  };
+  std::string text =
+      fmt::format("{}: saved {} participants and {} answers into {}\n", damaged.string(),
+                  count(recovery.saved, "participants"), count(recovery.saved, "answers"), out.string());
+  std::size_t missing = 0;
+  for (const LostAnswers& person : recovery.participants) {
+    missing += person.missing_trials.size() + (person.completed && person.planned == 0 ? 1 : 0);
+    if (!person.missing_trials.empty())
+      text +=
+          fmt::format("lost: of {} the answers to trials {}{}\n", person.code,
+                      trial_list(person.missing_trials), person.completed ? "" : ", and perhaps later ones");
+  }
+  for (const LostAnswers& person : recovery.participants)
+    if (person.completed && person.planned == 0)
+      text += fmt::format("lost: every answer of {}\n", person.code);
+  for (const auto& [table, rows] : recovery.refused)
+    text += fmt::format("lost: {} rows of {} that were damaged or refer to lost ones\n", rows, table);
+  if (recovery.participants_without_row > 0)
+    text += fmt::format(
+        "lost: the codes of {} participants; their answers are kept as recovered-N, excluded from the "
+        "analysis\n",
+        recovery.participants_without_row);
+  if (recovery.sessions_without_row > 0)
+    text += fmt::format("lost: when {} sessions were\n", recovery.sessions_without_row);
+  if (recovery.stimuli_from_set > 0 || recovery.study_from_set)
+    text += fmt::format("taken from the set: {}{} stimuli\n", recovery.study_from_set ? "the study and " : "",
+                        recovery.stimuli_from_set);
+  if (missing == 0 && recovery.refused.empty() && recovery.participants_without_row == 0)
+    text += "no gap was found; participants who had not finished may have lost their last answers\n";
+  return text +
+         "A changed value that is still in its range cannot be seen: compare with a copy where there is "
+         "one.\n";
+}
+
+}  // namespace seamline::study

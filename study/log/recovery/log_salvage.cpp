@@ -1,0 +1,292 @@
+#include "study/log/recovery/log_salvage.h"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "study/log/log_database.h"
+#include "study/log/log_place.h"
+#include "support/files/atomic_file.h"
+#include "support/running/interrupt.h"
+
+namespace seamline::study {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::int64_t most_keys_asked = 2000000;
+constexpr std::size_t page_size_at = 16, page_count_at = 28, change_counter_at = 24, valid_for_at = 92;
+
+LogRow row_of(SQLite::Statement& statement) {
+  LogRow row;
+  for (int i = 0; i < statement.getColumnCount(); ++i) {
+    const SQLite::Column column = statement.getColumn(i);
+    if (column.isNull())
+      row.emplace_back();
+    else if (column.isInteger())
+      row.emplace_back(column.getInt64());
+    else if (column.isFloat())
+      row.emplace_back(column.getDouble());
+    else
+      row.emplace_back(column.getString());
+  }
+  return row;
+}
+
+SQLite::Database open_to_salvage(const fs::path& copy) {
+  SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
+  sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+  database.exec("PRAGMA writable_schema = ON");  // a file that was cut short is read as far as it goes
+  return database;
+}
+
+/// Reads one table of a damaged database.
+class TableReader {
+ public:
+  /// A table has fewer rows than its file has bytes; pages that lead back to one another seem to have more.
+  TableReader(SQLite::Database& database, const LogTable& table, std::uintmax_t most_rows)
+      : database_(database), table_(table), most_rows_(most_rows) {
+    for (const char* column : table.key) key_ += (key_.empty() ? "" : ", ") + std::string(column);
+  }
+
+  std::vector<LogRow> read() {
+    whole_ = scan("");
+    if (!whole_) {
+      scan(" DESC");
+      ask_for_keys_between();
+    }
+    std::vector<LogRow> rows;
+    for (auto& [key, row] : rows_) rows.push_back(std::move(row));
+    return rows;
+  }
+
+  [[nodiscard]] bool whole() const { return whole_; }  ///< no page of it was damaged
+
+ private:
+  /// From one end until the end or a damaged page; true when the whole table was read.
+  bool scan(const std::string& direction) {
+    try {
+      std::string order;
+      for (const char* column : table_.key) order += (order.empty() ? "" : ", ") + (column + direction);
+      SQLite::Statement statement(
+          database_, fmt::format("SELECT {}, * FROM {} NOT INDEXED ORDER BY {}", key_, table_.name, order));
+      for (std::uintmax_t rows = 0; statement.executeStep(); ++rows) {
+        if (rows == most_rows_) return false;
+        keep(row_of(statement));
+      }
+      return true;
+    } catch (const SQLite::Exception&) {
+      return false;
+    }
+  }
+
+  void keep(LogRow row) {
+    stop_if_interrupted();
+    const auto end_of_key = row.begin() + static_cast<std::ptrdiff_t>(table_.key.size());
+    LogRow key(row.begin(), end_of_key);
+    row.erase(row.begin(), end_of_key);
+    rows_.emplace(std::move(key), std::move(row));
+  }
+
+  /// Keys are small whole numbers, so the ones between those found can be asked for. Text keys cannot.
+  void ask_for_keys_between() {
+    if (rows_.empty()) return;  // its first page is lost, or it is empty
+    std::vector<std::int64_t> highest(table_.key.size(), 0);
+    for (const auto& [key, row] : rows_)
+      for (std::size_t i = 0; i < key.size(); ++i) {
+        const auto* number = std::get_if<std::int64_t>(&key[i]);
+        if (number == nullptr) return;
+        highest[i] = std::max(highest[i], *number);
+      }
+    std::int64_t keys = 1;
+    for (std::int64_t& last : highest) {
+      last += highest_beyond;
+      if (last >= most_keys_asked || (keys *= last + 1) > most_keys_asked) return;
+    }
+    std::vector<std::int64_t> key(highest.size(), 0);
+    for (std::int64_t number = 0; number < keys; ++number) {
+      std::int64_t rest = number;
+      for (std::size_t i = key.size(); i-- > 0; rest /= highest[i] + 1) key[i] = rest % (highest[i] + 1);
+      ask(key);
+    }
+  }
+
+  void ask(const std::vector<std::int64_t>& key) {
+    stop_if_interrupted();
+    if (rows_.contains(LogRow(key.begin(), key.end()))) return;
+    try {
+      std::string where;
+      for (const char* column : table_.key)
+        where += fmt::format("{}{} = ?", where.empty() ? "" : " AND ", column);
+      if (!one_)
+        one_.emplace(database_, fmt::format("SELECT {}, * FROM {} WHERE {}", key_, table_.name, where));
+      one_->tryReset();
+      for (std::size_t i = 0; i < key.size(); ++i) one_->bind(static_cast<int>(i) + 1, key[i]);
+      if (one_->executeStep()) keep(row_of(*one_));
+    } catch (const SQLite::Exception&) {
+      one_.reset();  // on a damaged page
+    }
+  }
+
+  static constexpr std::int64_t highest_beyond = 64;  ///< keys asked for beyond the highest one found
+  SQLite::Database& database_;
+  const LogTable& table_;
+  std::uintmax_t most_rows_ = 0;
+  std::string key_;
+  std::map<LogRow, LogRow> rows_;
+  std::optional<SQLite::Statement> one_;
+  bool whole_ = false;
+};
+
+/// Puts our words into the place of a schema that is not ours, so that nothing of it is ever run: columns
+/// that are computed, views in the place of tables. Of each of our tables the pages are kept; triggers, and
+/// tables and indexes of others, are no longer known. A schema that cannot be read stays as it is: it is a
+/// damaged one.
+void make_schema_ours(const fs::path& copy) {
+  SQLite::Database database = open_to_salvage(copy);
+  try {
+    if (schema_of(database) == log_schema()) return;
+  } catch (const SQLite::Exception&) {
+    return;
+  }
+  SQLite::Transaction transaction(database);
+  SQLite::Statement rename(
+      database, "UPDATE sqlite_schema SET tbl_name = name, sql = ? WHERE type = 'table' AND name = ?");
+  SQLite::Statement forget(database, "DELETE FROM sqlite_schema WHERE rowid = ?");
+  std::set<std::string> tables, indexes;
+  for (const auto& [type, name, table, sql] : log_schema()) {
+    if (type == "table") run(rename, sql, name);
+    (type == "table" ? tables : indexes).insert(name);
+  }
+  std::vector<std::int64_t> foreign;
+  for (SQLite::Statement row(database, "SELECT rowid, type, name, coalesce(sql, '') FROM sqlite_schema");
+       row.executeStep();) {
+    const std::string type = row.getColumn(1).getString(), name = row.getColumn(2).getString();
+    const bool ours = (type == "table" && tables.contains(name)) ||
+                      (type == "index" && indexes.contains(name) && row.getColumn(3).getString().empty());
+    if (!ours) foreign.push_back(row.getColumn(0).getInt64());
+  }
+  for (const std::int64_t entry : foreign) run(forget, entry);
+  transaction.commit();
+}
+
+/// What one way to read a file finds.
+struct Reading {
+  SalvagedLog log;
+  bool whole = false;  ///< no table met a damaged page
+};
+
+Reading read_all(const fs::path& copy) {
+  Reading reading;
+  try {
+    make_schema_ours(copy);
+    SQLite::Database database = open_to_salvage(copy);
+    reading.whole = true;
+    for (const LogTable& table : log_tables()) {
+      TableReader reader(database, table, fs::file_size(copy));
+      reading.log[table.name] = reader.read();
+      reading.whole = reading.whole && reader.whole();
+    }
+  } catch (const SQLite::Exception&) {
+    reading.whole = false;  // not even its first page can be read
+  }
+  return reading;
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at, int size) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < size; ++i)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+  return value;
+}
+
+/// Puts a new log's schema into a file: header, and every page that says what tables there are and where they
+/// begin. Tables begin at the same pages in every log of this schema that nobody was deleted from.
+void renew_schema(const fs::path& copy, const fs::path& scratch) {
+  const fs::path model = scratch / "model.sqlite";
+  std::set<std::uint32_t> roots;  // of tables and indexes: in an empty log the other pages are the schema's
+  if (!fs::exists(model)) {
+    SQLite::Database database(model.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database.exec(log_schema_sql());
+  }
+  {
+    SQLite::Database database(model.string(), SQLite::OPEN_READONLY);
+    for (SQLite::Statement row(database, "SELECT rootpage FROM sqlite_schema"); row.executeStep();)
+      roots.insert(row.getColumn(0).getUInt());
+  }
+  std::string bytes = read_file(model),
+              damaged = read_file(copy, static_cast<std::int64_t>(fs::file_size(copy)));
+  const std::uint32_t page_bytes = big_endian(bytes, page_size_at, 2);
+  const std::uint64_t pages = damaged.size() / page_bytes;
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[page_count_at + i] = static_cast<char>(pages >> (24 - 8 * i) & 255);
+  for (std::size_t i = 0; i < 4; ++i) bytes[valid_for_at + i] = bytes[change_counter_at + i];
+  for (std::uint32_t page = 1; page <= std::min<std::uint64_t>(bytes.size() / page_bytes, pages); ++page)
+    if (!roots.contains(page))
+      damaged.replace(std::size_t{page - 1} * page_bytes, page_bytes, bytes,
+                      std::size_t{page - 1} * page_bytes, page_bytes);
+  write_file_atomically(copy, damaged);
+}
+
+std::size_t rows_in(const SalvagedLog& log, const std::string& table) {
+  const auto found = log.find(table);
+  return found == log.end() ? 0 : found->second.size();
+}
+
+std::size_t rows_in(const SalvagedLog& log) {
+  std::size_t rows = 0;
+  for (const auto& [name, of_table] : log) rows += of_table.size();
+  return rows;
+}
+
+bool is_better(const SalvagedLog& one, const SalvagedLog& other) {
+  const auto worth = [](const SalvagedLog& log) { return std::pair(rows_in(log, "answers"), rows_in(log)); };
+  return worth(one) > worth(other);
+}
+
+fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_schema) {
+  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_schema ? 1 : 0);
+  copy_log(damaged, copy);
+  if (!with_ahead) fs::remove(ahead_file(copy));
+  if (new_schema) renew_schema(copy, scratch);
+  return copy;
+}
+
+}  // namespace
+
+const std::vector<LogTable>& log_tables() {
+  static const std::vector<LogTable> tables = {
+      {"study", {"id"}},
+      {"stimuli", {"stimulus"}},
+      {"participants", {"participant"}},
+      {"sessions", {"session"}},
+      {"displays", {"session"}},
+      {"consent_texts", {"text_sha256"}},
+      {"consents", {"participant"}},
+      {"declines", {"decline"}},
+      {"form_answers", {"participant", "field"}},
+      {"trials", {"participant", "trial_index"}},
+      {"answers", {"participant", "trial_index"}},
+      {"training_answers", {"session", "training_index"}},
+      {"set_aside_answers", {"participant", "attempt", "trial_index"}},
+      {"events", {"event"}},
+      {"deletions", {"deletion"}}};
+  return tables;
+}
+
+SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
+  const bool has_ahead = fs::exists(ahead_file(damaged));
+  SalvagedLog best;
+  for (const bool new_schema : {false, true})
+    for (const bool with_ahead : {true, false}) {
+      if (with_ahead && !has_ahead) continue;
+      Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));
+      if (is_better(reading.log, best)) best = std::move(reading.log);
+      if (reading.whole) return best;
+    }
+  return best;
+}
+
+}  // namespace seamline::study

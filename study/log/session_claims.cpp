@@ -1,0 +1,75 @@
+#include "study/log/session_claims.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "study/log/log_place.h"
+#include "support/text/error.h"
+
+namespace seamline::study {
+namespace fs = std::filesystem;
+namespace {
+
+struct flock byte_of(std::int64_t participant, short type) {
+  struct flock lock = {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = participant;
+  lock.l_len = 1;
+  return lock;
+}
+
+InputError trouble(const fs::path& path, const std::string& wanted, int error) {
+  return input_error({.file = path.string(), .wanted = wanted, .found = std::strerror(error)});
+}
+
+bool locked_by_others(int descriptor, std::int64_t participant) {
+  struct flock lock = byte_of(participant, F_WRLCK);
+  return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+}  // namespace
+
+SessionClaims::SessionClaims(const fs::path& log) : log_(log_place(log)), path_(claims_file(log)) {}
+
+SessionClaims::~SessionClaims() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void SessionClaims::open() {
+  if (descriptor_ >= 0) return;
+  const mode_t mode = mode_of_log(log_);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+  if (descriptor_ >= 0)
+    ::fchmod(descriptor_, mode);  // whoever may write to the log may lock it, whatever the umask
+  else if (errno == EEXIST)
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor_ < 0) throw trouble(path_, "a place where the log's lock file can be written", errno);
+}
+
+bool SessionClaims::claim(std::int64_t participant) {
+  open();
+  struct flock lock = byte_of(participant, F_WRLCK);
+  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return true;
+  if (errno == EAGAIN || errno == EACCES) return false;
+  throw trouble(path_, "a file system that has locks", errno);
+}
+
+bool SessionClaims::claimed_elsewhere(std::int64_t participant) {
+  open();
+  return locked_by_others(descriptor_, participant);
+}
+
+bool is_claimed(const fs::path& log, std::int64_t participant) {
+  const int descriptor = ::open(claims_file(log).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool claimed = locked_by_others(descriptor, participant);
+  ::close(descriptor);
+  return claimed;
+}
+
+}  // namespace seamline::study

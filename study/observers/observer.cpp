@@ -1,0 +1,190 @@
+#include "study/observers/observer.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "study/placement/overloaded.h"
+#include "study/placement/psychometric_function.h"
+#include "study/placement/trial.h"
+#include "support/text/error.h"
+
+namespace seamline::study {
+namespace {
+
+double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact) {
+  const auto found = definition.midpoint_width_px.find(artifact);
+  if (found == definition.midpoint_width_px.end())
+    throw input_error({.field = "observer.midpoint_width_px",
+                       .wanted = "a width for the artifact " + std::string(word(artifact)),
+                       .found = "none"});
+  return found->second;
+}
+
+double gain_of(const ObserverDefinition& definition) {
+  if (definition.image_gain) return *definition.image_gain;
+  throw input_error({.field = "observer.image_gain",
+                     .wanted = "a gain for the observer image (seamline predict SET prints one)",
+                     .found = "none"});
+}
+
+/// P(seen) of the person whose shift is 0.
+PsychometricFunction average_person(const ObserverDefinition& definition, Artifact artifact) {
+  return {.sigmoid = Sigmoid::logistic,
+          .axis = Axis::log2,
+          .direction = definition.direction,
+          .threshold = midpoint_width_px(definition, artifact),
+          .scale = definition.scale_octaves};
+}
+
+Response guess(Random& random) {
+  return {.chosen_index = 1 + static_cast<int>(random.below(objects_per_stimulus)), .rating = 1};
+}
+
+/// The answer of a person who sees the seam of this stimulus with probability `seen`.
+Response seeing_response(double seen, const Stimulus& stimulus, Random& random) {
+  if (random.uniform() >= seen) return guess(random);
+  return {.chosen_index = stimulus.object_index, .rating = 1 + random.binomial(highest_rating - 1, seen)};
+}
+
+Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus, Random& random) {
+  PsychometricFunction person = average_person(observer.definition, stimulus.artifact);
+  person.threshold *= std::exp2(observer.shift_octaves);
+  return seeing_response(response_probability(person, stimulus.condition.depth_width_px), stimulus, random);
+}
+
+Response image_response(const ImageObserver& observer, const Stimulus& stimulus, Random& random) {
+  const std::string id = stimulus_id(stimulus);
+  const auto found = observer.differences->find(id);
+  if (found == observer.differences->end())
+    throw input_error({.field = id, .wanted = "a picture to look at", .found = "none in the set"});
+  const double visible_octaves = std::log2(gain_of(observer.definition) * found->second.above_floor);
+  const double z = (visible_octaves + observer.shift_octaves) / observer.definition.scale_octaves;
+  return seeing_response(sigmoid_value(Sigmoid::logistic, z), stimulus, random);
+}
+
+/// Mean noticeability of a person who sees with probability P.
+double expected_score(double seen) {
+  return seen * (1 + (highest_rating - 1) * seen) + (1 - seen) / objects_per_stimulus;
+}
+
+/// Its derivative with respect to u, where P = 1 / (1 + exp(-u)).
+double expected_score_slope(double seen) {
+  return (1 + 2 * (highest_rating - 1) * seen - 1.0 / objects_per_stimulus) * seen * (1 - seen);
+}
+
+// The mean over people, two ways. A person at z standard deviations sees with P = logistic(u), u = (z - z0) /
+// r, where z0 is the person whose threshold is the width in question and r = scale / sd. Both are trapezoidal
+// sums of functions that are analytic in a strip of half width pi and die off at both ends, so their error
+// falls as exp(-2 pi^2 / step).
+
+/// Smooth in z when r >= 1: integral of phi(z) G(P(z)) dz.
+double mean_over_people_direct(double z0, double r) {
+  constexpr double step = 0.125, cut = 9;
+  double sum = 0;
+  for (double z = -cut; z <= cut; z += step)
+    sum += std::exp(-0.5 * z * z) * expected_score(sigmoid_value(Sigmoid::logistic, (z - z0) / r));
+  return sum * step / std::sqrt(2 * std::numbers::pi);
+}
+
+/// For steep observers, r <= 1, integrated by parts: G(1) - integral of Phi(z0 + r u) G'(u) du.
+double mean_over_people_by_parts(double z0, double r) {
+  constexpr double step = 0.25, cut = 45;
+  double sum = 0;
+  for (double u = -cut; u <= cut; u += step)
+    sum += sigmoid_value(Sigmoid::normal, z0 + r * u) *
+           expected_score_slope(sigmoid_value(Sigmoid::logistic, u));
+  return expected_score(1) - sum * step;
+}
+
+/// The mean over people of whom the average one sees with P = logistic(-octaves / scale), and the others
+/// differ by a shift of the octaves.
+double mean_over_people(const ObserverDefinition& definition, double octaves_past_midpoint) {
+  const double sd = definition.people_sd_octaves, scale = definition.scale_octaves;
+  if (sd <= 0) return expected_score(sigmoid_value(Sigmoid::logistic, -octaves_past_midpoint / scale));
+  const double threshold_z = octaves_past_midpoint / sd;
+  const double relative_scale = scale / sd;
+  return relative_scale > 1 ? mean_over_people_direct(threshold_z, relative_scale)
+                            : mean_over_people_by_parts(threshold_z, relative_scale);
+}
+
+}  // namespace
+
+std::string_view word(ObserverKind kind) {
+  switch (kind) {
+    case ObserverKind::threshold:
+      return "threshold";
+    case ObserverKind::image:
+      return "image";
+    case ObserverKind::guesser:
+      return "guesser";
+    case ObserverKind::perfect:
+      return "perfect";
+  }
+  return {};
+}
+
+std::optional<ObserverKind> observer_kind_from_word(std::string_view text) {
+  for (const ObserverKind kind : every_observer_kind)
+    if (word(kind) == text) return kind;
+  return std::nullopt;
+}
+
+Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
+                       std::shared_ptr<const VisibleDifferences> differences) {
+  switch (kind) {
+    case ObserverKind::threshold:
+      return ThresholdObserver{.definition = definition,
+                               .shift_octaves = definition.people_sd_octaves * random.normal()};
+    case ObserverKind::image:
+      assert(differences != nullptr);
+      return ImageObserver{.definition = definition,
+                           .differences = std::move(differences),
+                           .shift_octaves = definition.people_sd_octaves * random.normal()};
+    case ObserverKind::guesser:
+      return GuessingObserver{};
+    case ObserverKind::perfect:
+      return PerfectObserver{};
+  }
+  return {};
+}
+
+Response respond(const Observer& observer, const Stimulus& stimulus, Random& random) {
+  return std::visit(
+      Overloaded{
+          [&](const ThresholdObserver& person) { return threshold_response(person, stimulus, random); },
+          [&](const ImageObserver& person) { return image_response(person, stimulus, random); },
+          [&](const GuessingObserver&) { return guess(random); },
+          [&](const PerfectObserver&) {
+            return Response{.chosen_index = stimulus.object_index, .rating = highest_rating};
+          }},
+      observer);
+}
+
+Response respond_to_attention(const Observer& observer, int right_index, Random& random) {
+  const Response seen{.chosen_index = right_index, .rating = highest_rating};
+  return std::visit(
+      Overloaded{[&](const ThresholdObserver&) { return seen; }, [&](const ImageObserver&) { return seen; },
+                 [&](const GuessingObserver&) { return guess(random); },
+                 [&](const PerfectObserver&) { return seen; }},
+      observer);
+}
+
+Response respond_to_reference(Random& random) {
+  return guess(random);
+}
+
+double expected_noticeability(const ObserverDefinition& definition, Artifact artifact, double width_px) {
+  const double octaves_past_midpoint =
+      std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact));
+  // Shifts to either side are as likely, so who sees more with the width is the mirror image.
+  return mean_over_people(definition, definition.direction == Direction::decreasing ? octaves_past_midpoint
+                                                                                    : -octaves_past_midpoint);
+}
+
+double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {
+  return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
+}
+
+}  // namespace seamline::study

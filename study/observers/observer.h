@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/pictures/visible_difference.h"
+#include "support/arithmetic/random.h"
+
+namespace seamline::study {
+
+/// The simulated people that `--observer` knows.
+enum class ObserverKind { threshold, image, guesser, perfect };
+inline constexpr std::array<ObserverKind, 4> every_observer_kind = {
+    ObserverKind::threshold, ObserverKind::image, ObserverKind::guesser, ObserverKind::perfect};
+
+[[nodiscard]] std::string_view word(ObserverKind kind);
+[[nodiscard]] std::optional<ObserverKind> observer_kind_from_word(std::string_view text);
+
+/// Sees the seam with probability P = psi(W), a logistic in log2 W that falls unless the definition says that
+/// it rises (study/placement/psychometric_function.h). When it is seen: the right object, rated 1 +
+/// Binomial(3, P). When not: a uniform guess of the three, rated 1.
+struct ThresholdObserver {
+  ObserverDefinition definition;
+  double shift_octaves = 0;  ///< this person's: added to log2 of every midpoint
+};
+
+/// Looks at the pictures: sees the seam with probability P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)),
+/// F the visible difference between stimulus and reference above the floor of *none*. Answers as
+/// ThresholdObserver does.
+struct ImageObserver {
+  ObserverDefinition definition;
+  std::shared_ptr<const VisibleDifferences> differences;  ///< of the whole set, shared by all people
+  double shift_octaves = 0;                               ///< this person's: added to log2 of the gain
+};
+
+/// Never sees anything: a uniform guess of the three, rated 1. Expected noticeability 1/3.
+struct GuessingObserver {};
+
+/// Always sees the seam: the right object, rated 4.
+struct PerfectObserver {};
+
+using Observer = std::variant<ThresholdObserver, ImageObserver, GuessingObserver, PerfectObserver>;
+
+/// What an observer answers to one stimulus.
+struct Response {
+  int chosen_index = 0;  ///< 1..3
+  int rating = 0;        ///< 1..4
+};
+
+/// One simulated person of a kind. Draws the person's shift, Normal(0, people_sd_octaves), from `random`.
+/// `differences` is needed by `image` alone.
+[[nodiscard]] Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
+                                     std::shared_ptr<const VisibleDifferences> differences = nullptr);
+
+/// The observer's answer. Throws InputError when the definition has no midpoint for the stimulus' artifact,
+/// or an `image` observer knows no gain or no visible difference of the stimulus.
+[[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus, Random& random);
+
+/// The answer to an attention trial: everybody who looks at the pictures sees it, chooses the right object
+/// and rates it 4; a guesser guesses.
+[[nodiscard]] Response respond_to_attention(const Observer& observer, int right_index, Random& random);
+
+/// The answer to a reference trial, where there is nothing to see: everybody guesses, rated 1.
+[[nodiscard]] Response respond_to_reference(Random& random);
+
+/// Planted value of the `threshold` observer: its exact mean noticeability over people at one depth width,
+///
+///     E = integral over s of N(s; 0, people_sd^2) [ P (1 + 3P) + (1 - P) / 3 ] ds,   P = P(seen | W, shift
+///     s)
+///
+/// where (1 - P) / 3 is the floor from guessing: right by chance one time in three, and then rated 1.
+/// Absolute error under 1e-12. Throws InputError when the definition has no midpoint for the artifact.
+[[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, Artifact artifact,
+                                            double width_px);
+
+/// The same of the `image` observer, for a visible difference above the floor, at least 0.
+[[nodiscard]] double expected_noticeability_of_difference(const ObserverDefinition& definition,
+                                                          double visible_difference);
+
+}  // namespace seamline::study

@@ -1,0 +1,42 @@
+#include "study/placement/procedure.h"
+
+#include <cassert>
+
+#include "study/placement/overloaded.h"
+
+namespace seamline::study {
+
+std::optional<int> current_stimulus(const Procedure& procedure) {
+  return std::visit(Overloaded{[](const ConstantProcedure& constant) -> std::optional<int> {
+                                 const auto due = static_cast<std::size_t>(constant.answered);
+                                 if (due >= constant.order.size()) return std::nullopt;
+                                 return constant.order[due];
+                               },
+                               [](const QuestPlusProcedure& quest_plus) { return quest_plus.due; }},
+                    procedure);
+}
+
+Procedure after_answer(Procedure procedure, const TrialAnswer& answer) {
+  assert(current_stimulus(procedure) && answer.trial_index == answered_trials(procedure));
+  std::visit(Overloaded{[](ConstantProcedure& constant) { ++constant.answered; },
+                        [&](QuestPlusProcedure& quest_plus) {
+                          quest_plus = after_answer(std::move(quest_plus), answer);
+                        }},
+             procedure);
+  return procedure;
+}
+
+int answered_trials(const Procedure& procedure) {
+  return std::visit(Overloaded{[](const ConstantProcedure& constant) { return constant.answered; },
+                               [](const QuestPlusProcedure& quest_plus) { return quest_plus.answered; }},
+                    procedure);
+}
+
+int planned_trials(const Procedure& procedure) {
+  return std::visit(
+      Overloaded{[](const ConstantProcedure& constant) { return static_cast<int>(constant.order.size()); },
+                 [](const QuestPlusProcedure& quest_plus) { return most_trials(quest_plus); }},
+      procedure);
+}
+
+}  // namespace seamline::study

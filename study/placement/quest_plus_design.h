@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stimuli/definition/stimulus.h"
+#include "study/placement/quest_plus_grid.h"
+
+namespace seamline::study {
+
+/// The stimuli that share a psychometric function. Only what is in the set is in it.
+struct TrackDesign {
+  Artifact artifact = Artifact::none;
+  std::string scene, object;             ///< empty for a track over all objects of an artifact
+  std::vector<int> width_px;             ///< rising: the conditions
+  std::vector<std::vector<int>> images;  ///< for each width, the stimuli (indices into the set) that show it
+  std::shared_ptr<const QuestPlusTables> tables;  ///< shared by tracks of the same widths
+};
+
+/// Everything about a set that does not change in a session; made once and shared by all participants.
+struct QuestPlusDesign {
+  struct Place {
+    int track = 0, width = 0;  ///< indices
+    int object_index = 0;      ///< the right choice
+  };
+  QuestPlusDefinition definition;
+  QuestPlusGrid grid;
+  std::vector<TrackDesign> tracks;  ///< in the order of their first stimulus
+  std::vector<Place> places;        ///< of each stimulus
+};
+
+[[nodiscard]] QuestPlusDesign make_quest_plus_design(const QuestPlusDefinition& definition,
+                                                     const std::vector<Stimulus>& stimuli);
+
+/// "receiver" or "receiver bedroom statue".
+[[nodiscard]] std::string name_of(const TrackDesign& track);
+
+}  // namespace seamline::study

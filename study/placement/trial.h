@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace seamline::study {
+
+inline constexpr int objects_per_stimulus = 3;
+inline constexpr int highest_rating = 4;
+
+/// What a trial is for.
+enum class TrialKind {
+  stimulus,   ///< a picture of the set: what the study is about
+  attention,  ///< an insertion that nobody who looks can miss (stimuli/pictures/attention_image.h)
+  reference   ///< nothing was inserted: there is no right answer
+};
+inline constexpr std::array<TrialKind, 3> every_trial_kind = {TrialKind::stimulus, TrialKind::attention,
+                                                              TrialKind::reference};
+[[nodiscard]] std::string_view word(TrialKind kind);
+[[nodiscard]] std::optional<TrialKind> trial_kind_from_word(std::string_view text);
+
+/// A trial of a plan. `stimulus` is an index into the set. An attention trial shows the reference of its
+/// scene with its object changed, a reference trial the reference of its scene as it is.
+struct PlannedTrial {
+  TrialKind kind = TrialKind::stimulus;
+  int stimulus = 0;
+  bool operator==(const PlannedTrial&) const = default;
+};
+
+/// What a participant did in one trial: chose one of the three objects, then rated how noticeable the
+/// insertion was.
+struct TrialAnswer {
+  int trial_index = 0;         ///< 0-based place among all trials of the participant, of every kind
+  int chosen_index = 0;        ///< 1 left, 2 middle, 3 right
+  int rating = 0;              ///< 1 slightly .. 4 extremely noticeable
+  std::int64_t choice_ns = 0;  ///< from the image's onset to the choice that counted
+  std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
+  bool operator==(const TrialAnswer&) const = default;
+};
+
+}  // namespace seamline::study

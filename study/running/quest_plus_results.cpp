@@ -1,0 +1,118 @@
+#include "study/running/quest_plus_results.h"
+
+#include <fmt/core.h>
+
+#include <map>
+
+#include "stimuli/study_file/study_file.h"
+#include "study/placement/quest_plus_model.h"
+#include "support/text/error.h"
+
+namespace seamline::study {
+namespace {
+
+QuestPlusDefinition definition_of(const StudyDefinition& study, const LogContents& log) {
+  if (const auto* definition = std::get_if<QuestPlusDefinition>(&study.procedure)) return *definition;
+  throw input_error({.file = log.file.string(),
+                     .field = "procedure",
+                     .wanted = "a study with procedure = \"quest_plus\"",
+                     .found = "constant stimuli"});
+}
+
+std::vector<Parameter> informed_parameters(const QuestPlusGrid& grid) {
+  std::vector<Parameter> informed;
+  for (const Parameter parameter : every_parameter)
+    if (!grid.log_prior[static_cast<std::size_t>(parameter)].empty()) informed.push_back(parameter);
+  return informed;
+}
+
+TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, const QuestPlusTrack& track) {
+  const Moments threshold = moments(design.grid, track.posterior, Parameter::threshold);
+  const Axis axis = design.definition.axis;
+  const CredibleInterval interval = interval95(design.grid, track.posterior, Parameter::threshold);
+  return {.participant = {},
+          .artifact = design.tracks[index].artifact,
+          .track = name_of(design.tracks[index]),
+          .used = false,
+          .trials = track.answered,
+          .threshold_px = width_px_of(axis, threshold.mean),
+          .threshold_sd = threshold.sd,
+          .low_px = width_px_of(axis, interval.low),
+          .high_px = width_px_of(axis, interval.high),
+          .scale = moments(design.grid, track.posterior, Parameter::scale).mean,
+          .lapse = moments(design.grid, track.posterior, Parameter::lapse).mean,
+          .axis = axis,
+          .direction = design.definition.direction,
+          .informed = informed_parameters(design.grid),
+          .alarms = edge_alarms(design.grid, track.posterior, design.definition.edge_share)};
+}
+
+}  // namespace
+
+std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
+  const StudyDefinition study = read_study_text(log.study_text, log.file);
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  const auto design =
+      std::make_shared<QuestPlusDesign>(make_quest_plus_design(definition_of(study, log), stimuli));
+  std::map<std::string, int> number_of;
+  for (std::size_t i = 0; i < stimuli.size(); ++i) number_of[stimulus_id(stimuli[i])] = static_cast<int>(i);
+
+  const QuestPlusProcedure fresh = begin_quest_plus(design, 0);
+  std::map<std::string, std::pair<std::vector<int>, std::vector<TrialAnswer>>> trials_of;
+  for (const Answer& answer : log.answers) {
+    const auto found = number_of.find(answer.stimulus_id);
+    if (found == number_of.end())
+      throw input_error({.file = log.file.string(),
+                         .field = "stimuli",
+                         .wanted = "a stimulus of the study",
+                         .found = "\"" + answer.stimulus_id + "\""});
+    auto& [shown, answers] = trials_of[answer.participant];
+    shown.push_back(found->second);
+    answers.push_back(
+        {.trial_index = answer.trial_index, .chosen_index = answer.chosen_index, .rating = answer.rating});
+  }
+  std::vector<TrackEstimate> estimates;
+  for (const ParticipantRecord& participant : log.participants) {
+    const auto& [shown, answers] = trials_of[participant.code];
+    const QuestPlusProcedure procedure = resume_quest_plus(fresh, shown, answers);
+    for (std::size_t t = 0; t < design->tracks.size(); ++t) {
+      estimates.push_back(estimate_of(*design, t, procedure.tracks[t]));
+      estimates.back().participant = participant.code;
+      estimates.back().used = participant.completed && !participant.excluded && !participant.pilot;
+    }
+  }
+  return estimates;
+}
+
+const char* length_unit(Axis axis) {
+  return axis == Axis::log2 ? "octaves" : "px";
+}
+
+std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
+  std::size_t code = 11, name = 5;
+  for (const TrackEstimate& estimate : estimates) {
+    code = std::max(code, estimate.participant.size());
+    name = std::max(name, estimate.track.size());
+  }
+  const bool linear = !estimates.empty() && estimates.front().axis == Axis::linear;
+  const bool rising = !estimates.empty() && estimates.front().direction == Direction::increasing;
+  const std::string scale = linear ? "scale_px" : "scale";
+  const std::size_t scale_width = std::max<std::size_t>(7, scale.size());
+  std::string text = rising ? "Noticeability rises with the width of the depth map.\n" : "";
+  text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>{}}  {:>6}  alarms\n", "participant",
+                      code, "track", name, "used", "trials", "threshold_px", "ci95_px", scale, scale_width,
+                      "lapse");
+  for (const TrackEstimate& estimate : estimates) {
+    std::string alarms;
+    for (const EdgeAlarm& alarm : estimate.alarms)
+      alarms += (alarms.empty() ? "" : "; ") + study::text(alarm);
+    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>{}.2f}  {:>6.3f}  {}\n",
+                        estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
+                        estimate.trials, estimate.threshold_px,
+                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px), estimate.scale,
+                        scale_width, estimate.lapse, alarms.empty() ? "-" : alarms);
+  }
+  return text;
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,142 @@
+#include "study/running/simulation.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+#include "study/log/log_writer.h"
+#include "study/running/participant_procedure.h"
+#include "study/trials/study_set.h"
+#include "study/visit/session.h"
+#include "support/arithmetic/random.h"
+#include "support/running/interrupt.h"
+
+namespace seamline::study {
+namespace {
+
+constexpr std::uint64_t person_salt =
+    0x70656f706c65;  // "people": apart from the plan's and the renderer's numbers
+constexpr int participants_a_transaction = 25;
+
+/// Seed of one simulated person. Stream 0 makes the person, stream t + 1 answers trial t, so that an answer
+/// does not depend on how the participant's trials were spread over sessions.
+std::uint64_t person_seed(std::uint64_t simulation_seed, int number) {
+  return mix_bits(mix_bits(simulation_seed ^ person_salt) + static_cast<std::uint64_t>(number));
+}
+
+struct SimulatedPerson {
+  std::uint64_t seed = 0;
+  Observer observer;
+};
+
+using SharedDifferences = std::shared_ptr<const VisibleDifferences>;
+
+/// What `image` observers look at, once for all of them; none for the other kinds.
+SharedDifferences look_at_pictures(const SimulationRequest& request, const StudySet& set) {
+  if (request.observer != ObserverKind::image) return nullptr;
+  static_cast<void>(expected_noticeability_of_difference(set.study.observer, 1));  // throws without a gain
+  return std::make_shared<const VisibleDifferences>(
+      visible_differences(set.folder, set.manifest, set.study.observer.pixels_per_degree));
+}
+
+SimulatedPerson make_person(const SimulationRequest& request, const StudySet& set,
+                            const SharedDifferences& differences, int number) {
+  const std::uint64_t seed = person_seed(request.seed, number);
+  Random random(seed, 0);
+  return {.seed = seed, .observer = make_observer(request.observer, set.study.observer, random, differences)};
+}
+
+Response answer_of(const SimulatedPerson& person, const StudySet& set, const Session& session) {
+  const PlannedTrial trial = current_trial(session.trials).value();
+  Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
+  const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
+  switch (trial.kind) {
+    case TrialKind::stimulus:
+      return respond(person.observer, stimulus, random);
+    case TrialKind::attention:
+      return respond_to_attention(person.observer, stimulus.object_index, random);
+    case TrialKind::reference:
+      return respond_to_reference(random);
+  }
+  return {};
+}
+
+/// One trial from the image to the stored answer, all at time 0.
+Session run_trial(Session session, const SimulatedPerson& person, const StudySet& set,
+                  const std::function<void(const TrialAnswer&)>& store) {
+  const Response response = answer_of(person, set, session);
+  session = next(std::move(session), ImageShown{});
+  session = next(std::move(session), ObjectChosen{.index = response.chosen_index});
+  session = next(std::move(session), RatingGiven{.rating = response.rating});
+  store(std::get<Storing>(session.phase).answer);
+  session = next(std::move(session), AnswerStored{});
+  return next(std::move(session), BreakEnded{});
+}
+
+/// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
+int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const ProcedurePlan& plan,
+                    const SimulatedPerson& person) {
+  Session session = begin_session(open_trials(plan, log, place),
+                                  {.break_every_trials = set.study.session.break_every_trials});
+  while (!std::holds_alternative<Done>(session.phase)) {
+    plan_due_trial(session.trials, log, place);
+    session = run_trial(std::move(session), person, set,
+                        [&](const TrialAnswer& answer) { log.append_answer(place, answer); });
+  }
+  const int tracks_on_edge = record_edge_alarms(session.trials.procedure, log, place, 0);
+  log.complete(place);
+  return tracks_on_edge;
+}
+
+/// What all simulated people of a run share.
+struct SimulatedStudy {
+  const SimulationRequest& request;
+  StudySet set;
+  ProcedurePlan plan;
+  SharedDifferences differences;
+};
+
+/// What the log keeps of the gain: that of the observers that have one, wherever it comes from.
+std::optional<double> gain_of(const SimulatedStudy& study) {
+  return study.request.observer == ObserverKind::image ? study.set.study.observer.image_gain : std::nullopt;
+}
+
+void simulate(LogWriter& log, const SimulatedStudy& study, int number, SimulationSummary& summary) {
+  const SimulationRequest& request = study.request;
+  OpenSession place =
+      log.open_session({.code = fmt::format("sim-{:04}", number),
+                        .simulated = Simulated{request.observer, request.seed, gain_of(study)},
+                        .slot = number - 1});
+  const bool complete = place.completed || place.excluded;
+  ++(complete ? summary.participants_complete : summary.participants_run);
+  if (complete) return;
+  const int before = place.answered;
+  summary.tracks_on_edge += run_participant(log, place, study.set, study.plan,
+                                            make_person(request, study.set, study.differences, number));
+  summary.answers_added += place.answered - before;
+}
+
+}  // namespace
+
+SimulationSummary run_simulated_study(const SimulationRequest& request) {
+  assert(request.count >= 1);
+  SimulatedStudy study{
+      .request = request, .set = load_study_set(request.set_folder), .plan = {}, .differences = {}};
+  study.plan = make_procedure_plan(study.set);
+  if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
+  study.differences = look_at_pictures(request, study.set);
+  LogWriter log(request.log, study.set);
+  SimulationSummary summary;
+  for (int first = 1; first <= request.count; first += participants_a_transaction) {
+    if (interrupted()) throw Interrupted{};
+    const int last = std::min(request.count, first + participants_a_transaction - 1);
+    log.transaction([&] {
+      for (int number = first; number <= last; ++number) simulate(log, study, number, summary);
+    });
+  }
+  return summary;
+}
+
+}  // namespace seamline::study

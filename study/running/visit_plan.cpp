@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <map>
+
+#include "study/running/visit_store.h"
+#include "study/trials/trial_picture.h"
+#include "support/text/error.h"
+#include "support/text/suggest.h"
+
+namespace seamline::study {
+namespace {
+
+std::int64_t nanoseconds(double seconds) {
+  return static_cast<std::int64_t>(seconds * 1e9);
+}
+
+/// The stimuli of each artifact, the coarsest first, and among equals another object first for each artifact,
+/// so that practice does not teach that it is always the same one.
+std::vector<std::vector<int>> coarsest_first(const StudySet& set) {
+  std::vector<std::vector<int>> by_artifact;
+  std::map<Artifact, std::size_t> place;
+  const auto stimulus = [&](int index) -> const Stimulus& {
+    return set.manifest.stimuli[static_cast<std::size_t>(index)].stimulus;
+  };
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+    const auto [found, is_new] = place.insert({stimulus(i).artifact, by_artifact.size()});
+    if (is_new) by_artifact.emplace_back();
+    by_artifact[found->second].push_back(i);
+  }
+  for (std::size_t a = 0; a < by_artifact.size(); ++a)
+    std::stable_sort(by_artifact[a].begin(), by_artifact[a].end(), [&](int one, int other) {
+      const auto rank = [&](int index) {
+        const int turn = stimulus(index).object_index + 2 * objects_per_stimulus - 1 -
+                         static_cast<int>(a % objects_per_stimulus);
+        return std::pair(stimulus(index).condition.depth_width_px, turn % objects_per_stimulus);
+      };
+      return rank(one) < rank(other);
+    });
+  return by_artifact;
+}
+
+std::vector<int> easiest(const StudySet& set, int wanted) {
+  const std::vector<std::vector<int>> by_artifact = coarsest_first(set);
+  std::vector<int> chosen;
+  for (std::size_t round = 0;; ++round) {
+    const std::size_t before = chosen.size();
+    for (const std::vector<int>& stimuli : by_artifact)
+      if (round < stimuli.size() && static_cast<int>(chosen.size()) < wanted)
+        chosen.push_back(stimuli[round]);
+    if (chosen.size() == before) return chosen;
+  }
+}
+
+int index_of(const StudySet& set, const std::string& id) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
+    if (set.manifest.stimuli[i].id == id) return static_cast<int>(i);
+    known.push_back(set.manifest.stimuli[i].id);
+  }
+  const std::string nearest = nearest_word(id, known);
+  throw input_error({.file = (set.folder / set.manifest.study_file).string(),
+                     .field = "training.stimuli",
+                     .wanted = "a stimulus of the set" +
+                               (nearest.empty() ? std::string() : "; did you mean \"" + nearest + "\"?"),
+                     .found = "\"" + id + "\""});
+}
+
+}  // namespace
+
+VisitPlan make_visit_plan(const StudySet& set) {
+  const StudyDefinition& study = set.study;
+  VisitPlan plan{.form = study.form,
+                 .instruction_pages = static_cast<int>(study.instructions.size()),
+                 .pace = {.break_every_trials = study.session.break_every_trials,
+                          .minimum_viewing_ns = nanoseconds(study.session.minimum_viewing_s),
+                          .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
+  std::vector<int> training;
+  if (study.training.stimuli.empty()) training = easiest(set, study.training.trials);
+  for (const std::string& id : study.training.stimuli) training.push_back(index_of(set, id));
+  for (const int stimulus : training) {
+    plan.training.push_back({.kind = TrialKind::stimulus, .stimulus = stimulus});
+    plan.training_right.push_back(right_object(set, plan.training.back()));
+  }
+  return plan;
+}
+
+}  // namespace seamline::study

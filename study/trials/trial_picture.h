@@ -1,0 +1,20 @@
+#pragma once
+#include "study/placement/trial.h"
+#include "study/trials/study_set.h"
+#include "support/files/image.h"
+
+namespace seamline::study {
+
+/// The picture of a trial as it goes to the screen: sRGB codes, 3 channels, the size that the manifest says.
+/// Reads files and nothing else, so threads may load pictures ahead. Throws InputError naming the file when
+/// it is missing, has other bytes than the set was rendered with or another size, or the set has no reference
+/// of the scene.
+[[nodiscard]] ByteImage load_trial_picture(const StudySet& set, const PlannedTrial& trial);
+
+/// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.
+[[nodiscard]] ByteImage load_object_ids(const StudySet& set, const PlannedTrial& trial);
+
+/// The object whose choice is right: 1 left, 2 middle, 3 right, 0 when there is none (`reference`).
+[[nodiscard]] int right_object(const StudySet& set, const PlannedTrial& trial);
+
+}  // namespace seamline::study

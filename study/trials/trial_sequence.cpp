@@ -1,0 +1,66 @@
+#include "study/trials/trial_sequence.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace seamline::study {
+namespace {
+
+/// The catch trial that comes before the procedure's next trial, if one does.
+const CatchTrial* due_catch(const TrialSequence& trials) {
+  const auto next = static_cast<std::size_t>(trials.catches_answered);
+  if (next >= trials.catches.size()) return nullptr;
+  const CatchTrial& candidate = trials.catches[next];
+  return candidate.after_stimulus_trials <= answered_trials(trials.procedure) ? &candidate : nullptr;
+}
+
+std::optional<PlannedTrial> stimulus_trial(std::optional<int> stimulus) {
+  if (!stimulus) return std::nullopt;
+  return PlannedTrial{.kind = TrialKind::stimulus, .stimulus = *stimulus};
+}
+
+}  // namespace
+
+std::optional<PlannedTrial> current_trial(const TrialSequence& trials) {
+  if (const CatchTrial* due = due_catch(trials)) return due->trial;
+  return stimulus_trial(current_stimulus(trials.procedure));
+}
+
+std::optional<PlannedTrial> trial_after_current(const TrialSequence& trials) {
+  TrialSequence after = trials;
+  if (due_catch(trials) != nullptr) {
+    ++after.catches_answered;
+    return current_trial(after);
+  }
+  if (!current_stimulus(trials.procedure)) return std::nullopt;
+  const auto next = static_cast<std::size_t>(trials.catches_answered);
+  if (next < trials.catches.size() &&
+      trials.catches[next].after_stimulus_trials <= answered_trials(trials.procedure) + 1)
+    return trials.catches[next].trial;
+  auto* constant = std::get_if<ConstantProcedure>(&after.procedure);
+  if (constant == nullptr) return std::nullopt;  // an adaptive one decides by the answer
+  ++constant->answered;
+  return stimulus_trial(current_stimulus(after.procedure));
+}
+
+TrialSequence after_answer(TrialSequence trials, const TrialAnswer& answer) {
+  assert(current_trial(trials) && answer.trial_index == answered_trials(trials));
+  if (due_catch(trials) != nullptr) {
+    ++trials.catches_answered;
+    return trials;
+  }
+  TrialAnswer own = answer;
+  own.trial_index = answered_trials(trials.procedure);
+  trials.procedure = after_answer(std::move(trials.procedure), own);
+  return trials;
+}
+
+int answered_trials(const TrialSequence& trials) {
+  return answered_trials(trials.procedure) + trials.catches_answered;
+}
+
+int planned_trials(const TrialSequence& trials) {
+  return planned_trials(trials.procedure) + static_cast<int>(trials.catches.size());
+}
+
+}  // namespace seamline::study

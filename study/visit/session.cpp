@@ -1,0 +1,101 @@
+#include "study/visit/session.h"
+
+#include "study/placement/overloaded.h"
+
+namespace seamline::study {
+namespace {
+
+/// Where the next picture begins.
+Phase before_image(const SessionPace& pace) {
+  return pace.inter_trial_ns > 0 ? Phase(Grey{}) : Phase(AwaitingImage{});
+}
+
+Phase after_grey(const Grey& phase, const Event& event, const SessionPace& pace) {
+  if (std::holds_alternative<PictureTaken>(event)) return Grey{};
+  const auto* tick = std::get_if<Tick>(&event);
+  if (tick == nullptr) return phase;
+  if (!phase.since_ns) return Grey{.since_ns = tick->now_ns};
+  if (tick->now_ns - *phase.since_ns < pace.inter_trial_ns) return phase;
+  return AwaitingImage{};
+}
+
+Phase after_shown(const AwaitingImage& phase, const Event& event) {
+  if (const auto* shown = std::get_if<ImageShown>(&event)) return Choosing{.onset_ns = shown->now_ns};
+  return phase;
+}
+
+bool is_choice(const ObjectChosen& chosen, std::int64_t onset_ns, const SessionPace& pace) {
+  return chosen.index >= 1 && chosen.index <= objects_per_stimulus && chosen.now_ns >= onset_ns &&
+         chosen.now_ns - onset_ns >= pace.minimum_viewing_ns;
+}
+
+Phase after_choice(const Choosing& phase, const Event& event, const SessionPace& pace) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+  const auto* chosen = std::get_if<ObjectChosen>(&event);
+  if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, pace)) return phase;
+  return Rating{.onset_ns = phase.onset_ns,
+                .chosen_index = chosen->index,
+                .choice_ns = chosen->now_ns - phase.onset_ns};
+}
+
+Phase after_rating(const Rating& phase, const Event& event, const Session& session) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
+  if (std::holds_alternative<ObjectChosen>(event)) {
+    const Phase again = after_choice(Choosing{.onset_ns = phase.onset_ns}, event, session.pace);
+    return std::holds_alternative<Rating>(again) ? again : phase;
+  }
+  const auto* given = std::get_if<RatingGiven>(&event);
+  if (given == nullptr || given->rating < 1 || given->rating > highest_rating) return phase;
+  const std::int64_t rating_ns = given->now_ns - phase.onset_ns;
+  if (rating_ns < phase.choice_ns) return phase;
+  return Storing{{.trial_index = answered_trials(session.trials),
+                  .chosen_index = phase.chosen_index,
+                  .rating = given->rating,
+                  .choice_ns = phase.choice_ns,
+                  .rating_ns = rating_ns}};
+}
+
+Phase next_trial(const Session& session) {
+  if (!current_trial(session.trials)) return Done{};
+  const int answered = answered_trials(session.trials);
+  const int every = session.pace.break_every_trials;
+  if (every > 0 && answered % every == 0) return OnBreak{};
+  return before_image(session.pace);
+}
+
+Session after_storing(Session session, const TrialAnswer& answer, const Event& event) {
+  if (!std::holds_alternative<AnswerStored>(event)) return session;
+  session.trials = after_answer(std::move(session.trials), answer);
+  session.phase = next_trial(session);
+  return session;
+}
+
+}  // namespace
+
+Session begin_session(TrialSequence trials, const SessionPace& pace) {
+  const bool over = !current_trial(trials);
+  return {.trials = std::move(trials), .pace = pace, .phase = over ? Phase(Done{}) : before_image(pace)};
+}
+
+Session next(Session session, const Event& event) {
+  const Phase phase = session.phase;
+  const auto with = [&](const Phase& changed) {
+    session.phase = changed;
+    return std::move(session);
+  };
+  return std::visit(
+      Overloaded{
+          [&](const Grey& now) { return with(after_grey(now, event, session.pace)); },
+          [&](const AwaitingImage& now) { return with(after_shown(now, event)); },
+          [&](const Choosing& now) { return with(after_choice(now, event, session.pace)); },
+          [&](const Rating& now) { return with(after_rating(now, event, session)); },
+          [&](const Storing& now) { return after_storing(std::move(session), now.answer, event); },
+          [&](const OnBreak& now) {
+            return with(std::holds_alternative<BreakEnded>(event) ? before_image(session.pace) : Phase(now));
+          },
+          [&](const Done& now) { return with(now); },
+      },
+      phase);
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,85 @@
+#include "support/files/assets.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include "support/files/confined_path.h"
+#include "support/text/error.h"
+#include "support/text/suggest.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view builtin_prefix = "builtin:";
+
+/// Beside the running program when it was moved there, else where the build wrote them.
+fs::path builtin_folder() {
+  std::error_code error;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "scenes" / "builtin";
+  return fs::is_directory(beside, error) ? beside : fs::path(SEAMLINE_BUILTIN_DIR);
+}
+
+std::vector<std::string> builtin_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".glb") names.push_back(entry.path().stem().string());
+  return names;
+}
+
+fs::path find_builtin(const std::string& name, const Complaint& where) {
+  const std::string wanted = name.substr(builtin_prefix.size());
+  const fs::path path = builtin_folder() / (wanted + ".glb");
+  const bool is_name = wanted.find('/') == std::string::npos;
+  if (is_name && fs::exists(path)) return path;
+  const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder()));
+  throw input_error(
+      {.file = where.file,
+       .field = where.field,
+       .wanted = "a built-in scene or object",
+       .found = "\"" + name + "\"" + (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
+}
+
+}  // namespace
+
+std::string program_version() {
+  return SEAMLINE_VERSION_TEXT;
+}
+
+fs::path builtin_study(const std::string& name) {
+  std::error_code error;
+  const fs::path beside =
+      fs::read_symlink("/proc/self/exe", error).parent_path() / "stimuli" / (name + ".toml");
+  return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / (name + ".toml");
+}
+
+fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field) {
+  const std::string study_file = folders.study_file.string();
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = study_file, .field = field});
+  const fs::path own_folder = folders.study_file.parent_path();
+  std::error_code error;
+  fs::path path = own_folder / name;
+  if (!fs::is_regular_file(path, error) && !folders.asset_root.empty()) path = folders.asset_root / name;
+  if (!fs::is_regular_file(path, error))
+    throw input_error({.file = study_file,
+                       .field = field,
+                       .wanted = "a file",
+                       .found = "no file at " + (own_folder / name).string()});
+  if (lies_below(path, own_folder)) return path;
+  if (!folders.asset_root.empty() && lies_below(path, folders.asset_root)) return path;
+  throw input_error({.file = study_file,
+                     .field = field,
+                     .wanted = "a file in the study file's folder or below it (or give --asset-root DIR)",
+                     .found = "\"" + name + "\", which lies elsewhere"});
+}
+
+fs::path resolve_named_file(const std::string& name, const std::string& option) {
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = {}, .field = option});
+  std::error_code error;
+  if (!fs::is_regular_file(name, error))
+    throw input_error({.field = option, .wanted = "a file", .found = "no file at " + name});
+  return name;
+}
+
+}  // namespace seamline

@@ -1,0 +1,144 @@
+#include "support/files/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
+
+#include "support/files/temporary_folder.h"
+#include "support/running/interrupt.h"
+#include "support/text/error.h"
+#include "support/text/printable.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace seamline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_label = 300;  ///< letters; more leave any figure
+
+InputError no_gnuplot() {
+  return input_error({.file = "gnuplot",
+                      .field = "",
+                      .wanted = "the program gnuplot, which draws the figures (Debian package gnuplot-nox)",
+                      .found = "none on the PATH"});
+}
+
+/// Exit status of `gnuplot ARGUMENT` with its errors in `messages`. A user's own settings (`-d`: none) would
+/// make other bytes of the same figure.
+int run_gnuplot(const std::string& argument, const fs::path& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_EXCL,
+                                   0600);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  std::string program = "gnuplot", no_settings = "-d", script = argument;
+  std::array<char*, 4> arguments = {program.data(), no_settings.data(), script.data(), nullptr};
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure == ENOENT) throw no_gnuplot();
+  if (failure != 0) throw std::system_error(failure, std::generic_category(), "starting gnuplot");
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waiting for gnuplot");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/// A text as gnuplot reads it between single quotes.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char letter : text) safe += letter == '\'' ? "''" : std::string(1, letter);
+  return safe + "'";
+}
+
+bool is_whole_svg(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  return end != std::string::npos && text.substr(0, end + 1).ends_with("</svg>");
+}
+
+/// As a file of its own: it writes `name`, or the file that its caller names.
+std::string whole_script(const std::string& name, int width_px, int height_px, const std::string& script) {
+  return fmt::format(
+      "set encoding utf8\nset terminal svg size {},{} dynamic enhanced font 'Helvetica,Arial,"
+      "DejaVu Sans,sans-serif,14' butt linewidth 1.2\nset output ARGC > 0 ? ARG1 : '{}'\n{}",
+      width_px, height_px, name, script);
+}
+
+/// `shown` is what a complaint names.
+std::string svg_of(const std::string& script, const std::string& shown) {
+  const TemporaryFolder folder;
+  const fs::path script_file = folder / "script", caller = folder / "call", svg = folder / "svg",
+                 messages = folder / "messages";
+  write_file_atomically(script_file, script);
+  write_file_atomically(caller,
+                        fmt::format("call {} {}\n", quoted(script_file.string()), quoted(svg.string())));
+  const int status = run_gnuplot(caller.string(), messages);
+  stop_if_interrupted();  // Ctrl-C ends gnuplot too
+  if (status != 0) throw std::runtime_error("gnuplot failed on " + shown + ": " + read_file(messages));
+  std::string text = fs::exists(svg) ? read_file(svg) : std::string();
+  if (!is_whole_svg(text))  // gnuplot does not notice a disk that is full
+    throw input_error({.file = shown, .wanted = "room for a figure", .found = "a full disk"});
+  return text;
+}
+
+}  // namespace
+
+PlotStyle plot_style(std::size_t index) {
+  constexpr std::array<PlotStyle, 7> styles = {{{"#0072B2", 7},
+                                                {"#D55E00", 5},
+                                                {"#009E73", 9},
+                                                {"#CC79A7", 13},
+                                                {"#E69F00", 11},
+                                                {"#56B4E9", 15},
+                                                {"#7F7F7F", 7}}};
+  return styles[index % styles.size()];
+}
+
+void require_gnuplot() {
+  const char* path = std::getenv("PATH");
+  std::string folders = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', begin), folders.size());
+    if (access((fs::path(folders.substr(begin, end - begin)) / "gnuplot").c_str(), X_OK) == 0) return;
+    begin = end + 1;
+  }
+  throw no_gnuplot();
+}
+
+std::string drawn_svg(int width_px, int height_px, const std::string& script) {
+  return svg_of(whole_script("figure.svg", width_px, height_px, script), "a figure");
+}
+
+void draw_svg(const fs::path& svg, int width_px, int height_px, const std::string& script, Readers readers) {
+  // The script that is kept names no folder and can be moved with the report.
+  const std::string whole = whole_script(svg.filename().string(), width_px, height_px, script);
+  write_file_atomically(fs::path(svg).replace_extension(".gnuplot"), whole, readers);
+  write_file_atomically(svg, svg_of(whole, svg.string()), readers);
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string blank, safe;
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';  // a NUL ends gnuplot's line
+    blank += control ? ' ' : c;
+  }
+  for (char c : clean_text(blank, longest_label)) {
+    if (c == '\\' || c == '"' || c == '`') c = c == '"' ? '\'' : ' ';
+    if (std::string_view("^_@&~{}").find(c) != std::string_view::npos) safe += "\\\\";
+    safe += c;
+  }
+  return safe;
+}
+
+}  // namespace seamline
