@@ -13,11 +13,19 @@ namespace {
 
 constexpr std::string_view builtin_prefix = "builtin:";
 
-/// Beside the running program when it was moved there, else where the build wrote them.
-fs::path builtin_folder() {
+/// `wanted` as it was installed with the running program or moved beside it, else where the build has it.
+/// The kernel names the program's own file, links followed, so neither the current folder, nor PATH, nor a
+/// link to the program decides. A folder is taken whole: two installations never mix.
+fs::path folder_of_data(const char* wanted, const char* in_build) {
   std::error_code error;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "scenes" / "builtin";
-  return fs::is_directory(beside, error) ? beside : fs::path(SEAMLINE_BUILTIN_DIR);
+  const fs::path bin = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path installed = bin.parent_path() / "share" / "seamline";
+  if (fs::is_directory(installed, error)) return installed / wanted;
+  return fs::is_directory(bin / wanted, error) ? bin / wanted : fs::path(in_build);
+}
+
+fs::path builtin_folder() {
+  return folder_of_data("scenes/builtin", SEAMLINE_BUILTIN_DIR);
 }
 
 std::vector<std::string> builtin_names(const fs::path& folder) {
@@ -48,10 +56,7 @@ std::string program_version() {
 }
 
 fs::path builtin_study(const std::string& name) {
-  std::error_code error;
-  const fs::path beside =
-      fs::read_symlink("/proc/self/exe", error).parent_path() / "stimuli" / (name + ".toml");
-  return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / (name + ".toml");
+  return folder_of_data("stimuli", SEAMLINE_STUDIES_DIR) / (name + ".toml");
 }
 
 fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field) {

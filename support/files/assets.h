@@ -7,7 +7,8 @@ namespace seamline {
 /// Seamline's version, e.g. "0.1.0".
 [[nodiscard]] std::string program_version();
 
-/// A study file that comes with Seamline, e.g. "quick" for `stimuli/quick.toml`.
+/// A study file that comes with Seamline, e.g. "quick" for `stimuli/quick.toml`. Studies and built-in scenes
+/// lie in `../share/seamline` beside the folder of the program itself, or else where it was built.
 [[nodiscard]] std::filesystem::path builtin_study(const std::string& name);
 
 /// Where files that a study file names may lie: below the study file's own folder, or below the folder that

@@ -16,8 +16,8 @@ struct Outcome {
   std::string output;  ///< standard output and standard error together
 };
 
-inline Outcome run_seamline(const std::string& arguments) {
-  const std::string command = std::string(SEAMLINE_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
+inline Outcome run_program(const std::string& program, const std::string& arguments) {
+  const std::string command = program + " " + arguments + " 2>&1 </dev/null";
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) return outcome;
@@ -27,6 +27,10 @@ inline Outcome run_seamline(const std::string& arguments) {
   const int status = ::pclose(pipe);
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return outcome;
+}
+
+inline Outcome run_seamline(const std::string& arguments) {
+  return run_program(SEAMLINE_PROGRAM, arguments);
 }
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {

@@ -1,0 +1,36 @@
+# What `cmake --install build/release` copies, and the Debian package that `cpack` makes of it (documentation/install.md).
+# The program looks for its files in ../share/seamline, so bin and share stay side by side (support/files/assets.cpp).
+install(TARGETS seamline RUNTIME DESTINATION bin)
+install(DIRECTORY ${builtin_scenes_folder}/ DESTINATION share/seamline/scenes/builtin FILES_MATCHING PATTERN "*.glb")
+install(DIRECTORY stimuli/ DESTINATION share/seamline/stimuli FILES_MATCHING PATTERN "*.toml"
+  PATTERN "definition" EXCLUDE PATTERN "pictures" EXCLUDE PATTERN "set" EXCLUDE PATTERN "study_file" EXCLUDE)
+install(DIRECTORY documentation DESTINATION share/doc/seamline PATTERN ".gitignore" EXCLUDE)
+install(FILES README.md LICENSE CHANGELOG.md CITATION.cff packaging/copyright DESTINATION share/doc/seamline)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man1 DESTINATION share/man)
+install(FILES ${PROJECT_BINARY_DIR}/manual/seamline.bash DESTINATION share/bash-completion/completions RENAME seamline)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME seamline)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VENDOR "The Seamline developers")
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/PackageOptions.cmake)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Seamline developers <seamline@localhost>")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "perceptual thresholds of depth resolution in mixed reality")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Renders pictures in which one object was composited into a scene through
+a depth map of a chosen resolution, shows them to people in forced-choice
+trials, and computes perceptual thresholds from their answers.
+
+Real people answer in a window; simulated ones need none.")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What the program runs (figures of a report) and reads (letters of contact sheets and of the window).
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, man-db")
+include(CPack)

@@ -1,0 +1,36 @@
+// A build tool: writes the manual pages and the completion of bash from the program's own list of options.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "packaging/bash_completion.h"
+#include "packaging/command_line.h"
+#include "packaging/manual_page.h"
+#include "program.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: write_manual FOLDER\n");
+    return 1;
+  }
+  try {
+    bool any_case_failed = false;
+    const auto app = seamline::program(any_case_failed);
+    const seamline::packaging::CommandLine line = seamline::packaging::command_line(*app);
+    const std::filesystem::path folder = argv[1];
+    const std::string version = seamline::program_version();
+    std::filesystem::create_directories(folder / "man1");
+    seamline::write_file_atomically(folder / "man1" / "seamline.1",
+                                    seamline::packaging::program_page(line, version));
+    for (const seamline::packaging::Command& command : line.commands)
+      seamline::write_file_atomically(folder / "man1" / ("seamline-" + command.name + ".1"),
+                                      seamline::packaging::command_page(command, version));
+    seamline::write_file_atomically(folder / "seamline.bash", seamline::packaging::bash_completion(line));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "write_manual: %s\n", error.what());
+    return 1;
+  }
+}
