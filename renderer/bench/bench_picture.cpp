@@ -139,10 +139,13 @@ Reached reach_fast(const ConvergenceSubject& subject, const Geometry& depth, con
       const FastStimulusOptions options{.seed = subject.study.seed,
                                         .threads = subject.threads,
                                         .target = ErrorTarget{std::sqrt(display * display + rounding_square)},
-                                        .filter = {2, 2.0F},
-                                        .ratio_filter = {4, 1.0F}};
+                                        .filter = {2, 2.0F}};
+      EstimatorChoices choices =
+          estimator_choices(Estimator::fast, light_facts(begin.scene), GivenTruth::dark_exposure_ev,
+                            {.error = options.target->rmse});
+      choices.ratio_filter = {4, 1.0F};
       const Stopwatch watch;
-      StimulusLayers layers = render_fast_stimulus(truth, &depth, subject.recipe, options).layers;
+      StimulusLayers layers = render_fast_stimulus(truth, &depth, subject.recipe, choices, options).layers;
       seconds = watch.seconds();
       return layers;
     });

@@ -26,18 +26,19 @@ std::vector<double> tolerances_to_try(std::vector<double> all, double default_to
 /// cosine distribution.
 double ray_rate(const ConvergenceSubject& subject, const Geometry& geometry) {
   const Camera& camera = subject.scene.camera;
-  const std::int64_t before = rays_traced_by_this_thread();
+  RayCounts counts;
   const Stopwatch watch;
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {
       const Sampler sampler(subject.study.seed, x, y, 0);
-      const std::optional<SurfacePoint> seen = geometry.nearest(camera_ray(camera, x, y, sampler));
+      const std::optional<SurfacePoint> seen = geometry.nearest(camera_ray(camera, x, y, sampler), &counts);
       if (!seen) continue;
       const Eigen::Vector3f direction =
           cosine_direction(seen->normal, sampler.point(dimension::direction(0)));
-      if (above_horizon(*seen, direction)) (void)geometry.nearest({ray_start(*seen, direction), direction});
+      if (above_horizon(*seen, direction))
+        (void)geometry.nearest({ray_start(*seen, direction), direction}, &counts);
     }
-  return static_cast<double>(rays_traced_by_this_thread() - before) / watch.seconds();
+  return static_cast<double>(counts.traced) / watch.seconds();
 }
 
 /// Times of quick builds are the fastest of three, because other programs only ever slow them down.

@@ -3,24 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/estimators/estimator_choices.h"
 #include "renderer/estimators/truth_pass.h"
 #include "renderer/picture/composite.h"
-#include "renderer/transport/answers.h"
 #include "renderer/transport/omissions.h"
-#include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {
-
-/// How much work an estimator may do.
-struct EstimateOptions {
-  int spp = 64;                      ///< samples a pixel, when there is no error to reach
-  std::optional<double> error = {};  ///< display units: sample until the picture's estimated error is below
-  std::uint64_t seed = 1;
-  int threads = 1;
-  bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
-  bool depth_bounces = false;    ///< some stimulus asks the depth mesh for bounce light
-  Omissions omit = {};           ///< what the fast estimator leaves out
-};
 
 /// What an estimator made of one stimulus.
 struct EstimatedStimulus {
@@ -40,6 +28,8 @@ class SceneEstimator {
   SceneEstimator& operator=(const SceneEstimator&) = delete;
   virtual ~SceneEstimator() = default;
 
+  /// What it holds to.
+  [[nodiscard]] virtual const EstimatorChoices& choices() const = 0;
   [[nodiscard]] virtual SceneReference reference(const ReportProgress& progress) = 0;
   /// Turns to one virtual object (1 to 3): what its stimuli share.
   virtual void take_object(int object_index, const ReportProgress& progress) = 0;

@@ -7,22 +7,25 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int first_spp = 16, most_spp = 1 << 16;
-constexpr double truth_share = 0.85;  // of the error that the photograph may have
-
 class PathEstimator : public SceneEstimator {
  public:
   PathEstimator(const TruthScene& scene, const EstimateOptions& options)
-      : scene_(scene), options_(options), spp_(options.spp) {}
+      : choices_(
+            estimator_choices(Estimator::path, light_facts(scene), scene.definition.exposure_ev, options)),
+        scene_(with_chosen_light(scene, choices_)),
+        seed_(options.seed),
+        threads_(options.threads) {}
+
+  [[nodiscard]] const EstimatorChoices& choices() const override { return choices_; }
 
   SceneReference reference(const ReportProgress& progress) override {
-    if (options_.error) find_spp(progress);
+    find_spp(progress);
     return render_reference(scene_, pass(progress));
   }
 
   void take_object(int object_index, const ReportProgress& progress) override {
     geometry_.reset();
-    if (options_.error && !found_spp_) find_spp(progress);
+    find_spp(progress);
     geometry_.emplace(object_geometry(scene_, object_index));
     truth_ = render_truth(scene_, *geometry_, pass(progress));
   }
@@ -36,38 +39,40 @@ class PathEstimator : public SceneEstimator {
     if (out.layers.spp < 2) return out;
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = pictures.sampled[half] =
-          compose_half(out.layers, half, options_.threads).picture;
-    const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, options_.threads);
+      pictures.filtered[half] = pictures.sampled[half] = compose_half(out.layers, half, threads_).picture;
+    const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, threads_);
     out.rmse = error.rmse();
     out.worst_tile = error.worst_tile();
     return out;
   }
 
  private:
-  PassOptions pass(const ReportProgress& progress) const {
-    return {.spp = spp_, .seed = options_.seed, .threads = options_.threads, .progress = progress};
+  [[nodiscard]] PassOptions pass(const ReportProgress& progress) const {
+    return {.spp = *spp_, .seed = seed_, .threads = threads_, .progress = progress};
   }
 
-  /// Doubles the samples of the first object's truth until its picture is good enough; all pictures of the
-  /// scene are then rendered with as many.
+  /// With an error to reach, doubles the samples of the first object's truth until its picture is good
+  /// enough; all pictures of the scene are then rendered with as many. Once.
   void find_spp(const ReportProgress& progress) {
-    const ErrorTarget target{*options_.error * truth_share};
+    if (spp_) return;
+    spp_ = choices_.first_spp;
+    if (!choices_.error) return;
+    const ErrorTarget target{*choices_.error * choices_.photograph_share};
     const ObjectGeometry geometry = object_geometry(scene_, 1);
-    for (spp_ = first_spp; spp_ < most_spp; spp_ *= 2) {
+    for (; *spp_ < choices_.most_spp; *spp_ *= 2) {
       const TruthLayers truth = render_truth(scene_, geometry, pass(progress));
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
         pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);
-      if (target.met_by(estimate_error(pictures, scene_.definition.exposure_ev, options_.threads))) break;
+      if (target.met_by(estimate_error(pictures, scene_.definition.exposure_ev, threads_))) break;
     }
-    found_spp_ = true;
   }
 
-  const TruthScene& scene_;
-  EstimateOptions options_;
-  int spp_;
-  bool found_spp_ = false;
+  const EstimatorChoices choices_;
+  const TruthScene scene_;  ///< with the light that is followed
+  const std::uint64_t seed_;
+  const int threads_;
+  std::optional<int> spp_;  ///< when it is found
   std::optional<ObjectGeometry> geometry_;
   TruthLayers truth_;
 };

@@ -21,8 +21,8 @@ class PixelRenderer {
               const std::array<StimulusSums*, 2>& out, Guide& guide) {
     ids_.clear();
     for (int number = 0; number < options.spp; ++number) ids_.push_back({x, y, number});
-    sampler_.look(ids_, samples_);
-    sampler_.ask_depth(samples_, parts_);
+    sampler_.look(ids_, samples_, work_);
+    sampler_.ask_depth(samples_, parts_, work_);
     bool truth_serves = true;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       truth_serves = truth_serves && as_in_truth(samples_[i]);
@@ -36,6 +36,8 @@ class PixelRenderer {
     const auto& seen = answers_.bounce == Who::depth ? samples_.front().depth : samples_.front().real;
     if (seen) guide = {seen->geometric_normal, seen->distance_m};
   }
+
+  [[nodiscard]] RayCounts counts() const { return work_.counts(); }
 
  private:
   static void add_depth_part(const DepthPart& part, StimulusSums& out) {
@@ -99,27 +101,27 @@ class PixelRenderer {
   }
 
   /// The same, for one sample that the truth pass sorted differently.
-  void add_truth_sample(const StimulusSample& sample, StimulusSums& out) const {
+  void add_truth_sample(const StimulusSample& sample, StimulusSums& out) {
     switch (sample.shows) {
       case StimulusSample::Shows::object:
         if (answers_.object_lit == Who::truth || answers_.bounce == Who::truth)
-          add_object(sampler_.object_in_truth(sample), out);
+          add_object(sampler_.object_in_truth(sample, work_), out);
         return;
       case StimulusSample::Shows::rest: {
-        const RadiancePair pair = sampler_.rest_in_truth(sample);
+        const RadiancePair pair = sampler_.rest_in_truth(sample, work_);
         out.background += pair.no.total();
         add_rest(pair, out);
         return;
       }
       case StimulusSample::Shows::sky:
-        out.sky += sample.real ? sampler_.rest_in_truth(sample).no.total()
+        out.sky += sample.real ? sampler_.rest_in_truth(sample, work_).no.total()
                                : sampler_.scene().light.environment_radiance;
         return;
       case StimulusSample::Shows::from_reference:
         if (sample.covered_in_truth)
-          out.from_reference += sampler_.object_in_truth(sample).total();
+          out.from_reference += sampler_.object_in_truth(sample, work_).total();
         else
-          out.from_reference += sample.real ? sampler_.rest_in_truth(sample).with.total()
+          out.from_reference += sample.real ? sampler_.rest_in_truth(sample, work_).with.total()
                                             : sampler_.scene().light.environment_radiance;
         return;
     }
@@ -131,6 +133,7 @@ class PixelRenderer {
   std::vector<SampleId> ids_;
   std::vector<StimulusSample> samples_;
   std::vector<DepthPart> parts_;
+  SamplingWork work_;
 };
 
 }  // namespace
@@ -145,14 +148,13 @@ StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& ge
   const StimulusSampler sampler(scene, geometry, depth, recipe, options.seed);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
-    const std::int64_t before = rays_traced_by_this_thread();
     PixelRenderer pixel(sampler);
     for (int x = 0; x < truth.width_px; ++x) {
       const std::size_t i = truth.index(x, y);
       pixel.render(options, x, y, {&truth.halves[0][i], &truth.halves[1][i]},
                    {&layers.halves[0][i], &layers.halves[1][i]}, layers.guides[i]);
     }
-    rays += rays_traced_by_this_thread() - before;
+    rays += pixel.counts().traced;
   };
   parallel_for(truth.height_px, options.threads, row, [&](int rows) {
     if (options.progress) options.progress(static_cast<double>(rows) / truth.height_px);

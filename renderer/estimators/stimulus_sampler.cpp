@@ -38,7 +38,8 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       seed_(seed),
       sampling_(sampling) {}
 
-void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const {
+void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSample>& out,
+                           SamplingWork& work) const {
   out.clear();
   std::array<Ray, rays_a_call> rays;
   std::array<std::optional<SurfacePoint>, rays_a_call> real, object, depth;
@@ -48,9 +49,9 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
     const std::span<const Ray> asked(rays.data(), count);
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = camera_ray(scene_.camera, some[i].x, some[i].y, sampler_of(some[i]));
-    geometry_.truth.nearest_from_centre(asked, std::span(real.data(), count));
-    geometry_.object.nearest_from_centre(asked, std::span(object.data(), count));
-    if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count));
+    geometry_.truth.nearest_from_centre(asked, std::span(real.data(), count), &work.counts_);
+    geometry_.object.nearest_from_centre(asked, std::span(object.data(), count), &work.counts_);
+    if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count), &work.counts_);
     for (std::size_t i = 0; i < count; ++i) {
       StimulusSample sample{.number = some[i].number,
                             .sampler = sampler_of(some[i]),
@@ -92,44 +93,46 @@ RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const S
   return {depth_, behind ? &*sample.depth : &point};
 }
 
-Split StimulusSampler::object_light(const StimulusSample& sample, Who lit, Who bounce) const {
+Split StimulusSampler::object_light(const StimulusSample& sample, Who lit, Who bounce,
+                                    SamplingWork& work) const {
   return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object),
-                        geometry_.object, *sample.object, scene_.light, sample.sampler);
+                        geometry_.object, *sample.object, scene_.light, sample.sampler, &work.counts_);
 }
 
-Split StimulusSampler::object_in_truth(const StimulusSample& sample) const {
-  return object_light(sample, Who::truth, Who::truth);
+Split StimulusSampler::object_in_truth(const StimulusSample& sample, SamplingWork& work) const {
+  return object_light(sample, Who::truth, Who::truth, work);
 }
 
-RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample) const {
-  return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler);
+RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample, SamplingWork& work) const {
+  return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler,
+                      &work.counts_);
 }
 
-void StimulusSampler::ask_depth(std::span<const StimulusSample> samples,
-                                std::vector<DepthPart>& parts) const {
+void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts,
+                                SamplingWork& work) const {
   parts.assign(samples.size(), {});
-  add_direct_on_object(samples, parts);
-  add_direct_on_rest(samples, parts);
+  add_direct_on_object(samples, parts, work);
+  add_direct_on_rest(samples, parts, work);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
   if (answers_.bounce == Who::truth) return;  // bounce light of the truth is in the truth's sums already
-  if (sampling_.may_filter) follow_paths(samples, parts);
-  for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i]);
+  if (sampling_.may_filter) follow_paths(samples, parts, work);
+  for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i], work);
 }
 
 void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
-                                           std::span<DepthPart> parts) const {
+                                           std::span<DepthPart> parts, SamplingWork& work) const {
   if (!adds_to_object(answers_)) return;  // or it is found with its bounce light
   using Shows = StimulusSample::Shows;
-  thread_local std::vector<ObjectPoint> points;
-  thread_local std::vector<Rgb> lit;
+  std::vector<ObjectPoint>& points = work.object_points_;
+  std::vector<Rgb>& lit = work.lit_object_;
   const auto answer = [&](Who who, auto asked, auto take) {
     points.clear();
     for (const StimulusSample& sample : samples)
       if (sample.shows == Shows::object && asked(sample))
         points.push_back({&*sample.object, ask(who, sample, *sample.object), sample.sampler});
     lit.resize(points.size());
-    direct_on_object(points, geometry_.object, scene_.light, lit);
+    direct_on_object(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (samples[i].shows == Shows::object && asked(samples[i])) take(parts[i]) = lit[next++];
@@ -142,11 +145,11 @@ void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> sampl
       [](DepthPart& part) -> Rgb& { return part.object_in_truth; });
 }
 
-void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples,
-                                         std::span<DepthPart> parts) const {
+void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+                                         SamplingWork& work) const {
   if (direct_from_truth() || rest_is_one_path()) return;
-  thread_local std::vector<RestPoint> points;
-  thread_local std::vector<RadiancePair> lit;
+  std::vector<RestPoint>& points = work.rest_points_;
+  std::vector<RadiancePair>& lit = work.lit_rest_;
   points.clear();
   for (const StimulusSample& sample : samples) {
     if (sample.shows != StimulusSample::Shows::rest) continue;
@@ -158,7 +161,7 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
                       .emission = sample.real->emission});
   }
   lit.resize(points.size());
-  direct_on_rest(points, geometry_.object, scene_.light, lit);
+  direct_on_rest(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].shows != StimulusSample::Shows::rest) continue;
@@ -177,10 +180,10 @@ bool StimulusSampler::is_batched(const StimulusSample& sample) const {
          ask(Who::depth, sample, *sample.object).start == &*sample.object;
 }
 
-void StimulusSampler::follow_paths(std::span<const StimulusSample> samples,
-                                   std::span<DepthPart> parts) const {
+void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+                                   SamplingWork& work) const {
   const bool direct = rest_is_one_path();
-  thread_local PathBatch paths;
+  PathBatch& paths = work.paths_;
   paths.begin(depth_worlds_, scene_.light);
   for (const StimulusSample& sample : samples) {
     if (!is_batched(sample)) continue;
@@ -205,13 +208,14 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples,
   }
 }
 
-void StimulusSampler::add_one_path(const StimulusSample& sample, DepthPart& out) const {
+void StimulusSampler::add_one_path(const StimulusSample& sample, DepthPart& out, SamplingWork& work) const {
   if (is_batched(sample)) return;
   if (sample.shows == StimulusSample::Shows::rest)
-    add_rest(leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler),
-             rest_is_one_path(), true, out);
+    add_rest(
+        leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler, &work.counts_),
+        rest_is_one_path(), true, out);
   if (sample.shows != StimulusSample::Shows::object) return;
-  const Split light = object_light(sample, answers_.object_lit, Who::depth);
+  const Split light = object_light(sample, answers_.object_lit, Who::depth, work);
   if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
   out.object.bounce += light.bounce;
 }

@@ -1,9 +1,12 @@
 #pragma once
+#include <span>
 #include <vector>
 
-#include <span>
 #include "renderer/estimators/truth_pass.h"
 #include "renderer/transport/answers.h"
+#include "renderer/transport/object_light.h"
+#include "renderer/transport/path_batch.h"
+#include "renderer/transport/rest_light.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {
@@ -39,6 +42,23 @@ struct DepthPart {
   float reach_m = std::numeric_limits<float>::infinity();
 };
 
+/// What one worker needs to look at samples: its counts, and memory that is used again and again.
+class SamplingWork {
+ public:
+  /// Of everything asked with it.
+  [[nodiscard]] RayCounts counts() const { return counts_ + paths_.counts(); }
+
+ private:
+  friend class StimulusSampler;
+  RayCounts counts_;
+  PathBatch paths_;
+  LightRays light_rays_;
+  std::vector<ObjectPoint> object_points_;
+  std::vector<Rgb> lit_object_;
+  std::vector<RestPoint> rest_points_;
+  std::vector<RadiancePair> lit_rest_;
+};
+
 /// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
 /// estimators.
 class StimulusSampler {
@@ -48,15 +68,16 @@ class StimulusSampler {
                   const Recipe& recipe, std::uint64_t seed, const LightSampling& sampling = {});
 
   /// What the camera rays of samples meet; `out` is as long as `ids`.
-  void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out) const;
+  void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out, SamplingWork& work) const;
 
   /// Everything that some geometry other than the truth alone has to answer: light on the rest and on the
   /// object. `parts` is as long as `samples`.
-  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts) const;
+  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts,
+                 SamplingWork& work) const;
 
   /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
-  [[nodiscard]] Split object_in_truth(const StimulusSample& sample) const;
-  [[nodiscard]] RadiancePair rest_in_truth(const StimulusSample& sample) const;
+  [[nodiscard]] Split object_in_truth(const StimulusSample& sample, SamplingWork& work) const;
+  [[nodiscard]] RadiancePair rest_in_truth(const StimulusSample& sample, SamplingWork& work) const;
 
   /// Whether sun and sky on the rest are the truth's own.
   [[nodiscard]] bool direct_from_truth() const {
@@ -74,18 +95,22 @@ class StimulusSampler {
   [[nodiscard]] Sampler sampler_of(const SampleId& id) const { return {seed_, id.x, id.y, id.number}; }
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
-  [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce) const;
+  [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce,
+                                   SamplingWork& work) const;
   /// Whether one path through the depth mesh answers everything on the rest.
   [[nodiscard]] bool rest_is_one_path() const {
     return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
            answers_.real_lit == Who::depth;
   }
-  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
-  void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
+  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+                            SamplingWork& work) const;
+  void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+                          SamplingWork& work) const;
   /// Whether the path of a sample through the depth mesh is followed together with others.
   [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
-  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts) const;
-  void add_one_path(const StimulusSample& sample, DepthPart& out) const;
+  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+                    SamplingWork& work) const;
+  void add_one_path(const StimulusSample& sample, DepthPart& out, SamplingWork& work) const;
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;

@@ -9,18 +9,20 @@ namespace {
 
 /// Adds one sample of the truth to its pixel's sums.
 void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray,
-                const Sampler& sampler, TruthSums& sums) {
-  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray);
+                const Sampler& sampler, TruthSums& sums, RayCounts& counts) {
+  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray, &counts);
   const std::optional<SurfacePoint> object =
-      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m});
+      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m}, &counts);
   if (object) {
     ++sums.covered;
     const RealQuestion truth{&geometry.truth, &*object};
-    sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler);
-    sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler).no.total()
-                        : scene.light.environment_radiance;
+    sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler, &counts);
+    sums.behind +=
+        real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts).no.total()
+             : scene.light.environment_radiance;
   } else if (real) {
-    const RadiancePair pair = leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler);
+    const RadiancePair pair =
+        leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler, &counts);
     ++sums.rest;
     sums.no += pair.no;
     sums.with += pair.with;
@@ -29,11 +31,11 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
   }
 }
 
-std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide& guide) {
-  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray);
+std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide& guide, RayCounts& counts) {
+  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray, &counts);
   if (real) guide = {real->geometric_normal, real->distance_m};
   const std::optional<SurfacePoint> object =
-      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m});
+      geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m}, &counts);
   return static_cast<std::uint8_t>(object ? object->object_index : (real ? real->object_index : 0));
 }
 
@@ -54,17 +56,18 @@ TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry
   layers.object_ids.resize(pixels);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
-    const std::int64_t before = rays_traced_by_this_thread();
+    RayCounts counts;
     for (int x = 0; x < camera.width_px; ++x) {
       const std::size_t pixel = layers.index(x, y);
-      layers.object_ids[pixel] = id_at_centre(geometry, centre_ray(camera, x, y), layers.guides[pixel]);
+      layers.object_ids[pixel] =
+          id_at_centre(geometry, centre_ray(camera, x, y), layers.guides[pixel], counts);
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
         add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler,
-                   layers.halves[static_cast<std::size_t>(sample % 2)][pixel]);
+                   layers.halves[static_cast<std::size_t>(sample % 2)][pixel], counts);
       }
     }
-    rays += rays_traced_by_this_thread() - before;
+    rays += counts.traced;
   };
   parallel_for(camera.height_px, options.threads, row, [&](int rows) {
     if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
@@ -91,18 +94,19 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
   SceneReference reference{Image(camera.width_px, camera.height_px, 3), click_map(scene), 0};
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
-    const std::int64_t before = rays_traced_by_this_thread();
+    RayCounts counts;
     for (int x = 0; x < camera.width_px; ++x) {
       Rgb sum = Rgb::Zero();
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
-        const std::optional<SurfacePoint> point = everything.nearest(camera_ray(camera, x, y, sampler));
-        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler).no.total()
+        const std::optional<SurfacePoint> point =
+            everything.nearest(camera_ray(camera, x, y, sampler), &counts);
+        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts).no.total()
                      : scene.light.environment_radiance;
       }
       reference.radiance.set_rgb(x, y, sum / static_cast<float>(options.spp));
     }
-    rays += rays_traced_by_this_thread() - before;
+    rays += counts.traced;
   };
   parallel_for(camera.height_px, options.threads, row, [&](int rows) {
     if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);

@@ -45,7 +45,10 @@ struct Surface {
 struct FilterStrength {
   int levels = 2;
   float reach_divisor = 2.0F;
+
+  bool operator==(const FilterStrength&) const = default;
 };
+inline constexpr FilterStrength no_filter{.levels = 0};
 
 /// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with
 /// a cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/common/tiles.h"
-#include "renderer/transport/omissions.h"
+#include "renderer/tracing/ray_counts.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {
@@ -91,8 +91,7 @@ struct SceneSums {
   std::array<std::vector<GuideSums>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
   std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
   std::vector<int> spp;                                             ///< of each block, even
-  std::int64_t rays = 0;
-  OmittedRays omitted;
+  RayCounts counts;
 
   [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
   [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }

@@ -12,14 +12,21 @@ namespace {
 constexpr const char* no_change = "none";
 constexpr const char* noise_only = "within the estimated errors (no bias)";
 
-/// Decides for one scene.
+std::string in_words(int number) {
+  constexpr std::array<const char*, 5> words = {"none", "one", "two", "three", "four"};
+  const auto n = static_cast<std::size_t>(number);
+  return n < words.size() ? words[n] : std::to_string(number);
+}
+
+/// Says of one scene what its estimator's choices leave out.
 class ScenePlanner {
  public:
   ScenePlanner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
                const RenderSettings& settings)
       : study_(study), scene_(scene), light_(light), settings_(settings) {
-    limit_ = needed_bounces(light, scene.exposure_ev, settings.error);
-    plan_ = {.scene = scene.name, .light = light, .bounces = light.bounces};
+    plan_ = {.scene = scene.name, .light = light};
+    plan_.choices = estimator_choices(settings.estimator, light, scene.exposure_ev,
+                                      estimate_options(study, scene, settings, 1));
     for (const Artifact artifact : scene.artifacts)
       plan_.answers.push_back({artifact, recipe(artifact, study.isolation)});
   }
@@ -42,28 +49,26 @@ class ScenePlanner {
     plan_.omissions.push_back({name, scene_.name, std::move(why), std::move(saves), no_change, true});
   }
 
-  /// An omission with a switch; `needed_because` says why it is not made here, when it is not.
-  bool omit(const PlannedOmission& what, const std::string& needed_because) {
-    const auto* known = std::find_if(omission_names.begin(), omission_names.end(),
-                                     [&](const OmissionName& one) { return one.name == what.name; });
-    std::string why_not = needed_because;
-    if (settings_.estimator == Estimator::path) why_not = "the path estimator leaves nothing out";
-    if (why_not.empty() && !(settings_.omit.*known->on)) why_not = "turned off";
-    if (!why_not.empty()) {
-      plan_.not_omitted.push_back({what.name, why_not});
-      return false;
+  /// An omission with a switch, which the choices make or not; `needed_because` says why not, when it is for
+  /// the scene's sake.
+  void omit(bool made, const PlannedOmission& what, const std::string& needed_because) {
+    if (choices().estimator == Estimator::path) {
+      plan_.not_omitted.push_back({what.name, "the path estimator leaves nothing out"});
+    } else if (made) {
+      plan_.omissions.push_back(what);
+      plan_.omissions.back().where = scene_.name;
+    } else {
+      plan_.not_omitted.push_back({what.name, needed_because.empty() ? "turned off" : needed_because});
     }
-    plan_.omissions.push_back(what);
-    plan_.omissions.back().where = scene_.name;
-    return true;
   }
+  [[nodiscard]] const EstimatorChoices& choices() const { return plan_.choices; }
 
   template <class Asks>
   [[nodiscard]] bool any(Asks asks) const {
     return std::any_of(plan_.answers.begin(), plan_.answers.end(),
                        [&](const PlannedAnswers& one) { return asks(one.recipe); });
   }
-  [[nodiscard]] bool bounces() const { return light_.bounces > 0 || light_.emits; }
+  [[nodiscard]] bool bounces() const { return choices().bounces > 0 || light_.emits; }
 
   void shared_truth() {
     const std::size_t stimuli =
@@ -90,17 +95,21 @@ class ScenePlanner {
   }
 
   void path_tails() {
-    omit({.name = "path_tails",
-          .why =
-              "what follows the sun at a path's second surface is faint, so every 4th sample stands for four",
-          .saves = "3 of 4 path tails",
+    omit(choices().tail_every > 1,
+         {.name = "path_tails",
+          .why = fmt::format(
+              "what follows the sun at a path's second surface is faint, so every {}th sample stands for {}",
+              choices().tail_every, in_words(choices().tail_every)),
+          .saves = fmt::format("{} of {} path tails", choices().tail_every - 1, choices().tail_every),
           .change = noise_only},
-         light_.bounces > 0 ? "" : "paths end before a tail begins");
+         choices().bounces > 0 ? "" : "paths end before a tail begins");
   }
 
   void bounce_filter() {
     const bool ratio = any([](const Recipe& r) { return asks_depth_for_rest(r.answers); });
-    omit({.name = "bounce_filter",
+    const bool made = choices().filters.size() > 1 || (ratio && choices().ratio_filter != no_filter);
+    omit(made,
+         {.name = "bounce_filter",
           .why = bounces() ? "bounce light changes slowly along a surface, so neighbouring pixels share it"
                            : "sky light that only decides a ratio changes slowly, so pixels share it",
           .saves = "samples that would average the same noise",
@@ -113,7 +122,8 @@ class ScenePlanner {
     std::string needed;
     if (!settings_.error) needed = "the number of samples is given";
     if (!lights) needed = "no artifact asks the depth mesh for light";
-    omit({.name = "ratio_samples",
+    omit(choices().first_ratio_spp && lights,
+         {.name = "ratio_samples",
           .why =
               "with and without the object are nearly the same light, and so are truth and depth mesh on the "
               "object: ratio and difference need fewer samples than the photograph",
@@ -125,7 +135,8 @@ class ScenePlanner {
   void untouched_tiles() {
     const bool somewhere =
         any([](const Recipe& r) { return r.keep == Keep::object_layer || !asks_depth_for_rest(r.answers); });
-    omit({.name = "untouched_tiles",
+    omit(!choices().asks_untouched_tiles && somewhere,
+         {.name = "untouched_tiles",
           .why = "the depth mesh is asked about the object only, so tiles without it need no answer",
           .saves = "blocks of 16 x 16 px where nothing asks it for light",
           .change = no_change},
@@ -133,7 +144,8 @@ class ScenePlanner {
   }
 
   void who_is_in_front() {
-    omit({.name = "who_is_in_front",
+    omit(!choices().keeps_who_is_in_front,
+         {.name = "who_is_in_front",
           .why = "the truth decides what hides the object, so what lies behind it is not kept",
           .saves = "a byte a sample in the object's tiles",
           .change = no_change},
@@ -143,23 +155,24 @@ class ScenePlanner {
   }
 
   void late_bounces() {
+    const BounceLimit limit = needed_bounces(light_, scene_.exposure_ev, settings_.error);
     std::string needed;
-    if (limit_.bounces == light_.bounces)
+    if (limit.bounces == light_.bounces)
       needed = light_.emits          ? "surfaces emit light, which bounds no bounce"
                : light_.bounces == 0 ? "there are no bounces"
                                      : fmt::format("all {} bounces may matter", light_.bounces);
-    if (omit(
-            {.name = "late_bounces",
-             .why = fmt::format("surfaces reflect at most {:.2f} of the light, so later bounces are too dark",
-                                light_.brightest_albedo),
-             .saves = fmt::format("{} of {} bounces", light_.bounces - limit_.bounces, light_.bounces),
-             .change = fmt::format("at most {:.1e} of the display range", limit_.change)},
-            needed))
-      plan_.bounces = limit_.bounces;
+    omit(choices().bounces < light_.bounces,
+         {.name = "late_bounces",
+          .why = fmt::format("surfaces reflect at most {:.2f} of the light, so later bounces are too dark",
+                             light_.brightest_albedo),
+          .saves = fmt::format("{} of {} bounces", light_.bounces - choices().bounces, light_.bounces),
+          .change = fmt::format("at most {:.1e} of the display range", limit.change)},
+         needed);
   }
 
   void dark_sky() {
-    omit({.name = "dark_sky",
+    omit(choices().skips_sky,
+         {.name = "dark_sky",
           .why = "the environment has no light, so no ray is traced only to reach it",
           .saves = "the last ray of each path",
           .change = no_change},
@@ -170,11 +183,22 @@ class ScenePlanner {
   const SceneDefinition& scene_;
   const LightFacts& light_;
   const RenderSettings& settings_;
-  BounceLimit limit_;
   ScenePlan plan_;
 };
 
 }  // namespace
+
+EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& scene,
+                                 const RenderSettings& settings, int threads) {
+  const Answers asked = asked_by_any(scene.artifacts, study.isolation);
+  return {.spp = settings.spp,
+          .error = settings.error,
+          .seed = settings.seed,
+          .threads = threads,
+          .who_is_in_front = asked.occlusion == Who::depth,
+          .depth_bounces = asked.bounce == Who::depth,
+          .omit = settings.omit};
+}
 
 RenderPlan render_plan(const StudyDefinition& study, const std::map<std::string, LightFacts>& lights,
                        const RenderSettings& settings) {

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/estimators/estimator_choices.h"
 #include "renderer/set/set_records.h"
-#include "renderer/transport/answers.h"
-#include "renderer/transport/needed_light.h"
 
 namespace seamline::renderer {
 
@@ -34,7 +33,7 @@ struct PlannedAnswers {
 struct ScenePlan {
   std::string scene = {};
   LightFacts light = {};
-  int bounces = 0;  ///< that are computed
+  EstimatorChoices choices = {};  ///< what the estimator holds to
   std::vector<PlannedAnswers> answers = {};
   std::vector<PlannedOmission> omissions = {};
   std::vector<NotOmitted> not_omitted = {};
@@ -46,6 +45,11 @@ struct RenderPlan {
   Isolation isolation = Isolation::query;
   std::vector<ScenePlan> scenes = {};
 };
+
+/// What an estimator is asked for in one scene of a study. By all artifacts of the scene, not by those left
+/// to render: a set that was interrupted has the same bytes.
+[[nodiscard]] EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& scene,
+                                               const RenderSettings& settings, int threads);
 
 /// The plan for the scenes of a study whose light is given, by name; others are left out. Depends on nothing
 /// measured.

@@ -100,15 +100,8 @@ class SetRenderer {
   }
 
   [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
-    EstimateOptions options{.spp = settings_.spp,
-                            .error = settings_.error,
-                            .seed = settings_.seed,
-                            .threads = threads_,
-                            .omit = settings_.omit};
-    const Answers asked = asked_by_any(scene.definition.artifacts, study_.isolation);
-    options.who_is_in_front = asked.occlusion == Who::depth;
-    options.depth_bounces = asked.bounce == Who::depth;
-    return make_estimator(settings_.estimator, scene, options);
+    return make_estimator(settings_.estimator, scene,
+                          estimate_options(study_, scene.definition, settings_, threads_));
   }
 
   /// Every wrong input is found before the first long computation.

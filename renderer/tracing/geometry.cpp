@@ -12,7 +12,6 @@
 
 #include "renderer/tracing/embree_handles.h"
 #include "renderer/tracing/quads.h"
-#include "renderer/tracing/ray_count.h"
 #include "renderer/tracing/ray_packet.h"
 #include "renderer/tracing/triangle_neighbours.h"
 #include "support/running/interrupt.h"
@@ -47,6 +46,10 @@ void commit(RTCScene scene) {
   rtcCommitScene(scene);
   stop_if_interrupted();
   if (rtcGetDeviceError(embree_device()) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+void count(RayCounts* counts, std::size_t rays) {
+  if (counts != nullptr) counts->traced += static_cast<std::int64_t>(rays);
 }
 
 void set_ray(RTCRay& out, const Ray& ray) {
@@ -121,8 +124,8 @@ Geometry::Geometry(Geometry&& other) noexcept
       directions_(std::move(other.directions_)),
       emits_(other.emits_) {}
 
-std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
-  ++rays_traced;
+std::optional<SurfacePoint> Geometry::nearest(const Ray& ray, RayCounts* counts) const {
+  count(counts, 1);
   if (!boxes_.may_meet(ray)) return std::nullopt;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -138,8 +141,8 @@ std::optional<SurfacePoint> Geometry::nearest(const Ray& ray) const {
   return point;
 }
 
-bool Geometry::occluded(const Ray& ray) const {
-  ++rays_traced;
+bool Geometry::occluded(const Ray& ray, RayCounts* counts) const {
+  count(counts, 1);
   if (!boxes_.may_meet(ray)) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -150,8 +153,8 @@ bool Geometry::occluded(const Ray& ray) const {
 }
 
 void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
-                       Coherence coherence) const {
-  rays_traced += static_cast<std::int64_t>(rays.size());
+                       Coherence coherence, RayCounts* counts) const {
+  count(counts, rays.size());
   if (!boxes_.may_meet(rays)) {
     std::fill_n(hits.begin(), rays.size(), std::nullopt);
     return;
@@ -172,9 +175,9 @@ void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<Surfac
                        });
 }
 
-void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
-                        Coherence coherence) const {
-  rays_traced += static_cast<std::int64_t>(rays.size());
+void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, Coherence coherence,
+                        RayCounts* counts) const {
+  count(counts, rays.size());
   if (!boxes_.may_meet(rays)) {
     std::fill_n(blocked.begin(), rays.size(), std::uint8_t{0});
     return;
@@ -183,18 +186,14 @@ void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
                      [&](std::size_t i, bool is_blocked) { blocked[i] = is_blocked ? 1 : 0; });
 }
 
-void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m) const {
-  rays_traced += static_cast<std::int64_t>(rays.size());
+void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m, RayCounts* counts) const {
+  count(counts, rays.size());
   intersect_in_packets(as_scene(scene_), rays, Coherence::together,
                        [&](std::size_t i, const RTCRayHit8& packet, int lane) {
                          distance_m[i] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
                                              ? std::numeric_limits<float>::infinity()
                                              : packet.ray.tfar[lane];
                        });
-}
-
-std::int64_t rays_traced_by_this_thread() {
-  return rays_traced;
 }
 
 }  // namespace seamline::renderer

@@ -12,6 +12,7 @@
 #include "renderer/tracing/direction_table.h"
 #include "renderer/tracing/mesh.h"
 #include "renderer/tracing/ray.h"
+#include "renderer/tracing/ray_counts.h"
 #include "renderer/tracing/surface_point.h"
 #include "support/arithmetic/colour.h"
 
@@ -61,7 +62,7 @@ class RayDevice {
 };
 
 /// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from
-/// many threads.
+/// many threads. Every question adds its rays to `counts->traced`; without `counts` nobody counts them.
 class Geometry {
  public:
   /// Meshes of scene files.
@@ -73,21 +74,22 @@ class Geometry {
   Geometry& operator=(Geometry&&) = delete;
 
   /// The nearest surface along a ray.
-  [[nodiscard]] std::optional<SurfacePoint> nearest(const Ray& ray) const;
+  [[nodiscard]] std::optional<SurfacePoint> nearest(const Ray& ray, RayCounts* counts = nullptr) const;
   /// Whether anything lies on the ray before its end.
-  [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] bool occluded(const Ray& ray, RayCounts* counts = nullptr) const;
   /// The same for many rays, which are traced in packets. `hits`, `blocked` and `distance_m` are as long as
   /// `rays`.
   void nearest(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
-               Coherence coherence = Coherence::together) const;
+               Coherence coherence = Coherence::together, RayCounts* counts = nullptr) const;
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
-                Coherence coherence = Coherence::together) const;
+                Coherence coherence = Coherence::together, RayCounts* counts = nullptr) const;
   /// Only how far each ray gets, for rays that lie together; infinity where it meets nothing.
-  void distances(std::span<const Ray> rays, std::span<float> distance_m) const;
+  void distances(std::span<const Ray> rays, std::span<float> distance_m, RayCounts* counts = nullptr) const;
   /// The nearest surfaces along rays that all start at the origin, which is the panorama's centre: the hits
   /// of `nearest`, but in the local scene without search (a ray within rounding of an edge may get either
   /// neighbour).
-  void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits) const;
+  void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+                           RayCounts* counts = nullptr) const;
   [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
   /// Of the meshes it looks into itself and of the table of directions: what Embree's count leaves out.
   [[nodiscard]] std::int64_t own_memory_bytes() const;
@@ -102,8 +104,5 @@ class Geometry {
   std::optional<DirectionTable> directions_;  ///< of the local scene's one part
   bool emits_ = false;
 };
-
-/// Rays traced by the calling thread since it started; read before and after a piece of work.
-[[nodiscard]] std::int64_t rays_traced_by_this_thread();
 
 }  // namespace seamline::renderer

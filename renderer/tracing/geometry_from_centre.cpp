@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "renderer/tracing/geometry.h"
-#include "renderer/tracing/ray_count.h"
 
 namespace seamline::renderer {
 namespace {
@@ -29,9 +28,10 @@ void set_surface_from_centre(const Eigen::Vector3f& normal, const SurfaceTable& 
 
 }  // namespace
 
-void Geometry::nearest_from_centre(std::span<const Ray> rays,
-                                   std::span<std::optional<SurfacePoint>> hits) const {
-  if (!directions_) return nearest(rays, hits);
+void Geometry::nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+                                   RayCounts* counts) const {
+  if (!directions_) return nearest(rays, hits, Coherence::together, counts);
+  if (counts != nullptr) counts->traced += static_cast<std::int64_t>(rays.size());
   std::uint32_t before = DirectionTable::nothing;
   Eigen::Vector3f plane_per_m, normal;  // of that triangle
   LeftOver left_over;
@@ -50,7 +50,6 @@ void Geometry::nearest_from_centre(std::span<const Ray> rays,
       if (left_over.count == left_over_size) trace_left_over();
       continue;
     }
-    ++rays_traced;
     hits[i].reset();
     if (triangle != DirectionTable::nothing && triangle != before) {
       const CentreTriangle& seen = directions_->triangles[triangle];

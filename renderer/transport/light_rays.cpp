@@ -12,9 +12,10 @@ void LightRays::add(const SurfacePoint& point, const RealQuestion& real, const E
   arriving_.push_back(light);
 }
 
-void LightRays::drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence) {
+void LightRays::drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence,
+                             RayCounts* counts) {
   blocked_.resize(asked.size());
-  geometry.occluded(asked, blocked_, coherence);
+  geometry.occluded(asked, blocked_, coherence, counts);
   std::size_t left = 0;
   for (std::size_t i = 0; i < blocked_.size(); ++i) {
     if (blocked_[i] != 0) continue;

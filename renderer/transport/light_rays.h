@@ -21,18 +21,19 @@ class LightRays {
   /// start's horizon.
   void add(const SurfacePoint& point, const RealQuestion& real, const Eigen::Vector3f& direction, float far_m,
            const Arriving& light);
-  void drop_blocked_by_object(const Geometry& object, Coherence coherence) {
-    drop_blocked(object, past_object_, coherence);
+  void drop_blocked_by_object(const Geometry& object, Coherence coherence, RayCounts* counts) {
+    drop_blocked(object, past_object_, coherence, counts);
   }
-  void drop_blocked_by_real(const Geometry& real, Coherence coherence) {
-    drop_blocked(real, past_real_, coherence);
+  void drop_blocked_by_real(const Geometry& real, Coherence coherence, RayCounts* counts) {
+    drop_blocked(real, past_real_, coherence, counts);
   }
   /// What is left, in the order it was added in.
   [[nodiscard]] std::span<const Arriving> arriving() const { return arriving_; }
   void clear() { resize(0); }
 
  private:
-  void drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence);
+  void drop_blocked(const Geometry& geometry, const std::vector<Ray>& asked, Coherence coherence,
+                    RayCounts* counts);
   void resize(std::size_t size);
 
   std::vector<Ray> past_object_, past_real_;

@@ -40,13 +40,4 @@ BounceLimit needed_bounces(const LightFacts& facts, double exposure_ev, std::opt
   return limit;
 }
 
-Light needed_light(const TruthScene& scene, const Omissions& omissions, std::optional<double> error) {
-  Light light = scene.light;
-  const LightFacts facts = light_facts(scene);
-  if (omissions.late_bounces)
-    light.bounces = needed_bounces(facts, scene.definition.exposure_ev, error).bounces;
-  light.skips_sky = omissions.dark_sky && facts.sky_is_dark;
-  return light;
-}
-
 }  // namespace seamline::renderer

@@ -28,8 +28,4 @@ struct BounceLimit {
 [[nodiscard]] BounceLimit needed_bounces(const LightFacts& facts, double exposure_ev,
                                          std::optional<double> error);
 
-/// The light that has to be computed.
-[[nodiscard]] Light needed_light(const TruthScene& scene, const Omissions& omissions,
-                                 std::optional<double> error);
-
 }  // namespace seamline::renderer

@@ -1,17 +1,15 @@
 #include "renderer/transport/object_light.h"
 
 #include "renderer/tracing/leaving_ray.h"
-#include "renderer/transport/light_rays.h"
-#include "renderer/transport/omissions.h"
 
 namespace seamline::renderer {
 namespace {
 
 /// Adds the light of the rays that nothing blocks, and begins anew.
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, LightRays& rays,
-           std::span<Rgb> direct) {
-  rays.drop_blocked_by_object(object, coherence);
-  rays.drop_blocked_by_real(real, coherence);
+           RayCounts* counts, std::span<Rgb> direct) {
+  rays.drop_blocked_by_object(object, coherence, counts);
+  rays.drop_blocked_by_real(real, coherence, counts);
   for (const LightRays::Arriving& light : rays.arriving()) direct[light.index] += light.radiance;
   rays.clear();
 }
@@ -19,11 +17,10 @@ void trace(const Geometry& object, const Geometry& real, Coherence coherence, Li
 }  // namespace
 
 void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,
-                      std::span<Rgb> direct) {
+                      std::span<Rgb> direct, LightRays& rays, RayCounts* counts) {
   for (std::size_t i = 0; i < points.size(); ++i) direct[i] = points[i].point->emission;
   if (points.empty()) return;
   const Geometry& real = *points.front().lit_past.geometry;
-  thread_local LightRays rays;
   rays.clear();
   for (const Sun& sun : light.suns)
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -33,9 +30,9 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
         rays.add(point, points[i].lit_past, to_sun, endless,
                  {i, point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)});
     }
-  trace(object, real, Coherence::together, rays, direct);
+  trace(object, real, Coherence::together, rays, counts, direct);
   if (light.skips_sky) {
-    omitted_rays.dark_sky_rays += static_cast<std::int64_t>(points.size());
+    if (counts != nullptr) counts->dark_sky_rays += static_cast<std::int64_t>(points.size());
     return;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -48,7 +45,7 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
         rays.add(point, points[i].lit_past, direction, light.sky_distance_m, {i, sky});
     }
   }
-  trace(object, real, Coherence::scattered, rays, direct);
+  trace(object, real, Coherence::scattered, rays, counts, direct);
 }
 
 }  // namespace seamline::renderer

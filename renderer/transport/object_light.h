@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "renderer/transport/light_rays.h"
 #include "renderer/transport/transport.h"
 
 namespace seamline::renderer {
@@ -13,8 +14,9 @@ struct ObjectPoint {
 };
 
 /// The direct part of `leaving_object`, of many points at once: their rays to the sun go together, those to
-/// the sky in packets of their own. `direct` is as long as `points`.
+/// the sky in packets of their own. `direct` is as long as `points`. What `rays` holds is forgotten:
+/// a caller who asks often keeps it for its memory.
 void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,
-                      std::span<Rgb> direct);
+                      std::span<Rgb> direct, LightRays& rays, RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

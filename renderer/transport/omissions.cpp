@@ -29,17 +29,4 @@ std::string turned_off(const Omissions& omissions) {
   return names;
 }
 
-OmittedRays& OmittedRays::operator+=(const OmittedRays& other) {
-  tails_traced += other.tails_traced;
-  tail_rays += other.tail_rays;
-  tails_left_out += other.tails_left_out;
-  dark_sky_rays += other.dark_sky_rays;
-  return *this;
-}
-
-OmittedRays operator-(const OmittedRays& a, const OmittedRays& b) {
-  return {a.tails_traced - b.tails_traced, a.tail_rays - b.tail_rays, a.tails_left_out - b.tails_left_out,
-          a.dark_sky_rays - b.dark_sky_rays};
-}
-
 }  // namespace seamline::renderer

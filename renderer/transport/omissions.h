@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/tracing/ray_counts.h"
+
 namespace seamline::renderer {
 
 /// What the fast estimator leaves out because a scene or stimulus does not need it; each can be turned off
@@ -39,28 +41,18 @@ inline constexpr std::array<OmissionName, 7> omission_names = {
 /// The names of those turned off, for hashes; empty when all are on.
 [[nodiscard]] std::string turned_off(const Omissions& omissions);
 
-/// Work left out, counted while it is left out.
-struct OmittedRays {
-  std::int64_t tails_traced = 0, tail_rays = 0, tails_left_out = 0;
-  std::int64_t dark_sky_rays = 0;  ///< left out
-
-  OmittedRays& operator+=(const OmittedRays& other);
-  friend OmittedRays operator-(const OmittedRays& a, const OmittedRays& b);
-};
-/// What this thread has counted; read before and after a piece of work.
-inline thread_local OmittedRays omitted_rays;
-
 /// What omissions saved in a scene, from counters.
 struct Savings {
-  OmittedRays omitted;
-  std::int64_t joint_rays = 0;        ///< of the pass that all stimuli share
-  std::int64_t depth_rays = 0;        ///< of all stimuli's questions to depth meshes
+  RayCounts joint;                    ///< of the pass that all stimuli share
+  RayCounts depth;                    ///< of all stimuli's questions to depth meshes
   std::int64_t stimuli = 0;           ///< rendered
   std::int64_t ratio_samples = 0;     ///< samples not asked of the depth mesh
   double ratio_rays = 0;              ///< the same times the rays of one such sample
   std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
   std::int64_t untouched_rays = 0;    ///< their camera rays, which is the least they would have cost
   std::int64_t order_bytes = 0;       ///< who is in front on each ray, not kept
+
+  [[nodiscard]] RayCounts counts() const { return joint + depth; }
 };
 
 }  // namespace seamline::renderer

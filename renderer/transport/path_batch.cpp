@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "renderer/tracing/leaving_ray.h"
-#include "renderer/transport/omissions.h"
 
 namespace seamline::renderer {
 
@@ -28,13 +27,12 @@ std::span<const PathLight> PathBatch::trace() {
     for (const Sun& sun : light_->suns) add_sun(sun, vertex);
     if (vertex == 1) {
       thin_tails();
-      rays_before_tails = rays_traced_by_this_thread();
+      rays_before_tails = counts_.traced;
     }
     if (vertex == 0) add_sky_of_first();
     if (vertex == 0 && ends_at_sky(0)) return found_;
     go_on(vertex);
-    if (vertex > 0 && vertices_.empty())
-      omitted_rays.tail_rays += rays_traced_by_this_thread() - rays_before_tails;
+    if (vertex > 0 && vertices_.empty()) counts_.tail_rays += counts_.traced - rays_before_tails;
   }
   return found_;
 }
@@ -64,7 +62,7 @@ void PathBatch::add_sun(const Sun& sun, int vertex) {
 void PathBatch::add_sky_of_first() {
   const bool goes_on = !ends_at_sky(0);
   if (light_->skips_sky) {
-    if (!goes_on) omitted_rays.dark_sky_rays += static_cast<std::int64_t>(vertices_.size());
+    if (!goes_on) counts_.dark_sky_rays += static_cast<std::int64_t>(vertices_.size());
     return;
   }
   if (goes_on && light_->sky_rays <= 1) return;
@@ -92,8 +90,8 @@ void PathBatch::thin_tails() {
     vertices_[left] = vertex;
     vertices_[left++].throughput *= plan.tail_weight;
   }
-  omitted_rays.tails_traced += static_cast<std::int64_t>(left);
-  omitted_rays.tails_left_out += static_cast<std::int64_t>(vertices_.size() - left);
+  counts_.tails_traced += static_cast<std::int64_t>(left);
+  counts_.tails_left_out += static_cast<std::int64_t>(vertices_.size() - left);
   vertices_.resize(left);
 }
 
@@ -102,7 +100,7 @@ void PathBatch::go_on(int vertex) {
   find_points(dimension::direction(vertex));
   const bool only_sky = ends_at_sky(vertex);
   if (only_sky && light_->skips_sky) {
-    omitted_rays.dark_sky_rays += static_cast<std::int64_t>(vertices_.size());
+    counts_.dark_sky_rays += static_cast<std::int64_t>(vertices_.size());
     vertices_.clear();
     return;
   }
@@ -125,12 +123,13 @@ void PathBatch::go_on(int vertex) {
     add_what_arrives(Coherence::scattered);
   } else {
     hits_.resize(rays_.size());
-    worlds_->room->nearest(rays_, hits_, Coherence::scattered);
+    worlds_->room->nearest(rays_, hits_, Coherence::scattered, &counts_);
     for (std::size_t i = 0; i < rays_.size(); ++i) {
       const Vertex& from = vertices_[vertex_of_ray_[i]];
       worlds_->nearest_past_room(
           rays_[i], hits_[i], from.set,
-          [&](WorldSet set, const std::optional<SurfacePoint>& hit) { meet(from, set, hit, vertex); });
+          [&](WorldSet set, const std::optional<SurfacePoint>& hit) { meet(from, set, hit, vertex); },
+          &counts_);
     }
     rays_.clear();
   }
@@ -161,11 +160,11 @@ void PathBatch::ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, b
 /// Asks the rays that only look for light, and begins anew.
 void PathBatch::add_what_arrives(Coherence coherence) {
   blocked_.resize(rays_.size());
-  worlds_->room->occluded(rays_, blocked_, coherence);
+  worlds_->room->occluded(rays_, blocked_, coherence, &counts_);
   for (std::size_t i = 0; i < rays_.size(); ++i)
     if (blocked_[i] == 0)
-      add(arriving_[i].path, worlds_->reached_past_room(rays_[i], arriving_[i].set), arriving_[i].direct,
-          arriving_[i].radiance);
+      add(arriving_[i].path, worlds_->reached_past_room(rays_[i], arriving_[i].set, &counts_),
+          arriving_[i].direct, arriving_[i].radiance);
   rays_.clear();
   arriving_.clear();
 }

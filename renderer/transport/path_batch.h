@@ -50,6 +50,8 @@ class PathBatch {
   [[nodiscard]] const PathStart& start(std::size_t i) const { return starts_[i]; }
   /// Follows all paths to their ends; what they found, in the order they were added in. Once after `begin`.
   [[nodiscard]] std::span<const PathLight> trace();
+  /// Of all that it has traced since it was made.
+  [[nodiscard]] const RayCounts& counts() const { return counts_; }
 
  private:
   /// A path at one of its surfaces.
@@ -81,6 +83,7 @@ class PathBatch {
   const Worlds* worlds_ = nullptr;
   const Light* light_ = nullptr;
   bool emits_ = false;
+  RayCounts counts_;
   std::vector<PathStart> starts_;
   std::vector<PathLight> found_;
   std::vector<Vertex> vertices_, next_vertices_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "renderer/transport/light_rays.h"
 #include "renderer/transport/transport.h"
 
 namespace seamline::renderer {
@@ -18,8 +19,9 @@ struct RestPoint {
 
 /// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of
 /// their own. The sun is in `direct`, with what the points emit; the sky, which is smooth and may be
-/// filtered, in `bounce`. `pairs` is as long as `points`.
+/// filtered, in `bounce`. `pairs` is as long as `points`. What `rays` holds is forgotten:
+/// a caller who asks often keeps it for its memory.
 void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
-                    std::span<RadiancePair> pairs);
+                    std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

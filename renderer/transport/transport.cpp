@@ -1,14 +1,13 @@
 #include "renderer/transport/transport.h"
 
 #include "renderer/tracing/leaving_ray.h"
-#include "renderer/transport/omissions.h"
 
 namespace seamline::renderer {
 namespace {
 
 /// Whether a ray that only looks for the sky is left out, because there is no light in it.
-bool leaves_out_sky(const Light& light) {
-  if (light.skips_sky) ++omitted_rays.dark_sky_rays;
+bool leaves_out_sky(const Light& light, RayCounts* counts) {
+  if (light.skips_sky && counts != nullptr) ++counts->dark_sky_rays;
   return light.skips_sky;
 }
 
@@ -16,16 +15,17 @@ bool leaves_out_sky(const Light& light) {
 struct World {
   const Geometry& real;
   const Geometry* object;
+  RayCounts* counts;
 
   [[nodiscard]] bool occluded(const Ray& ray) const {
-    return real.occluded(ray) || (object != nullptr && object->occluded(ray));
+    return real.occluded(ray, counts) || (object != nullptr && object->occluded(ray, counts));
   }
   [[nodiscard]] bool emits() const { return real.emits() || (object != nullptr && object->emits()); }
   [[nodiscard]] std::optional<SurfacePoint> nearest(Ray ray) const {
-    std::optional<SurfacePoint> hit = real.nearest(ray);
+    std::optional<SurfacePoint> hit = real.nearest(ray, counts);
     if (object == nullptr) return hit;
     if (hit) ray.far_m = hit->distance_m;
-    if (std::optional<SurfacePoint> nearer = object->nearest(ray)) return nearer;
+    if (std::optional<SurfacePoint> nearer = object->nearest(ray, counts)) return nearer;
     return hit;
   }
 };
@@ -47,7 +47,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
         cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return sum;
     const Ray ray = leaving_ray(point, direction, light.sky_distance_m);
-    if (vertex >= light.bounces && !world.emits() && leaves_out_sky(light)) return sum;
+    if (vertex >= light.bounces && !world.emits() && leaves_out_sky(light, world.counts)) return sum;
     if (vertex >= light.bounces && !world.emits())
       return world.occluded(ray) ? sum : Rgb(sum + throughput * light.environment_radiance);
     const std::optional<SurfacePoint> hit = world.nearest(ray);
@@ -68,11 +68,11 @@ Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, co
 }  // namespace
 
 RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
-                          const Light& light, const Sampler& sampler) {
+                          const Light& light, const Sampler& sampler, RayCounts* counts) {
   RadiancePair pair;
   pair.no.direct = pair.with.direct = first.emission;
-  const World without{real, nullptr};
-  const World with{real, object};
+  const World without{real, nullptr, counts};
+  const World with{real, object, counts};
   const bool emits = with.emits();
   SurfacePoint point = first;
   Rgb throughput = Rgb::Ones();
@@ -85,10 +85,10 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       const float cosine = sun_cosine(point, to_sun);
       if (cosine <= 0.0F) continue;
       const Ray ray = leaving_ray(point, to_sun, endless);
-      if (real.occluded(ray)) continue;
+      if (real.occluded(ray, counts)) continue;
       const Rgb lit = throughput * sun.irradiance_w_m2 * (inverse_pi * cosine);
       no += lit;
-      if (object == nullptr || !object->occluded(ray)) with_object += lit;
+      if (object == nullptr || !object->occluded(ray, counts)) with_object += lit;
     }
     const Eigen::Vector3f direction =
         cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
@@ -96,14 +96,15 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     Ray ray = leaving_ray(point, direction, light.sky_distance_m);
     const Rgb sky = throughput * light.environment_radiance;
     if (vertex >= light.bounces && !emits) {
-      if (leaves_out_sky(light) || real.occluded(ray)) return pair;
+      if (leaves_out_sky(light, counts) || real.occluded(ray, counts)) return pair;
       no += sky;
-      if (object == nullptr || !object->occluded(ray)) with_object += sky;
+      if (object == nullptr || !object->occluded(ray, counts)) with_object += sky;
       return pair;
     }
-    const std::optional<SurfacePoint> hit = real.nearest(ray);
+    const std::optional<SurfacePoint> hit = real.nearest(ray, counts);
     if (hit) ray.far_m = hit->distance_m;
-    const std::optional<SurfacePoint> object_hit = object == nullptr ? std::nullopt : object->nearest(ray);
+    const std::optional<SurfacePoint> object_hit =
+        object == nullptr ? std::nullopt : object->nearest(ray, counts);
     if (object_hit) {  // here the two paths part
       if (hit)
         pair.no.bounce += throughput * arriving(without, *hit, light, sampler, vertex);
@@ -126,34 +127,36 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
 
 namespace {
 
-bool reaches_past(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m) {
+bool reaches_past(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m,
+                  RayCounts* counts) {
   return above_horizon(*real.start, direction) &&
-         !real.geometry->occluded(leaving_ray(*real.start, direction, far_m));
+         !real.geometry->occluded(leaving_ray(*real.start, direction, far_m), counts);
 }
 
 /// The real surface that a ray of the object meets; a start below the depth mesh's horizon meets that mesh at
 /// once.
-std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction,
-                                     float far_m) {
+std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vector3f& direction, float far_m,
+                                     RayCounts* counts) {
   if (!above_horizon(*real.start, direction)) {
     SurfacePoint at_once = *real.start;
     at_once.distance_m = 0.0F;
     return at_once;
   }
-  return real.geometry->nearest(leaving_ray(*real.start, direction, far_m));
+  return real.geometry->nearest(leaving_ray(*real.start, direction, far_m), counts);
 }
 
 }  // namespace
 
 Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by, const Geometry& object,
-                     const SurfacePoint& point, const Light& light, const Sampler& sampler) {
+                     const SurfacePoint& point, const Light& light, const Sampler& sampler,
+                     RayCounts* counts) {
   Split out;
   out.direct = point.emission;
   for (const Sun& sun : light.suns) {
     const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(0)));
     const float cosine = sun_cosine(point, to_sun);
-    if (cosine > 0.0F && !object.occluded(leaving_ray(point, to_sun, endless)) &&
-        reaches_past(lit_past, to_sun, endless))
+    if (cosine > 0.0F && !object.occluded(leaving_ray(point, to_sun, endless), counts) &&
+        reaches_past(lit_past, to_sun, endless, counts))
       out.direct += point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine);
   }
   const Rgb sky = point.albedo * light.environment_radiance / static_cast<float>(light.sky_rays);
@@ -161,8 +164,8 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
     const Eigen::Vector3f direction =
         turned_direction(point.normal, sampler.point(dimension::direction(0)), more, light.sky_rays);
     if (above_horizon(point, direction) &&
-        !object.occluded(leaving_ray(point, direction, light.sky_distance_m)) &&
-        reaches_past(lit_past, direction, light.sky_distance_m))
+        !object.occluded(leaving_ray(point, direction, light.sky_distance_m), counts) &&
+        reaches_past(lit_past, direction, light.sky_distance_m, counts))
       out.direct += sky;
   }
   const Eigen::Vector3f direction = cosine_direction(point.normal, sampler.point(dimension::direction(0)));
@@ -171,22 +174,22 @@ Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_b
   const bool bounces_matter =
       bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());
   if (!bounces_matter) {
-    if (!leaves_out_sky(light) && !object.occluded(ray) &&
-        reaches_past(lit_past, direction, light.sky_distance_m))
+    if (!leaves_out_sky(light, counts) && !object.occluded(ray, counts) &&
+        reaches_past(lit_past, direction, light.sky_distance_m, counts))
       out.direct += sky;
     return out;
   }
   const bool same = lit_past.geometry == bounced_by.geometry && lit_past.start == bounced_by.start;
-  std::optional<SurfacePoint> hit = real_hit(bounced_by, direction, light.sky_distance_m);
+  std::optional<SurfacePoint> hit = real_hit(bounced_by, direction, light.sky_distance_m, counts);
   if (hit) ray.far_m = hit->distance_m;
   // Only the nearer one matters for bounce light, but the sky is hidden by the object at any distance.
   const std::optional<SurfacePoint> object_hit =
-      object.nearest(same || !hit ? ray : Ray{ray.origin_m, ray.direction, light.sky_distance_m});
+      object.nearest(same || !hit ? ray : Ray{ray.origin_m, ray.direction, light.sky_distance_m}, counts);
   const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
   const bool sky_reaches =
-      !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m));
+      !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m, counts));
   if (sky_reaches) out.direct += sky;
-  const World world{*bounced_by.geometry, &object};
+  const World world{*bounced_by.geometry, &object, counts};
   if (object_first)
     out.bounce += point.albedo * arriving(world, *object_hit, light, sampler, 0);
   else if (hit)

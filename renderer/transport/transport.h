@@ -44,14 +44,14 @@ struct RealQuestion {
 /// Radiance that a point of the real world sends to the camera, without and with the object. `object` may be
 /// null: then both are the same. One sample; `sampler` fixes every random number.
 [[nodiscard]] RadiancePair leaving_pair(const Geometry& real, const Geometry* object,
-                                        const SurfacePoint& point, const Light& light,
-                                        const Sampler& sampler);
+                                        const SurfacePoint& point, const Light& light, const Sampler& sampler,
+                                        RayCounts* counts = nullptr);
 
 /// Radiance that a point of the virtual object sends to the camera. `lit_past` answers whether sun and sky
 /// reach it past real things (question 3), `bounced_by` where bounce light comes from (question 5);
 /// without a geometry there the bounce part is not computed.
 [[nodiscard]] Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by,
                                    const Geometry& object, const SurfacePoint& point, const Light& light,
-                                   const Sampler& sampler);
+                                   const Sampler& sampler, RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

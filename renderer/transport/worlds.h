@@ -29,15 +29,15 @@ struct Worlds {
   [[nodiscard]] bool emits() const { return room->emits() || objects->emits(); }
 
   /// The worlds of `set` in which no object lies on the ray, when nothing of the room does.
-  [[nodiscard]] WorldSet reached_past_room(const Ray& ray, WorldSet set) const;
+  [[nodiscard]] WorldSet reached_past_room(const Ray& ray, WorldSet set, RayCounts* counts = nullptr) const;
 
   /// Calls `meet(subset, hit)` for subsets that together are `set`: the nearest surface (or none) in all
   /// worlds of the subset. `room_hit`: what the ray meets of the room.
   template <class Meet>
-  void nearest_past_room(Ray ray, const std::optional<SurfacePoint>& room_hit, WorldSet set,
-                         Meet&& meet) const {
+  void nearest_past_room(Ray ray, const std::optional<SurfacePoint>& room_hit, WorldSet set, Meet&& meet,
+                         RayCounts* counts = nullptr) const {
     if (room_hit) ray.far_m = room_hit->distance_m;
-    const std::optional<SurfacePoint> object = objects->nearest(ray);
+    const std::optional<SurfacePoint> object = objects->nearest(ray, counts);
     if (!object) {
       meet(set, room_hit);
       return;
@@ -48,7 +48,7 @@ struct Worlds {
     if (rest == 0) return;
     const Geometry* others_there = others[static_cast<std::size_t>(lacking - 1)];
     const std::optional<SurfacePoint> other =
-        others_there != nullptr ? others_there->nearest(ray) : std::nullopt;
+        others_there != nullptr ? others_there->nearest(ray, counts) : std::nullopt;
     meet(rest, other ? other : room_hit);
   }
 

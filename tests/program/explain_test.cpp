@@ -24,7 +24,8 @@ std::string quick_study() {
 TEST(Explain, WithoutOutPrintsThePlanAndStops) {
   const Outcome outcome = run_seamline("render " + quick_study() + " --explain --error 0.02");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  for (const char* part : {"Who answers", "receiver", "path_tails", "shared_truth", "error below 0.02"})
+  for (const char* part : {"Who answers", "receiver", "path_tails", "How it is sampled", "16 a pixel first",
+                           "shared_truth", "error below 0.02"})
     EXPECT_THAT(outcome.output, HasSubstr(part));
   EXPECT_THAT(outcome.output, Not(HasSubstr(" \n")));
 }

@@ -43,7 +43,8 @@ TEST(DirectOnObject, IsThatOfEachPointAlone) {
     for (std::size_t i = 0; i < points.size(); ++i)
       asked.push_back({&points[i], {&real, &starts[i]}, Sampler(5, static_cast<int>(i), 3, 2)});
     std::vector<Rgb> direct(points.size());
-    direct_on_object(asked, object, light, direct);
+    LightRays rays;
+    direct_on_object(asked, object, light, direct, rays);
     int dark = 0, lit = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Rgb alone =
@@ -59,7 +60,8 @@ TEST(DirectOnObject, IsThatOfEachPointAlone) {
 
 TEST(DirectOnObject, OfNothingIsNothing) {
   const Geometry object(Parts{test::sphere({1, 0, -4}, 0.8F, 24, 0.3F, 1)});
-  direct_on_object({}, object, sun_and_sky(2), {});
+  LightRays rays;
+  direct_on_object({}, object, sun_and_sky(2), {}, rays);
 }
 
 }  // namespace

@@ -97,11 +97,11 @@ TEST(PacketCount, EveryRayIsCountedOnce) {
   const std::vector<Ray> rays = random_rays(29);
   std::vector<std::optional<SurfacePoint>> hits(29);
   std::vector<std::uint8_t> blocked(29);
-  const std::int64_t before = rays_traced_by_this_thread();
-  geometry.nearest(rays, hits);
-  geometry.occluded(rays, blocked);
-  geometry.nearest_from_centre(rays, hits);
-  EXPECT_EQ(rays_traced_by_this_thread() - before, 3 * 29);
+  RayCounts counts;
+  geometry.nearest(rays, hits, Coherence::together, &counts);
+  geometry.occluded(rays, blocked, Coherence::scattered, &counts);
+  geometry.nearest_from_centre(rays, hits, &counts);
+  EXPECT_EQ(counts.traced, 3 * 29);
 }
 
 TEST(PacketCapture, IsTheSameMapForAnyNumberOfThreadsAndAnyWidth) {

@@ -36,7 +36,8 @@ TEST(DirectOnRest, IsThatOfEachPointAlone) {
     asked.push_back(
         {&receivers[i], {&other, &starts[i]}, {0.2F, 0.4F, 0.6F}, Sampler(5, static_cast<int>(i), 3, 2)});
   std::vector<RadiancePair> together(asked.size());
-  direct_on_rest(asked, object, light, together);
+  LightRays rays;
+  direct_on_rest(asked, object, light, together, rays);
   int without_sun = 0, in_objects_shadow = 0, sky_behind_object = 0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const Sampler& sampler = asked[i].sampler;

@@ -32,13 +32,15 @@ struct Situation {
                           .asked_spp = asked_spp,
                           .filtered = filtered,
                           .judged = judged,
-                          .target = {.rmse = 0.0039}});
+                          .target = {.rmse = 0.0039},
+                          .choices = choices});
   }
 
   ErrorEstimate photograph;
   StimulusJudgement judged;
   std::vector<int> photograph_spp = std::vector<int>(blocks, 64), asked_spp = std::vector<int>(blocks, 4);
   TileSet filtered = TileSet(tiles, 1);
+  EstimatorChoices choices = estimator_choices(Estimator::fast, {.bounces = 4}, 0, {.error = 0.0039});
 };
 
 TEST(StimulusPlan, ATileThatItsBiasMakesTooWrongGoesWithoutTheFilter) {

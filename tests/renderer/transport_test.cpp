@@ -157,7 +157,8 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
     const RadiancePair pair = leaving_pair(truth, &object, *real, light, sampler);
     const RestPoint asked{&*real, {&twin, &*real}, real->albedo, sampler};
     RadiancePair direct;
-    direct_on_rest({&asked, 1}, object, light, {&direct, 1});
+    LightRays rays;
+    direct_on_rest({&asked, 1}, object, light, {&direct, 1}, rays);
     EXPECT_NEAR(pair.no.direct[0], direct.no.direct[0], 1e-6);
     EXPECT_NEAR(pair.with.direct[0], direct.with.direct[0], 1e-6);
   }

@@ -40,13 +40,15 @@ class TileAsker {
   }
 
   void ask() {
-    sampler_.look(ids_, seen_);
+    sampler_.look(ids_, seen_, work_);
     drop_unasked();
-    sampler_.ask_depth(seen_, parts_);
+    sampler_.ask_depth(seen_, parts_, work_);
     for (std::size_t i = 0; i < seen_.size(); ++i) add_part(seen_[i], parts_[i], wanted_[i].pixel);
     ids_.clear();
     wanted_.clear();
   }
+
+  [[nodiscard]] RayCounts counts() const { return work_.counts(); }
 
  private:
   static constexpr std::size_t at_once = 32;
@@ -90,6 +92,7 @@ class TileAsker {
   std::vector<Wanted> wanted_;
   std::vector<StimulusSample> seen_;
   std::vector<DepthPart> parts_;
+  SamplingWork work_;
 };
 
 }  // namespace
@@ -115,8 +118,6 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
                const std::function<void(double)>& progress, DepthAnswers& answers) {
   std::mutex counting;
   const auto work = [&](int tile) {
-    const std::int64_t before = rays_traced_by_this_thread();
-    const OmittedRays omitted_before = omitted_rays;
     TileAsker asker(sampler, answers);
     for (const int block : blocks_of(answers.grid, tile)) {
       const auto b = static_cast<std::size_t>(block);
@@ -135,8 +136,7 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     }
     asker.ask();
     const std::lock_guard lock(counting);
-    answers.rays += rays_traced_by_this_thread() - before;
-    answers.omitted += omitted_rays - omitted_before;
+    answers.counts += asker.counts();
   };
   const int tiles = answers.grid.count();
   parallel_for(tiles, threads, work, [&](int finished) {

@@ -31,8 +31,7 @@ struct DepthAnswers {
   std::array<std::vector<Rgb>, 2> object_in_truth;  ///< see DepthPart; empty when it is never asked for
   std::vector<GuideSums> guides;  ///< of the surfaces that light is asked for; empty when none is
   DepthSamples spp;
-  std::int64_t rays = 0;
-  OmittedRays omitted;
+  RayCounts counts;
 
   [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
 };

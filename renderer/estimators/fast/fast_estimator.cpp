@@ -1,59 +1,49 @@
 // The fast estimator: one joint pass for all worlds of a scene, bounce light filtered, the depth mesh asked
 // only where and as often as the picture needs it.
+#include <tuple>
+
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/scene_layers.h"
 #include "renderer/estimators/fast/scene_pass.h"
 #include "renderer/picture/error_estimate.h"
-#include "renderer/transport/needed_light.h"
 
 namespace seamline::renderer {
 namespace {
 
-constexpr int first_spp = 16, most_spp = 1 << 14;
-constexpr int tail_every = 4;
+/// The errors of the reference as the stimuli of each object filter it.
+struct PhotographJudgement {
+  std::array<ErrorEstimate, 3> errors = {};  ///< [object - 1]; empty: not judged yet
+  std::size_t strength = 0;                  ///< with the least estimated error, in the choices' filters
+  int not_good_enough = 0;                   ///< an object; 0: none, or there is no target
 
-/// Sky rays a sample. Beside bounce light, which costs several rays a sample, a second one is worth its
-/// price and a third is not; where there is nothing but sky, the camera ray is what they share.
-int sky_rays_of(const Light& light) {
-  if (light.environment_radiance.isZero(0.0F)) return 1;
-  return light.bounces > 0 ? 2 : 8;
-}
-
-/// From weak to strong; more samples need less of it.
-constexpr std::array<FilterStrength, 6> strengths = {
-    {{0, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 3.0F}, {2, 2.0F}, {3, 2.0F}}};
-constexpr std::size_t first_strength = 4;
-/// Of the light that only decides a ratio: few samples, filtered more. Where there is nothing but sky a ratio
-/// of few samples is noisiest and its light smoothest: a weaker filter would leave blotches.
-FilterStrength ratio_strength_of(const Light& light) {
-  return light.bounces > 0 ? FilterStrength{2, 3.0F} : FilterStrength{3, 2.0F};
-}
-
-/// Of the error asked for, what the photograph may have. What is left is for the noise that stimuli add: next
-/// to nothing, except where bounce light has to be traced for each of them. Of 0.8, 0.85, 0.9 and 0.94 there,
-/// 0.9 needs the fewest rays for the paper's set: a better photograph costs more and saves stimuli nothing.
-double photograph_share(const EstimateOptions& options) {
-  return options.depth_bounces ? 0.9 : 0.985;
-}
+  [[nodiscard]] ErrorEstimate& error(int object) { return errors[static_cast<std::size_t>(object - 1)]; }
+  [[nodiscard]] const ErrorEstimate& error(int object) const {
+    return errors[static_cast<std::size_t>(object - 1)];
+  }
+};
 
 class FastEstimator : public SceneEstimator {
  public:
   FastEstimator(const TruthScene& scene, const EstimateOptions& options)
-      : scene_(with_needed_light(scene, options)),
-        options_(options),
+      : choices_(
+            estimator_choices(Estimator::fast, light_facts(scene), scene.definition.exposure_ev, options)),
+        scene_(with_chosen_light(scene, choices_)),
+        seed_(options.seed),
+        threads_(options.threads),
         joint_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera)) {
-    options_.who_is_in_front = options.who_is_in_front || !options.omit.who_is_in_front;
-    if (!options.omit.bounce_filter || (scene_.light.bounces == 0 && !joint_->worlds.emits())) strength_ = 0;
+    judged_.strength = choices_.filters.size() - 1;
   }
+
+  [[nodiscard]] const EstimatorChoices& choices() const override { return choices_; }
 
   SceneReference reference(const ReportProgress& progress) override {
     sample(progress);
     const Camera& camera = scene_.camera;
-    SceneReference out{reference_image(layers_of(1, strengths[strength_])),
+    SceneReference out{reference_image(layers_of(1, filter())),
                        {camera.width_px, camera.height_px, 1, {}},
-                       sums_.rays};
+                       sums_.counts.traced};
     out.object_ids = click_map(scene_);
     return out;
   }
@@ -63,7 +53,7 @@ class FastEstimator : public SceneEstimator {
     geometry_.reset();
     geometry_.emplace(object_geometry(scene_, object_index));
     object_index_ = object_index;
-    truth_ = layers_of(object_index, strengths[strength_]);
+    truth_ = layers_of(object_index, filter());
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
@@ -71,27 +61,18 @@ class FastEstimator : public SceneEstimator {
 
   EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                              const ReportProgress& progress) override {
-    FastStimulusOptions options{
-        .seed = options_.seed,
-        .threads = options_.threads,
-        .tail_every = tail_every_of(options_),
-        .omit = options_.omit,
-        .filter = strengths[strength_],
-        .ratio_filter = options_.omit.bounce_filter ? ratio_strength_of(scene_.light) : strengths[0],
-        .progress = progress};
-    if (options_.error) options.target = ErrorTarget{*options_.error};
-    const ObjectTruth truth{scene_,        sums_,  *geometry_,
-                            object_index_, truth_, errors_[static_cast<std::size_t>(object_index_ - 1)]};
-    FastStimulus made = render_fast_stimulus(truth, depth, recipe, options);
+    FastStimulusOptions options{.seed = seed_, .threads = threads_, .filter = filter(), .progress = progress};
+    if (choices_.error) options.target = ErrorTarget{*choices_.error};
+    const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, judged_.error(object_index_)};
+    FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
     add(made.saved);
     return {std::move(made.layers), made.error.rmse(), made.error.worst_tile()};
   }
 
   [[nodiscard]] Savings savings() const override {
     Savings all = saved_;
-    all.omitted += sums_.omitted;
-    all.joint_rays = sums_.rays;
-    if (options_.who_is_in_front) return all;
+    all.joint = sums_.counts;
+    if (choices_.keeps_who_is_in_front) return all;
     for (const auto& object : sums_.objects)
       for (std::size_t t = 0; t < object.size(); ++t)
         if (object[t])  // a byte a sample
@@ -101,18 +82,8 @@ class FastEstimator : public SceneEstimator {
   }
 
  private:
-  static TruthScene with_needed_light(TruthScene scene, const EstimateOptions& options) {
-    scene.light = needed_light(scene, options.omit, options.error);
-    scene.light.sky_rays = sky_rays_of(scene.light);
-    return scene;
-  }
-  static int tail_every_of(const EstimateOptions& options) {
-    return options.omit.path_tails ? tail_every : 1;
-  }
-
   void add(const Savings& stimulus) {
-    saved_.omitted += stimulus.omitted;
-    saved_.depth_rays += stimulus.depth_rays;
+    saved_.depth += stimulus.depth;
     saved_.stimuli += stimulus.stimuli;
     saved_.ratio_samples += stimulus.ratio_samples;
     saved_.ratio_rays += stimulus.ratio_rays;
@@ -123,27 +94,32 @@ class FastEstimator : public SceneEstimator {
   /// The joint pass: once a scene.
   void sample(const ReportProgress& progress) {
     if (!joint_) return;
-    ScenePassOptions options{.seed = options_.seed,
-                             .threads = options_.threads,
-                             .tail_every = tail_every_of(options_),
-                             .who_is_in_front = options_.who_is_in_front,
+    ScenePassOptions options{.seed = seed_,
+                             .threads = threads_,
+                             .tail_every = choices_.tail_every,
+                             .who_is_in_front = choices_.keeps_who_is_in_front,
                              .progress = {}};
     // Rounds are not known beforehand: each takes half of what is left of the progress bar.
-    double done = 0, part = options_.error ? 0.5 : 1.0;
+    double done = 0, part = choices_.error ? 0.5 : 1.0;
     options.progress = [&](double share) {
       if (progress) progress(done + part * share);
     };
-    std::vector<int> wanted(sums_.spp.size(), options_.error ? first_spp : std::max(2, options_.spp / 2 * 2));
+    std::vector<int> wanted(sums_.spp.size(), choices_.first_spp);
     add_samples(scene_, *joint_, wanted, options, sums_);
     std::optional<ErrorTarget> target;
-    if (options_.error) target = ErrorTarget{*options_.error * photograph_share(options_)};
-    for (int judged = 1; (judged = judge(judged, target)) > 0;) {
-      wanted = plan_samples(state(errors_[static_cast<std::size_t>(judged - 1)]), *target).next;
+    if (choices_.error) target = ErrorTarget{*choices_.error * choices_.photograph_share};
+    for (int first = 1;; first = judged_.not_good_enough) {
+      judged_ = judge(judged_, first, target);
+      if (judged_.not_good_enough == 0) break;
+      wanted = plan_samples(state(judged_.error(judged_.not_good_enough)), *target).next;
       if (wanted == sums_.spp) break;
       done += part;
       part *= 0.5;
       add_samples(scene_, *joint_, wanted, options, sums_);
     }
+    for (int k = 1; k <= 3; ++k)  // those never looked at, because the first object never was good enough
+      if (judged_.error(k).tiles.empty())
+        judged_.error(k) = error_with(k, judged_.strength, half_pictures(k, no_filter));
     joint_.reset();
   }
 
@@ -151,49 +127,59 @@ class FastEstimator : public SceneEstimator {
     SamplingState state{
         .grid = sums_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error.image.total()};
     for (std::size_t b = 0; b < error.blocks.size(); ++b)
-      state.blocks.push_back({.noise = error.blocks[b].noise, .spp = sums_.spp[b], .most_spp = most_spp});
+      state.blocks.push_back(
+          {.noise = error.blocks[b].noise, .spp = sums_.spp[b], .most_spp = choices_.most_spp});
     for (const SquaredError& tile : error.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
     return state;
   }
 
   /// The reference is filtered for each object as its stimuli are: with the object's change apart from the
-  /// light without it, so that its error differs from object to object. An object whose error is not what is
-  /// wanted, `first` before the others, which only count where stimuli have next to nothing for noise of
-  /// their own. 0: there is none, or nothing is wanted.
-  int judge(int first, const std::optional<ErrorTarget>& target) {
-    const std::array<Image, 2> sampled = half_pictures(first, {.levels = 0});
-    errors_[static_cast<std::size_t>(first - 1)] = choose_strength(first, sampled);
-    if (target && !target->met_by(errors_[static_cast<std::size_t>(first - 1)])) return first;
-    int worst = 0;
-    for (int k = 1; k <= static_cast<int>(errors_.size()); ++k) {
-      ErrorEstimate& error = errors_[static_cast<std::size_t>(k - 1)];
-      if (k != first) error = error_with(k, strength_, sampled);
-      if (target && !options_.depth_bounces && !target->met_by(error) &&
-          (worst == 0 || error.image.total() > errors_[static_cast<std::size_t>(worst - 1)].image.total()))
-        worst = k;
+  /// light without it, so that its error differs from object to object. Object `first` chooses the strength,
+  /// and while it is not good enough the others are not looked at. Else the worst of the others is named,
+  /// where the photograph has to be good enough for each of them.
+  [[nodiscard]] PhotographJudgement judge(const PhotographJudgement& before, int first,
+                                          const std::optional<ErrorTarget>& target) const {
+    PhotographJudgement out = before;
+    const std::array<Image, 2> sampled = half_pictures(first, no_filter);
+    const auto is_good = [&](int object) { return !target || target->met_by(out.error(object)); };
+    std::tie(out.error(first), out.strength) = choose_strength(first, sampled, before.strength);
+    if (!is_good(first)) {
+      out.not_good_enough = first;
+      return out;
     }
-    return worst;
+    out.not_good_enough = 0;
+    for (int k = 1; k <= static_cast<int>(out.errors.size()); ++k) {
+      if (k != first) out.error(k) = error_with(k, out.strength, sampled);
+      if (choices_.photograph_for_each_object && !is_good(k) &&
+          (out.not_good_enough == 0 ||
+           out.error(k).image.total() > out.error(out.not_good_enough).image.total()))
+        out.not_good_enough = k;
+    }
+    return out;
   }
 
-  /// Takes the strength with the least estimated error, from the present one towards weaker ones.
-  ErrorEstimate choose_strength(int object_index, const std::array<Image, 2>& sampled) {
-    ErrorEstimate best = error_with(object_index, strength_, sampled);
-    while (strength_ > 0) {
-      ErrorEstimate weaker = error_with(object_index, strength_ - 1, sampled);
+  /// The strength with the least estimated error, from `strength` towards weaker ones, and that error.
+  [[nodiscard]] std::pair<ErrorEstimate, std::size_t> choose_strength(int object_index,
+                                                                      const std::array<Image, 2>& sampled,
+                                                                      std::size_t strength) const {
+    ErrorEstimate best = error_with(object_index, strength, sampled);
+    for (; strength > 0; --strength) {
+      ErrorEstimate weaker = error_with(object_index, strength - 1, sampled);
       if (weaker.image.total() >= best.image.total()) break;
       best = std::move(weaker);
-      --strength_;
     }
-    return best;
+    return {std::move(best), strength};
   }
 
   [[nodiscard]] ErrorEstimate error_with(int object_index, std::size_t strength,
                                          const std::array<Image, 2>& sampled) const {
     return estimate_error(
-        {.filtered = strength == 0 ? sampled : half_pictures(object_index, strengths[strength]),
+        {.filtered = strength == 0 ? sampled : half_pictures(object_index, choices_.filters[strength]),
          .sampled = sampled},
-        scene_.definition.exposure_ev, options_.threads);
+        scene_.definition.exposure_ev, threads_);
   }
+
+  [[nodiscard]] const FilterStrength& filter() const { return choices_.filters[judged_.strength]; }
 
   /// The reference from each half of the samples; the layers are gone when it returns.
   [[nodiscard]] std::array<Image, 2> half_pictures(int object_index, const FilterStrength& strength) const {
@@ -203,15 +189,16 @@ class FastEstimator : public SceneEstimator {
 
   [[nodiscard]] TruthLayers layers_of(int object_index, const FilterStrength& strength) const {
     return truth_layers(sums_, scene_.camera, scene_.light.environment_radiance, object_index,
-                        {.filter = strength, .threads = options_.threads});
+                        {.filter = strength, .threads = threads_});
   }
 
-  const TruthScene scene_;  ///< with the light that is needed
-  EstimateOptions options_;
+  const EstimatorChoices choices_;
+  const TruthScene scene_;  ///< with the light that is followed
+  const std::uint64_t seed_;
+  const int threads_;
   std::unique_ptr<const SceneGeometry> joint_;  ///< until the joint pass is done
   SceneSums sums_;
-  std::size_t strength_ = first_strength;
-  std::array<ErrorEstimate, 3> errors_;  ///< of the reference, filtered for each object
+  PhotographJudgement judged_;
   int object_index_ = 0;
   std::optional<ObjectGeometry> geometry_;
   TruthLayers truth_;

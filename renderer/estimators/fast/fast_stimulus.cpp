@@ -30,12 +30,13 @@ void divide_alike(const std::vector<StimulusSums>& filtered, std::vector<Stimulu
 class StimulusRounds {
  public:
   StimulusRounds(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
-                 const FastStimulusOptions& options)
+                 const EstimatorChoices& choices, const FastStimulusOptions& options)
       : truth_(truth),
         recipe_(recipe),
+        choices_(choices),
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
-                 {.may_filter = true, .tail_every = options.tail_every}),
+                 {.may_filter = true, .tail_every = choices.tail_every}),
         depth_(empty_answers(truth.scene.camera, recipe.answers, truth.sums.spp)),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
@@ -48,24 +49,34 @@ class StimulusRounds {
   FastStimulus run() {
     FastStimulus out;
     DepthSamples wanted = first_samples();
+    bool looks_for_bias = false;
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
                 depth_);
       out.layers = {};  // the round before's: one at a time in memory
       out.layers = layers(filters());
-      StimulusJudgement judged = judge(out.layers);
-      out.error = judged.error;
+      const Judged judged = judge(out.layers, looks_for_bias);
+      looks_for_bias = judged.knows_bias;
+      out.error = judged.judgement.error;
       wanted = depth_.spp;
       if (options_.target)
-        wanted.object = samples_on_object(truth_, out.layers, wanted.object, options_.threads);
-      const bool is_good = good_enough(out.error);
-      if (is_good && wanted.object == depth_.spp.object) break;
-      if (is_good || plan_more(judged, round, wanted)) continue;
-      if (looks_for_bias_) break;
-      looks_for_bias_ = true;
+        wanted.object = samples_on_object(truth_, out.layers, wanted.object, choices_.most_object_variance,
+                                          options_.threads);
+      if (good_enough(out.error)) {
+        if (wanted.object == depth_.spp.object) break;
+        continue;
+      }
+      const StimulusPlan plan = plan_more(judged.judgement, round);
+      for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
+      wanted = with_plan(plan, wanted);
+      const bool gains =
+          !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
+      if (gains) continue;
+      if (looks_for_bias) break;
+      looks_for_bias = true;
     }
     out.saved = savings();
-    if (!options_.omit.untouched_tiles) out.layers = with_untouched_tiles();
+    if (choices_.asks_untouched_tiles) out.layers = with_untouched_tiles();
     return out;
   }
 
@@ -108,15 +119,18 @@ class StimulusRounds {
   }
 
   /// A few where only a ratio is asked for.
-  [[nodiscard]] int first_rest_samples(std::size_t block) const { return few_or_all(2, block); }
+  [[nodiscard]] int first_rest_samples(std::size_t block) const {
+    return few_or_all(choices_.first_ratio_spp, block);
+  }
   /// A few where only a difference is; else as many as the truth has, because noise must not give the object
   /// away.
   [[nodiscard]] int first_object_samples(std::size_t block) const {
-    return adds_to_object(recipe_.answers) ? few_or_all(8, block) : truth_.sums.spp[block];
+    return adds_to_object(recipe_.answers) ? few_or_all(choices_.first_difference_spp, block)
+                                           : truth_.sums.spp[block];
   }
-  [[nodiscard]] int few_or_all(int few, std::size_t block) const {
+  [[nodiscard]] int few_or_all(const std::optional<int>& few, std::size_t block) const {
     const int all = truth_.sums.spp[block];
-    return options_.target && options_.omit.ratio_samples ? std::min(few, all) : all;
+    return std::min(few.value_or(all), all);
   }
 
   /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
@@ -132,7 +146,9 @@ class StimulusRounds {
   }
 
   [[nodiscard]] Savings savings() const {
-    Savings saved{.omitted = depth_.omitted, .depth_rays = depth_.rays, .stimuli = 1};
+    Savings saved;
+    saved.depth = depth_.counts;
+    saved.stimuli = 1;
     std::int64_t asked = 0;
     for (std::size_t b = 0; b < depth_.spp.rest.size(); ++b) {
       const std::int64_t pixels = depth_.blocks().pixels(static_cast<int>(b));
@@ -142,15 +158,15 @@ class StimulusRounds {
       };
       count(pixels, depth_.spp.rest[b]);
       count(object_pixels(b), depth_.spp.object[b]);
-      if (depth_.spp.rest[b] == 0 && depth_.spp.object[b] == 0 && options_.omit.untouched_tiles) {
+      if (depth_.spp.rest[b] == 0 && depth_.spp.object[b] == 0 && !choices_.asks_untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_blocks;
         saved.untouched_rays += geometries * pixels * first_rest_samples(b);
       }
     }
     if (asked > 0)
-      saved.ratio_rays = static_cast<double>(saved.ratio_samples) * static_cast<double>(depth_.rays) /
-                         static_cast<double>(asked);
+      saved.ratio_rays = static_cast<double>(saved.ratio_samples) *
+                         static_cast<double>(depth_.counts.traced) / static_cast<double>(asked);
     return saved;
   }
 
@@ -167,30 +183,32 @@ class StimulusRounds {
     return !options_.target || options_.target->met_by(error);
   }
 
-  /// What each block should have next, and which tiles go without the filter; false when nothing can be
-  /// gained. Samples are added to the rest, and to the object where nothing else is asked for.
-  bool plan_more(const StimulusJudgement& judged, int round, DepthSamples& wanted) {
-    const StimulusPlan plan = plan_stimulus({.grid = depth_.grid,
-                                             .photograph = truth_.error,
-                                             .photograph_spp = truth_.sums.spp,
-                                             .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
-                                             .filtered = filtered_,
-                                             .judged = judged,
-                                             .target = *options_.target,
-                                             .round = round});
-    for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
+  /// What each block should have next, and which tiles go without the filter.
+  [[nodiscard]] StimulusPlan plan_more(const StimulusJudgement& judged, int round) const {
+    return plan_stimulus({.grid = depth_.grid,
+                          .photograph = truth_.error,
+                          .photograph_spp = truth_.sums.spp,
+                          .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
+                          .filtered = filtered_,
+                          .judged = judged,
+                          .target = *options_.target,
+                          .choices = choices_,
+                          .round = round});
+  }
+  /// Samples are added off the object, and on it where nothing else is asked for.
+  [[nodiscard]] DepthSamples with_plan(const StimulusPlan& plan, DepthSamples wanted) const {
     for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
       if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
       if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
     }
-    return !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
+    return wanted;
   }
 
   [[nodiscard]] DepthFilters filters() const {
-    return {.ratio = options_.ratio_filter, .object = options_.filter, .tiles = filtered_};
+    return {.ratio = choices_.ratio_filter, .object = options_.filter, .tiles = filtered_};
   }
   [[nodiscard]] static DepthFilters no_filters() {
-    return {.ratio = {.levels = 0}, .object = {.levels = 0}, .tiles = {}};
+    return {.ratio = no_filter, .object = no_filter, .tiles = {}};
   }
 
   [[nodiscard]] StimulusLayers layers(const DepthFilters& filters,
@@ -198,18 +216,23 @@ class StimulusRounds {
     return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
   }
 
+  struct Judged {
+    StimulusJudgement judgement;
+    bool knows_bias = false;  ///< else the error is noise and the bias of the photograph alone
+  };
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
-  /// is not looked for before the noise is low enough: it takes twice as long, and needs samples itself.
-  [[nodiscard]] StimulusJudgement judge(const StimulusLayers& made) {
+  /// is looked for when the noise is low enough, or with `look_for_bias`: it takes twice as long, and needs
+  /// samples itself.
+  [[nodiscard]] Judged judge(const StimulusLayers& made, bool look_for_bias) const {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
-    if (!filtered || !looks_for_bias_) {
+    if (!filtered || !look_for_bias) {
       pictures.sampled = pictures.filtered;
       ErrorEstimate noise = with_bias_of_truth(pictures);
-      looks_for_bias_ = !filtered || good_enough(noise);
-      if (!filtered || !looks_for_bias_) return {std::move(noise), {}};
+      if (!filtered) return {{std::move(noise), {}}, true};
+      if (!good_enough(noise)) return {{std::move(noise), {}}, false};
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
       StimulusLayers sampled = layers(no_filters(), half);
@@ -218,7 +241,7 @@ class StimulusRounds {
     }
     ErrorEstimate error = with_bias_of_truth(pictures);
     pictures.filtered = pictures.sampled;
-    return {std::move(error), with_bias_of_truth(pictures)};
+    return {{std::move(error), with_bias_of_truth(pictures)}, true};
   }
 
   [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
@@ -231,20 +254,20 @@ class StimulusRounds {
 
   const ObjectTruth& truth_;
   const Recipe& recipe_;
+  const EstimatorChoices& choices_;
   const FastStimulusOptions& options_;
   StimulusSampler sampler_;
   DepthAnswers depth_;
   ObjectOrder order_;
   std::vector<char> shows_object_;  ///< a flag a pixel
   TileSet filtered_;                ///< tiles where light of the depth mesh is filtered
-  bool looks_for_bias_ = false;
 };
 
 }  // namespace
 
 FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
-                                  const FastStimulusOptions& options) {
-  return StimulusRounds(truth, depth, recipe, options).run();
+                                  const EstimatorChoices& choices, const FastStimulusOptions& options) {
+  return StimulusRounds(truth, depth, recipe, choices, options).run();
 }
 
 }  // namespace seamline::renderer

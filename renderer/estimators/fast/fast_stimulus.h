@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "renderer/estimators/estimator_choices.h"
 #include "renderer/estimators/fast/depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
 #include "renderer/estimators/fast/scene_layers.h"
@@ -11,11 +12,8 @@ namespace seamline::renderer {
 struct FastStimulusOptions {
   std::uint64_t seed = 1;
   int threads = 1;
-  int tail_every = 4;
-  Omissions omit = {};
-  std::optional<ErrorTarget> target = {};  ///< none: as many samples as the truth has
-  FilterStrength filter = {};              ///< of bounce light on the object
-  FilterStrength ratio_filter = {};        ///< of light that only decides a ratio
+  std::optional<ErrorTarget> target = {};  ///< none: as many samples as the photograph has
+  FilterStrength filter = no_filter;       ///< of bounce light on the object: the photograph's
   std::function<void(double share_done)> progress = {};
 };
 
@@ -30,6 +28,7 @@ struct FastStimulus {
 /// first and for more where the picture is not good enough, because the ratio is the same light with and
 /// without the object and needs far fewer samples than the photograph.
 [[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth,
-                                                const Recipe& recipe, const FastStimulusOptions& options);
+                                                const Recipe& recipe, const EstimatorChoices& choices,
+                                                const FastStimulusOptions& options);
 
 }  // namespace seamline::renderer

@@ -3,14 +3,9 @@
 #include "renderer/common/parallel.h"
 
 namespace seamline::renderer {
-namespace {
-
-constexpr double most_growth = 1.4;  ///< of the variance: a fifth in standard deviation
-
-}  // namespace
 
 std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusLayers& stimulus,
-                                   const std::vector<int>& asked_spp, int threads) {
+                                   const std::vector<int>& asked_spp, double most_variance, int threads) {
   std::vector<int> wanted = asked_spp;
   const BlockGrid blocks = truth.sums.blocks();
   parallel_for(blocks.count(), threads, [&](int block) {
@@ -28,7 +23,7 @@ std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusLayer
         in_photograph += double{of_photograph.square().sum()};
         in_stimulus += double{of_stimulus.square().sum()};
       }
-    const double may_be_added = (most_growth - 1) * in_photograph;
+    const double may_be_added = (most_variance - 1) * in_photograph;
     // What was added falls as samples grow.
     double added = in_stimulus - in_photograph;
     while (added > may_be_added && spp < all) {

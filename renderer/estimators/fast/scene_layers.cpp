@@ -37,7 +37,7 @@ class LayerMaker {
     layers_.width_px = sums_.grid.width_px;
     layers_.height_px = sums_.grid.height_px;
     layers_.spp = *std::max_element(sums_.spp.begin(), sums_.spp.end());
-    layers_.rays = sums_.rays;
+    layers_.rays = sums_.counts.traced;
     for (auto& half : layers_.halves) half.resize(pixels);
     layers_.guides.resize(pixels);
     surfaces_.resize(pixels);

@@ -32,6 +32,8 @@ class TileSampler {
     follow_paths();
   }
 
+  [[nodiscard]] RayCounts counts() const { return counts_ + paths_.counts(); }
+
  private:
   static constexpr std::size_t paths_at_once = 64;
 
@@ -53,7 +55,7 @@ class TileSampler {
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = camera_ray(scene_.camera, x, y, Sampler(options_.seed, x, y, from + static_cast<int>(i)));
     const std::span<const Ray> asked(rays.data(), count);
-    geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count));
+    geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count), &counts_);
     find_objects(asked);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
     if (paths_.size() >= paths_at_once) follow_paths();
@@ -62,14 +64,14 @@ class TileSampler {
   /// Most packets meet no object: one question for all three.
   void find_objects(std::span<const Ray> rays) {
     const std::span any(objects_[0].data(), rays.size());
-    geometry_.objects.nearest_from_centre(rays, any);
+    geometry_.objects.nearest_from_centre(rays, any, &counts_);
     const bool none = std::none_of(any.begin(), any.end(), [](const auto& hit) { return hit.has_value(); });
     for (std::size_t k = 0; k < 3; ++k) {
       const std::span hits(objects_[k].data(), rays.size());
       if (none)
         std::fill(hits.begin(), hits.end(), std::nullopt);
       else
-        geometry_.alone[k].nearest_from_centre(rays, hits);
+        geometry_.alone[k].nearest_from_centre(rays, hits, &counts_);
     }
   }
 
@@ -194,6 +196,7 @@ class TileSampler {
   int end_sample_ = 0;  ///< of those being added
   Hits room_;
   std::array<Hits, 3> objects_;
+  RayCounts counts_;  ///< of camera rays
   PathBatch paths_;
   std::vector<Followed> followed_;  ///< of each path
 };
@@ -217,8 +220,6 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
   std::mutex counting;
   const int tiles = sums.grid.count();
   const auto work = [&](int tile) {
-    const std::int64_t before = rays_traced_by_this_thread();
-    const OmittedRays omitted_before = omitted_rays;
     TileSampler sampler(scene, geometry, options, sums, tile);
     for (const int block : blocks_of(sums.grid, tile)) {
       int& spp = sums.spp[static_cast<std::size_t>(block)];
@@ -228,8 +229,7 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
       spp = wanted;
     }
     const std::lock_guard lock(counting);
-    sums.rays += rays_traced_by_this_thread() - before;
-    sums.omitted += omitted_rays - omitted_before;
+    sums.counts += sampler.counts();
   };
   parallel_for(tiles, options.threads, work, [&](int finished) {
     if (options.progress) options.progress(static_cast<double>(finished) / tiles);

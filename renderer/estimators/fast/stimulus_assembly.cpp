@@ -175,9 +175,9 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
     if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
   out.guides = truth.guides;
   out.depth_lights_rest = depth_lights_rest(parts.recipe.answers);
-  out.rays = parts.depth.rays;
+  out.rays = parts.depth.counts.traced;
   const Assembly assembly(parts);
-  const FilteredBounce no_filter;
+  const FilteredBounce unfiltered;
   const auto each_pixel = [&](const FilteredBounce& filtered, auto add) {
     parallel_for(truth.height_px, threads, [&](int y) {
       for (int x = 0; x < truth.width_px; ++x) {
@@ -185,7 +185,7 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
         const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
         for (std::size_t half = 0; half < 2; ++half)
           if (!out.halves[half].empty())
-            (assembly.*add)(x, y, half, is_filtered ? filtered : no_filter,
+            (assembly.*add)(x, y, half, is_filtered ? filtered : unfiltered,
                             out.halves[half][truth.index(x, y)]);
       }
     });

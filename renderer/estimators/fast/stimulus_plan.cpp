@@ -8,15 +8,6 @@
 namespace seamline::renderer {
 namespace {
 
-/// A tile's bias is known to a fifteenth of its unfiltered noise (the product of two halves' changes, over a
-/// thousand pixels): what is less than three times that may be none, and is left alone in a tile that is good
-/// enough.
-constexpr double surely = 0.2;
-
-/// How often a block is asked at most, times the photograph's samples: where that needs few, the ratio may
-/// need more.
-constexpr int most_times = 16;
-
 class StimulusPlanner {
  public:
   explicit StimulusPlanner(const StimulusState& state)
@@ -50,7 +41,7 @@ class StimulusPlanner {
       const SquaredError& error = error_.tiles[t];
       const double bias = error.bias - std::max(0.0, photograph_.tiles[t].bias);
       const bool too_wrong = error.total() + rounding_square > state_.target.square_in_a_tile();
-      const double least = too_wrong ? 0 : surely * unfiltered().tiles[t].noise;
+      const double least = too_wrong ? 0 : state_.choices.surely_biased * unfiltered().tiles[t].noise;
       if (state_.filtered[t] == 0 || !(bias > least)) continue;
       const double gain = too_wrong ? std::numeric_limits<double>::infinity() : bias / samples_instead(t);
       gains.emplace_back(-gain, t);
@@ -98,10 +89,11 @@ class StimulusPlanner {
       const double noise = (is_without ? unfiltered() : error_).blocks[b].noise;
       const double of_photograph = std::min(photograph_.blocks[b].noise, noise);
       const int spp = state_.asked_spp[b], photograph_spp = state_.photograph_spp[b];
-      out.blocks.push_back({.noise = noise - of_photograph,
-                            .spp = spp,
-                            .least_spp = is_without && spp > 0 ? photograph_spp : 0,
-                            .most_spp = spp > 0 ? most_times * photograph_spp : 0});
+      out.blocks.push_back(
+          {.noise = noise - of_photograph,
+           .spp = spp,
+           .least_spp = is_without && spp > 0 ? photograph_spp : 0,
+           .most_spp = spp > 0 ? state_.choices.most_times_photograph_spp * photograph_spp : 0});
       out.tile_rest[static_cast<std::size_t>(tile)] +=
           of_photograph * blocks_.pixels(static_cast<int>(b)) / state_.grid.pixels(tile);
     }

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/estimators/estimator_choices.h"
 #include "renderer/picture/sampling_rounds.h"
 
 namespace seamline::renderer {
@@ -22,6 +23,7 @@ struct StimulusState {
   const TileSet& filtered;                 ///< tiles where light of the depth mesh is filtered
   const StimulusJudgement& judged;
   const ErrorTarget& target;
+  const EstimatorChoices& choices;
   int round = 0;  ///< those before it
 };
 

@@ -57,8 +57,33 @@ std::string light_text(const ScenePlan& plan) {
   const LightFacts& light = plan.light;
   std::string text = fmt::format(
       "  Light: {}, {}, {}{}.", counted(light.suns, "sun", "suns"), light.sky_is_dark ? "no sky" : "sky",
-      counted(plan.bounces, "bounce", "bounces"), light.emits ? ", surfaces that emit" : "");
+      counted(plan.choices.bounces, "bounce", "bounces"), light.emits ? ", surfaces that emit" : "");
   return text + fmt::format(" Surfaces reflect at most {:.2f} of it.\n", light.brightest_albedo);
+}
+
+std::string filter_text(const FilterStrength& filter) {
+  return filter.levels == 0 ? "none" : counted(filter.levels, "level", "levels");
+}
+
+/// What the estimator holds to, besides what it leaves out.
+std::string choices_text(const EstimatorChoices& choices) {
+  const bool fast = choices.estimator == Estimator::fast;
+  Rows rows = {{"samples", fmt::format("{} a pixel", choices.first_spp)}};
+  if (choices.error)
+    rows = {{"samples", fmt::format("{} a pixel first, at most {}", choices.first_spp, choices.most_spp)},
+            {"photograph", fmt::format("until its estimated error is below {:.4f}",
+                                       *choices.error * choices.photograph_share)}};
+  if (choices.first_ratio_spp && choices.first_difference_spp)
+    rows.push_back(
+        {"depth mesh", fmt::format("{} samples first for a ratio, {} for what it adds on the object",
+                                   *choices.first_ratio_spp, *choices.first_difference_spp)});
+  rows.push_back({"of a sample", counted(choices.sky_rays, "ray", "rays") + " to the sky"});
+  if (choices.tail_every > 1) rows.back()[1] += fmt::format(", a tail every {} samples", choices.tail_every);
+  if (fast)
+    rows.push_back(
+        {"filters", fmt::format("bounce light at most {}, what only decides a ratio {}",
+                                filter_text(choices.filters.back()), filter_text(choices.ratio_filter))});
+  return "  How it is sampled:\n" + table(rows, 4);
 }
 
 std::string answers_text(const ScenePlan& plan) {
@@ -100,13 +125,13 @@ std::string explain(const StudyDefinition& study, const RenderPlan& plan) {
                      : fmt::format("{} samples a pixel", settings.spp),
       word(plan.isolation));
   for (const ScenePlan& scene : plan.scenes)
-    out +=
-        fmt::format("\n{}\n", scene.scene) + light_text(scene) + answers_text(scene) + omissions_text(scene);
+    out += fmt::format("\n{}\n", scene.scene) + light_text(scene) + choices_text(scene.choices) +
+           answers_text(scene) + omissions_text(scene);
   return out + "\n--no-omit NAME turns one off, except those marked (always).\n";
 }
 
 std::string explain_savings(const std::string& scene, const Savings& savings) {
-  const OmittedRays& omitted = savings.omitted;
+  const RayCounts counts = savings.counts();
   double rays = 0;
   Rows rows;
   const auto row = [&](const char* name, double saved_rays, const std::string& text) {
@@ -114,14 +139,13 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
     rays += saved_rays;
     rows.push_back({name, millions(saved_rays) + " rays", text});
   };
-  const auto shared = static_cast<double>(savings.joint_rays) * static_cast<double>(savings.stimuli);
+  const auto shared = static_cast<double>(savings.joint.traced) * static_cast<double>(savings.stimuli);
   row("shared_truth", shared,
       fmt::format("{} times the joint pass of {} rays", savings.stimuli,
-                  millions(static_cast<double>(savings.joint_rays))));
-  if (omitted.tails_traced > 0) {
-    const double rays_each =
-        static_cast<double>(omitted.tail_rays) / static_cast<double>(omitted.tails_traced);
-    const auto left_out = static_cast<double>(omitted.tails_left_out);
+                  millions(static_cast<double>(savings.joint.traced))));
+  if (counts.tails_traced > 0) {
+    const double rays_each = static_cast<double>(counts.tail_rays) / static_cast<double>(counts.tails_traced);
+    const auto left_out = static_cast<double>(counts.tails_left_out);
     row("path_tails", left_out * rays_each,
         fmt::format("{} tails at {:.2f} rays", millions(left_out), rays_each));
   }
@@ -129,12 +153,12 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
       fmt::format("{} samples of the depth mesh", millions(static_cast<double>(savings.ratio_samples))));
   row("untouched_tiles", static_cast<double>(savings.untouched_rays),
       fmt::format("{} blocks of pixels, camera rays alone", savings.untouched_blocks));
-  row("dark_sky", static_cast<double>(omitted.dark_sky_rays), "last rays of paths");
+  row("dark_sky", static_cast<double>(counts.dark_sky_rays), "last rays of paths");
   if (savings.order_bytes > 0)
     rows.push_back({"who_is_in_front",
                     fmt::format("{:.1f} MB", static_cast<double>(savings.order_bytes) * 1e-6),
                     "of samples, not kept"});
-  const auto traced = static_cast<double>(savings.joint_rays + savings.depth_rays);
+  const auto traced = static_cast<double>(counts.traced);
   std::string out =
       fmt::format("\n{}: {} rays traced, about {} left out\n", scene, millions(traced), millions(rays));
   return out + table(rows, 4);
