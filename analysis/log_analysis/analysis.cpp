@@ -106,7 +106,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.people = select_participants(analysis.log, include_pilot);
   analysis.scores = score_matrix(analysis.log, analysis.people);
   analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
-  static_cast<void>(average_answers(analysis.log, analysis.people));  // throws when nobody can be used
+  require_answers(analysis.log, analysis.people);
   std::vector<std::string> notes_on_study;
   const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
   analysis.adaptive = is_adaptive(study);

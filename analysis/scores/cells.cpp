@@ -126,6 +126,17 @@ ArtifactScores artifact_scores(Artifact artifact, const std::map<int, PersonMean
   return scores;
 }
 
+ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+  ObjectTallies tallies = tally_answers(log, people);
+  if (tallies.empty())
+    throw input_error({.file = log.file.string(),
+                       .field = "",
+                       .wanted = "answers of at least one completed participant who is not excluded",
+                       .found = "none among " + std::to_string(people.size()) +
+                                " participants (pilot data need --include-pilot)"});
+  return tallies;
+}
+
 }  // namespace
 
 CellMean mean_over_participants(const std::vector<double>& values) {
@@ -138,15 +149,12 @@ CellMean mean_over_participants(const std::vector<double>& values) {
   return {.width_px = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
 }
 
-NoticeabilityData average_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
-  const ObjectTallies tallies = tally_answers(log, people);
-  if (tallies.empty())
-    throw input_error({.file = log.file.string(),
-                       .field = "",
-                       .wanted = "answers of at least one completed participant who is not excluded",
-                       .found = "none among " + std::to_string(people.size()) +
-                                " participants (pilot data need --include-pilot)"});
+void require_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+  static_cast<void>(tallies_of_somebody(log, people));
+}
 
+NoticeabilityData average_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+  const ObjectTallies tallies = tallies_of_somebody(log, people);
   NoticeabilityData data;
   std::map<Artifact, std::map<int, PersonMeans>> by_artifact;
   for (const auto& [key, widths] : tallies) {

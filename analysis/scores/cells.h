@@ -44,8 +44,11 @@ struct NoticeabilityData {
   std::vector<ObjectCurve> objects;
 };
 
-/// Averages the answers of the participants marked `Use::used`. Throws InputError when none of them has
-/// answered, and when an answer names a participant that the log does not list.
+/// Throws InputError when none of the participants marked `Use::used` has answered, and when an answer names
+/// a participant that the log does not list.
+void require_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people);
+
+/// Averages the answers of the participants marked `Use::used`. Throws InputError as `require_answers`.
 [[nodiscard]] NoticeabilityData average_answers(const study::LogContents& log,
                                                 const std::vector<ParticipantUse>& people);
 

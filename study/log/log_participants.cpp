@@ -1,4 +1,4 @@
-// Who is in the log, and in which order they see the trials.
+// Who is in the log, and how far they have come.
 #include <fmt/core.h>
 
 #include "study/log/log_tables.h"
@@ -22,20 +22,6 @@ std::string kind_text(const Enrolment& enrolment) {
   const Simulated& simulated = *enrolment.simulated;
   return kind_text(false, std::string(word(simulated.observer)), simulated.seed, simulated.image_gain);
 }
-
-constexpr const char* own_slot = R"sql(
-    WITH taken AS (SELECT slot FROM participants
-                   WHERE excluded = 0 AND pilot = ?1 AND (observer IS NOT NULL) = ?2)
-    SELECT min(slot) FROM (SELECT 0 AS slot UNION ALL SELECT slot + 1 FROM taken) WHERE slot NOT IN taken)sql";
-
-constexpr const char* shared_slot = R"sql(
-    WITH RECURSIVE orders (slot) AS (SELECT 0 UNION ALL SELECT slot + 1 FROM orders WHERE slot + 1 < ?3),
-         held AS (SELECT slot, completed FROM participants
-                  WHERE excluded = 0 AND pilot = ?1 AND (observer IS NOT NULL) = ?2)
-    SELECT slot FROM orders
-    ORDER BY (SELECT count(*) FROM held WHERE held.slot = orders.slot AND completed = 1),
-             (SELECT count(*) FROM held WHERE held.slot = orders.slot AND completed = 0), slot
-    LIMIT 1)sql";
 
 }  // namespace
 
@@ -71,36 +57,26 @@ std::optional<OpenSession> LogWriter::Tables::find_participant(const Enrolment& 
                        .field = "participant " + enrolment.code,
                        .wanted = in_log + ", as in the log (or another code or log)",
                        .found = kind_text(enrolment)});
-  read_plan(session);
+  read_trials(session);
   read_answers(session);
   return session;
 }
 
-int LogWriter::Tables::slot_for(const Enrolment& enrolment) {
-  if (enrolment.slot) return orders > 0 ? *enrolment.slot % orders : *enrolment.slot;
-  SQLite::Statement slot(database, orders > 0 ? shared_slot : own_slot);
-  SQLite::bind(slot, enrolment.pilot ? 1 : 0, enrolment.simulated ? 1 : 0);
-  if (orders > 0) slot.bind(3, orders);
-  slot.executeStep();
-  return slot.getColumn(0).getInt();
-}
-
 OpenSession LogWriter::Tables::enter_participant(const Enrolment& enrolment) {
-  const int slot = slot_for(enrolment);
   SQLite::Statement enter(
       database,
       "INSERT INTO participants (code, slot, pilot, observer, seed, image_gain) VALUES (?, ?, ?, ?, ?, ?)");
-  SQLite::bind(enter, enrolment.code, slot, enrolment.pilot ? 1 : 0);
+  SQLite::bind(enter, enrolment.code, enrolment.slot, enrolment.pilot ? 1 : 0);
   if (enrolment.simulated) {
     enter.bind(4, std::string(word(enrolment.simulated->observer)));
     enter.bind(5, static_cast<std::int64_t>(enrolment.simulated->seed));
     if (enrolment.simulated->image_gain) enter.bind(6, *enrolment.simulated->image_gain);
   }
   enter.exec();
-  return {.participant = database.getLastInsertRowid(), .slot = slot};
+  return {.participant = database.getLastInsertRowid(), .slot = enrolment.slot};
 }
 
-void LogWriter::Tables::read_plan(OpenSession& session) {
+void LogWriter::Tables::read_trials(OpenSession& session) {
   SQLite::Statement row(database,
                         "SELECT kind, stimulus FROM trials WHERE participant = ? ORDER BY trial_index");
   SQLite::bind(row, session.participant);
@@ -141,6 +117,20 @@ std::optional<KnownParticipant> LogWriter::find(const Enrolment& enrolment) {
                             .completed = found->completed,
                             .excluded = found->excluded,
                             .in_progress = tables_->claims.claimed_elsewhere(found->participant)};
+  });
+}
+
+std::vector<HeldSlot> LogWriter::held_slots(const Enrolment& enrolment) {
+  return with_log_errors(path_, [&] {
+    SQLite::Statement row(tables_->database, R"sql(
+        SELECT slot, completed FROM participants
+        WHERE excluded = 0 AND pilot = ? AND (observer IS NOT NULL) = ?)sql");
+    SQLite::bind(row, enrolment.pilot ? 1 : 0, enrolment.simulated ? 1 : 0);
+    const LogValues values(row, path_, "participants");
+    std::vector<HeldSlot> held;
+    while (row.executeStep())
+      held.push_back({.slot = values.number(0, 0), .completed = row.getColumn(1).getInt() != 0});
+    return held;
   });
 }
 

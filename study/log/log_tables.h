@@ -11,10 +11,9 @@
 namespace seamline::study {
 
 struct LogWriter::Tables {
-  Tables(SQLite::Database opened, const std::filesystem::path& log, int shared_orders)
+  Tables(SQLite::Database opened, const std::filesystem::path& log)
       : path(log),
         place(place_of(opened)),
-        orders(shared_orders),
         claims(place),
         file(file_identity(place)),
         ahead(file_identity(ahead_file(place))),
@@ -22,7 +21,6 @@ struct LogWriter::Tables {
 
   std::filesystem::path path;   ///< as it was given, for people
   std::filesystem::path place;  ///< where the open file is; a link may lead elsewhere by now
-  int orders = 0;               ///< that people share; 0: everybody has an order of their own
   SessionClaims claims;
   std::optional<FileIdentity> file, ahead;  ///< of the log and its write-ahead log, as they were opened
   SQLite::Database database;
@@ -31,8 +29,8 @@ struct LogWriter::Tables {
       database,
       "INSERT INTO sessions (participant, started_unix_s, last_unix_s, program_version) VALUES (?1, ?2, ?2, "
       "?3)"};
-  SQLite::Statement plan{database,
-                         "INSERT INTO trials (participant, trial_index, kind, stimulus) VALUES (?, ?, ?, ?)"};
+  SQLite::Statement trial{
+      database, "INSERT INTO trials (participant, trial_index, kind, stimulus) VALUES (?, ?, ?, ?)"};
   SQLite::Statement answer{database, R"sql(
       INSERT INTO answers (participant, trial_index, session, chosen_index, rating, choice_ns, rating_ns, image_scale)
       VALUES (?, ?, ?, ?, ?, ?, ?, ?))sql"};
@@ -51,8 +49,7 @@ struct LogWriter::Tables {
   void check_still_there() const;
 
  private:
-  [[nodiscard]] int slot_for(const Enrolment& enrolment);
-  void read_plan(OpenSession& session);
+  void read_trials(OpenSession& session);
   void read_answers(OpenSession& session);
 };
 

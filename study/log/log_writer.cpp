@@ -109,7 +109,7 @@ LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)
   with_log_errors(path_, [&] {
     check_undamaged(database, path_);
     claim_log(database, path_, set);
-    tables_ = std::make_unique<Tables>(std::move(database), path_, set.study.session.orders);
+    tables_ = std::make_unique<Tables>(std::move(database), path_);
   });
 }
 
@@ -139,11 +139,11 @@ void LogWriter::transaction(const std::function<void()>& work) {
   });
 }
 
-void LogWriter::plan_trials(OpenSession& session, std::span<const PlannedTrial> trials) {
+void LogWriter::append_trials(OpenSession& session, std::span<const PlannedTrial> trials) {
   transaction([&] {
     auto trial_index = static_cast<std::int64_t>(session.planned.size());
     for (const PlannedTrial& trial : trials)
-      run(tables_->plan, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus);
+      run(tables_->trial, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus);
   });
   session.planned.insert(session.planned.end(), trials.begin(), trials.end());
 }
@@ -167,8 +167,8 @@ void LogWriter::restart(OpenSession& session) {
                trial_index, kind, stimulus, session, chosen_index, rating, choice_ns, rating_ns, image_scale
         FROM answers JOIN trials USING (participant, trial_index) WHERE participant = ?1)sql");
     run(set_aside, session.participant);
-    SQLite::Statement plan(tables_->database, "DELETE FROM trials WHERE participant = ?");
-    run(plan, session.participant);  // the answers go with it
+    SQLite::Statement trials(tables_->database, "DELETE FROM trials WHERE participant = ?");
+    run(trials, session.participant);  // the answers go with it
   });
   session.planned.clear();
   session.answers.clear();

@@ -11,6 +11,7 @@
 #include "stimuli/definition/form_definition.h"
 #include "study/observers/observer.h"
 #include "study/placement/trial.h"
+#include "study/trials/slot.h"
 #include "study/trials/study_set.h"
 #include "study/visit/display_facts.h"
 
@@ -29,7 +30,7 @@ struct Enrolment {
   std::string code = {};  ///< 1 to 64 of A-Z a-z 0-9 . _ -; a code, never a name
   bool pilot = false;
   std::optional<Simulated> simulated = {};  ///< none: a person
-  std::optional<int> slot = {};             ///< none: the log chooses, see LogWriter::open_session
+  int slot = 0;                             ///< of a newcomer, see study/trials/slot.h
 };
 
 /// A participant's place in the log, as found when the session began.
@@ -98,19 +99,17 @@ class LogWriter {
   /// What the log knows of a code; none: a newcomer. Throws InputError as open_session does.
   [[nodiscard]] std::optional<KnownParticipant> find(const Enrolment& enrolment);
 
-  /// Enters a newcomer, or finds the participant again, and begins a session. Throws InputError when the code
-  /// is not well formed, belongs to a participant of another kind (pilot, simulated, observer, seed, gain),
-  /// or, for a person, a session of the participant is open elsewhere. The claim on the participant ends with
-  /// this LogWriter, or with the process, however that ends.
-  ///
-  /// A newcomer's slot, unless the enrolment names one: where everybody has an order of their own, the lowest
-  /// that nobody of the same kind (pilot, person, simulated) holds who is not excluded; where orders are
-  /// shared, the one with the fewest completed participants of that kind, then the fewest unfinished ones,
-  /// then the lowest.
+  /// The slots of participants of the same kind (pilot, person, simulated) who are not excluded.
+  [[nodiscard]] std::vector<HeldSlot> held_slots(const Enrolment& enrolment);
+
+  /// Enters a newcomer with the slot of the enrolment, or finds the participant again, and begins a session.
+  /// Throws InputError when the code is not well formed, belongs to a participant of another kind (pilot,
+  /// simulated, observer, seed, gain), or, for a person, a session of the participant is open elsewhere. The
+  /// claim on the participant ends with this LogWriter, or with the process, however that ends.
   [[nodiscard]] OpenSession open_session(const Enrolment& enrolment);
 
-  /// Adds trials after those already planned.
-  void plan_trials(OpenSession& session, std::span<const PlannedTrial> trials);
+  /// Adds trials after those that the log has.
+  void append_trials(OpenSession& session, std::span<const PlannedTrial> trials);
 
   /// Stores the answer to trial `session.answered`, which must be planned.
   void append_answer(OpenSession& session, const TrialAnswer& answer);

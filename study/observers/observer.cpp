@@ -183,6 +183,10 @@ double expected_noticeability(const ObserverDefinition& definition, Artifact art
                                                                                     : -octaves_past_midpoint);
 }
 
+void require_image_gain(const ObserverDefinition& definition) {
+  static_cast<void>(gain_of(definition));
+}
+
 double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {
   return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
 }

@@ -78,6 +78,9 @@ struct Response {
 [[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, Artifact artifact,
                                             double width_px);
 
+/// Throws InputError unless the definition has the `image` observer's gain.
+void require_image_gain(const ObserverDefinition& definition);
+
 /// The same of the `image` observer, for a visible difference above the floor, at least 0.
 [[nodiscard]] double expected_noticeability_of_difference(const ObserverDefinition& definition,
                                                           double visible_difference);

@@ -7,7 +7,8 @@
 #include <memory>
 
 #include "study/log/log_writer.h"
-#include "study/running/participant_procedure.h"
+#include "study/running/participant_session.h"
+#include "study/trials/slot.h"
 #include "study/trials/study_set.h"
 #include "study/visit/session.h"
 #include "support/arithmetic/random.h"
@@ -17,7 +18,7 @@ namespace seamline::study {
 namespace {
 
 constexpr std::uint64_t person_salt =
-    0x70656f706c65;  // "people": apart from the plan's and the renderer's numbers
+    0x70656f706c65;  // "people": apart from the order's and the renderer's numbers
 constexpr int participants_a_transaction = 25;
 
 /// Seed of one simulated person. Stream 0 makes the person, stream t + 1 answers trial t, so that an answer
@@ -36,7 +37,7 @@ using SharedDifferences = std::shared_ptr<const VisibleDifferences>;
 /// What `image` observers look at, once for all of them; none for the other kinds.
 SharedDifferences look_at_pictures(const SimulationRequest& request, const StudySet& set) {
   if (request.observer != ObserverKind::image) return nullptr;
-  static_cast<void>(expected_noticeability_of_difference(set.study.observer, 1));  // throws without a gain
+  require_image_gain(set.study.observer);
   return std::make_shared<const VisibleDifferences>(
       visible_differences(set.folder, set.manifest, set.study.observer.pixels_per_degree));
 }
@@ -76,16 +77,16 @@ Session run_trial(Session session, const SimulatedPerson& person, const StudySet
 }
 
 /// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
-int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const ProcedurePlan& plan,
+int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const TrialRules& rules,
                     const SimulatedPerson& person) {
-  Session session = begin_session(open_trials(plan, log, place),
+  Session session = begin_session(open_trials(rules, log, place),
                                   {.break_every_trials = set.study.session.break_every_trials});
   while (!std::holds_alternative<Done>(session.phase)) {
-    plan_due_trial(session.trials, log, place);
+    store_due_trial(session.trials, log, place);
     session = run_trial(std::move(session), person, set,
                         [&](const TrialAnswer& answer) { log.append_answer(place, answer); });
   }
-  const int tracks_on_edge = record_edge_alarms(session.trials.procedure, log, place, 0);
+  const int tracks_on_edge = store_edge_alarms(session.trials.procedure, log, place, 0);
   log.complete(place);
   return tracks_on_edge;
 }
@@ -94,7 +95,7 @@ int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, con
 struct SimulatedStudy {
   const SimulationRequest& request;
   StudySet set;
-  ProcedurePlan plan;
+  TrialRules rules;
   SharedDifferences differences;
 };
 
@@ -108,12 +109,12 @@ void simulate(LogWriter& log, const SimulatedStudy& study, int number, Simulatio
   OpenSession place =
       log.open_session({.code = fmt::format("sim-{:04}", number),
                         .simulated = Simulated{request.observer, request.seed, gain_of(study)},
-                        .slot = number - 1});
+                        .slot = slot_in_turn(study.set.study.session.orders, number - 1)});
   const bool complete = place.completed || place.excluded;
   ++(complete ? summary.participants_complete : summary.participants_run);
   if (complete) return;
   const int before = place.answered;
-  summary.tracks_on_edge += run_participant(log, place, study.set, study.plan,
+  summary.tracks_on_edge += run_participant(log, place, study.set, study.rules,
                                             make_person(request, study.set, study.differences, number));
   summary.answers_added += place.answered - before;
 }
@@ -123,8 +124,8 @@ void simulate(LogWriter& log, const SimulatedStudy& study, int number, Simulatio
 SimulationSummary run_simulated_study(const SimulationRequest& request) {
   assert(request.count >= 1);
   SimulatedStudy study{
-      .request = request, .set = load_study_set(request.set_folder), .plan = {}, .differences = {}};
-  study.plan = make_procedure_plan(study.set);
+      .request = request, .set = load_study_set(request.set_folder), .rules = {}, .differences = {}};
+  study.rules = make_trial_rules(study.set);
   if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
   study.differences = look_at_pictures(request, study.set);
   LogWriter log(request.log, study.set);

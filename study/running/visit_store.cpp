@@ -39,14 +39,14 @@ struct VisitStore::State {
   State(const StudySet& study_set, const fs::path& log_path, const Visitor& visitor)
       : set(study_set),
         enrolment{.code = visitor.code, .pilot = visitor.pilot},
-        procedure(make_procedure_plan(study_set)),
-        plan(std::make_shared<const VisitPlan>(make_visit_plan(study_set))),
+        rules(make_trial_rules(study_set)),
+        script(std::make_shared<const VisitScript>(make_visit_script(study_set))),
         log(log_path, study_set) {}
 
   const StudySet& set;
   Enrolment enrolment;
-  ProcedurePlan procedure;
-  std::shared_ptr<const VisitPlan> plan;
+  TrialRules rules;
+  std::shared_ptr<const VisitScript> script;
   LogWriter log;
   std::optional<OpenSession> place;  ///< none until the participant has consented
   std::vector<RawEvent> noted;
@@ -57,8 +57,8 @@ struct VisitStore::State {
   /// Stores one record; returns the event that says so.
   VisitEvent store(const Record& record);
   void store_noted();
-  /// An adaptive procedure's trial must be in the plan before its picture is shown.
-  [[nodiscard]] bool must_plan(const Visit& visit) const;
+  /// An adaptive procedure's trial must be in the log before its picture is shown.
+  [[nodiscard]] bool must_store_trial(const Visit& visit) const;
 
   /// Runs `work` as one transaction; when the log fails the visit stops.
   template <class Work>
@@ -76,9 +76,9 @@ VisitEvent VisitStore::State::store(const Record& record) {
                                  return RecordStored{};
                                },
                                [&](const ConsentRecord& consent) -> VisitEvent {
-                                 place = log.open_session(enrolment);
+                                 place = enter_session(log, enrolment, set.study.session.orders);
                                  log.record_consent(*place, set.study.consent.text, consent.accepted_unix_s);
-                                 return Enrolled{open_trials(procedure, log, *place)};
+                                 return Enrolled{open_trials(rules, log, *place)};
                                },
                                [&](const FormRecord& form) -> VisitEvent {
                                  log.record_form(*place, form.answers);
@@ -110,7 +110,7 @@ void VisitStore::State::store_noted() {
   if (frames.shown > 0 || frames.late > 0) log.add_frames(*place, frames);
 }
 
-bool VisitStore::State::must_plan(const Visit& visit) const {
+bool VisitStore::State::must_store_trial(const Visit& visit) const {
   return place && std::holds_alternative<TrialScreen>(visit.screen) &&
          static_cast<int>(place->planned.size()) <= place->answered;
 }
@@ -133,16 +133,16 @@ Visit VisitStore::State::guarded(Visit visit, Work&& work) {
 }
 
 Visit VisitStore::State::settle(Visit visit) {
-  if (!visit.pending && !must_plan(visit)) return visit;
+  if (!visit.pending && !must_store_trial(visit)) return visit;
   return guarded(std::move(visit), [&](Visit& now) {
     while (now.pending) {
       if (std::holds_alternative<CompletionRecord>(*now.pending))
-        record_edge_alarms(now.session.trials.procedure, log, *place, last_ns);
+        store_edge_alarms(now.session.trials.procedure, log, *place, last_ns);
       const VisitEvent stored = store(*now.pending);
       now = next(std::move(now), stored);
     }
     store_noted();
-    if (must_plan(now)) plan_due_trial(now.session.trials, log, *place);
+    if (must_store_trial(now)) store_due_trial(now.session.trials, log, *place);
   });
 }
 
@@ -160,11 +160,11 @@ VisitStore::~VisitStore() = default;
 
 Visit VisitStore::begin() {
   State& state = *state_;
-  if (!state.place) return begin_visit(state.plan);
+  if (!state.place) return begin_visit(state.script);
   if (state.set.study.session.resume == ResumePolicy::restart && state.place->answered > 0)
     state.log.restart(*state.place);
-  return state.settle(resume_visit(state.plan, state.place->form_done,
-                                   open_trials(state.procedure, state.log, *state.place)));
+  return state.settle(
+      resume_visit(state.script, state.place->form_done, open_trials(state.rules, state.log, *state.place)));
 }
 
 Visit VisitStore::step(Visit visit, const VisitEvent& event) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/log/log_writer.h"
-#include "study/running/participant_procedure.h"
+#include "study/running/participant_session.h"
 #include "study/trials/study_set.h"
 #include "study/visit/visit.h"
 
@@ -18,9 +18,6 @@ struct Visitor {
   std::string code = {};  ///< 1 to 64 of A-Z a-z 0-9 . _ -; never a name
   bool pilot = false;
 };
-
-/// What a set's study makes of every visit. Throws InputError when a training stimulus is not in the set.
-[[nodiscard]] VisitPlan make_visit_plan(const StudySet& set);
 
 /// Between a visit and the log: everything but the window.
 ///

@@ -1,18 +1,19 @@
 #include "study/visit/visit.h"
 
 #include "study/placement/overloaded.h"
-#include "study/trials/catch_plan.h"
+#include "study/trials/catch_trials.h"
 
 namespace seamline::study {
 namespace {
 
-Session begin_training(const VisitPlan& plan) {
+Session begin_training(const VisitScript& script) {
   ConstantProcedure procedure;
-  for (const PlannedTrial& trial : plan.training)
+  for (const PlannedTrial& trial : script.training)
     if (trial.kind == TrialKind::stimulus) procedure.order.push_back(trial.stimulus);
-  SessionPace pace = plan.pace;
+  SessionPace pace = script.pace;
   pace.break_every_trials = 0;
-  return begin_session({.procedure = std::move(procedure), .catches = catches_of(plan.training)}, pace);
+  return begin_session({.procedure = std::move(procedure), .catches = catch_trials_of(script.training)},
+                       pace);
 }
 
 template <class Wanted>
@@ -44,7 +45,7 @@ std::vector<FormAnswer> known_answers(const std::vector<FormField>& form,
 }
 
 Screen after_consent(const Visit& visit) {
-  return visit.form_done || visit.plan->form.empty() ? Screen(DisplayScreen{}) : Screen(FormScreen{});
+  return visit.form_done || visit.script->form.empty() ? Screen(DisplayScreen{}) : Screen(FormScreen{});
 }
 
 Screen training_or_ready(const Visit& visit) {
@@ -53,7 +54,7 @@ Screen training_or_ready(const Visit& visit) {
 }
 
 Screen after_display(const Visit& visit) {
-  return visit.plan->instruction_pages > 0 ? Screen(InstructionScreen{}) : training_or_ready(visit);
+  return visit.script->instruction_pages > 0 ? Screen(InstructionScreen{}) : training_or_ready(visit);
 }
 
 /// The screen of the session's phase; asks for the completion after the last trial.
@@ -71,7 +72,7 @@ void after_training_stored(Visit& visit, const TrainingRecord& record) {
   visit.screen = FeedbackScreen{
       .trial = record.trial,
       .chosen_index = record.answer.chosen_index,
-      .right_index = visit.plan->training_right[static_cast<std::size_t>(record.answer.trial_index)]};
+      .right_index = visit.script->training_right[static_cast<std::size_t>(record.answer.trial_index)]};
 }
 
 /// What was pending is stored.
@@ -98,7 +99,7 @@ Visit after_record(Visit visit, const VisitEvent& event) {
     const auto* enrolled = std::get_if<Enrolled>(&event);
     if (enrolled == nullptr) return visit;
     visit.pending.reset();
-    visit.session = begin_session(enrolled->trials, visit.plan->pace);
+    visit.session = begin_session(enrolled->trials, visit.script->pace);
     visit.screen = after_consent(visit);
   } else if (is<RecordStored>(event)) {
     visit.pending.reset();
@@ -124,16 +125,17 @@ void on_trial(Visit& visit, const VisitEvent& event) {
 void on_form(Visit& visit, const VisitEvent& event) {
   const auto* submitted = std::get_if<FormSubmitted>(&event);
   if (submitted == nullptr) return;
-  const std::vector<FormProblem> problems = problems_in(visit.plan->form, submitted->answers);
+  const std::vector<FormProblem> problems = problems_in(visit.script->form, submitted->answers);
   visit.screen = FormScreen{problems};
-  if (problems.empty()) visit.pending = FormRecord{known_answers(visit.plan->form, submitted->answers)};
+  if (problems.empty()) visit.pending = FormRecord{known_answers(visit.script->form, submitted->answers)};
 }
 
 void on_instructions(Visit& visit, InstructionScreen screen, const VisitEvent& event) {
   if (is<WentBack>(event) && screen.page > 0) visit.screen = InstructionScreen{screen.page - 1};
   if (!is<Continued>(event)) return;
-  visit.screen = screen.page + 1 < visit.plan->instruction_pages ? Screen(InstructionScreen{screen.page + 1})
-                                                                 : training_or_ready(visit);
+  visit.screen = screen.page + 1 < visit.script->instruction_pages
+                     ? Screen(InstructionScreen{screen.page + 1})
+                     : training_or_ready(visit);
 }
 
 /// The screen that a pause interrupts, if it can.
@@ -197,18 +199,18 @@ bool has_ended(const Screen& screen) {
 
 }  // namespace
 
-Visit begin_visit(std::shared_ptr<const VisitPlan> plan) {
+Visit begin_visit(std::shared_ptr<const VisitScript> script) {
   Visit visit;
-  visit.training = begin_training(*plan);
+  visit.training = begin_training(*script);
   visit.screen = ConsentScreen{};
-  visit.plan = std::move(plan);
+  visit.script = std::move(script);
   return visit;
 }
 
-Visit resume_visit(std::shared_ptr<const VisitPlan> plan, bool form_done, TrialSequence trials) {
-  Visit visit = begin_visit(std::move(plan));
+Visit resume_visit(std::shared_ptr<const VisitScript> script, bool form_done, TrialSequence trials) {
+  Visit visit = begin_visit(std::move(script));
   visit.form_done = form_done;
-  visit.session = begin_session(std::move(trials), visit.plan->pace);
+  visit.session = begin_session(std::move(trials), visit.script->pace);
   if (std::holds_alternative<Done>(visit.session.phase))
     show_session(visit);
   else

@@ -8,21 +8,13 @@
 #include "stimuli/definition/form_definition.h"
 #include "study/visit/display_facts.h"
 #include "study/visit/session.h"
+#include "study/visit/visit_script.h"
 
 namespace seamline::study {
 
 // A visit is everything a participant meets, from consent to thanks, as a value. `next` is pure: no clock, no
 // window, no log. What must be stored comes out in `Visit::pending`, and nothing goes on until the caller
 // says that it is stored (study/running/visit_store.h does).
-
-/// What is the same for every visit to a study.
-struct VisitPlan {
-  std::vector<FormField> form = {};
-  int instruction_pages = 0;
-  std::vector<PlannedTrial> training = {};
-  std::vector<int> training_right = {};  ///< the right choice of each: 1 left, 2 middle, 3 right
-  SessionPace pace = {};
-};
 
 // Screens.
 
@@ -112,7 +104,7 @@ using VisitEvent = std::variant<ConsentGiven, ConsentRefused, FormSubmitted, Dis
                                 WentBack, PauseBegun, RecordStored, Enrolled, StoreFailed, Event>;
 
 struct Visit {
-  std::shared_ptr<const VisitPlan> plan;
+  std::shared_ptr<const VisitScript> script;
   bool form_done = false;  ///< a participant who comes again has answered it
   Session training;
   Session session;  ///< empty until the participant is enrolled
@@ -121,11 +113,12 @@ struct Visit {
 };
 
 /// The visit of a newcomer: at the consent.
-[[nodiscard]] Visit begin_visit(std::shared_ptr<const VisitPlan> plan);
+[[nodiscard]] Visit begin_visit(std::shared_ptr<const VisitScript> script);
 
 /// The visit of a participant who has consented before: at the form, or at the display check when the form is
 /// answered. When no trial is left, the completion is pending.
-[[nodiscard]] Visit resume_visit(std::shared_ptr<const VisitPlan> plan, bool form_done, TrialSequence trials);
+[[nodiscard]] Visit resume_visit(std::shared_ptr<const VisitScript> script, bool form_done,
+                                 TrialSequence trials);
 
 /// The visit after an event.
 ///

@@ -7,7 +7,7 @@
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/report/json/thresholds_json.h"
 #include "study/log/log_writer.h"
-#include "study/running/participant_procedure.h"
+#include "study/running/participant_session.h"
 #include "study/running/simulation.h"
 #include "support/text/error.h"
 #include "tests/study/temporary_set.h"
@@ -23,8 +23,8 @@ void take_part(LogWriter& log, const StudySet& set, const Enrolment& who, Observ
                std::uint64_t seed) {
   Random random(seed);
   const Observer observer = make_observer(kind, set.study.observer, random);
-  OpenSession place = log.open_session(who);
-  TrialSequence trials = open_trials(make_procedure_plan(set), log, place);
+  OpenSession place = enter_session(log, who, 0);
+  TrialSequence trials = open_trials(make_trial_rules(set), log, place);
   while (const std::optional<PlannedTrial> due = current_trial(trials)) {
     const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(due->stimulus)].stimulus;
     const Response response = due->kind == TrialKind::stimulus ? respond(observer, stimulus, random)

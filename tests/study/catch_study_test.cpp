@@ -8,10 +8,10 @@
 #include "study/log/log.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
-#include "study/running/participant_procedure.h"
+#include "study/running/participant_session.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/simulation.h"
-#include "study/trials/catch_plan.h"
+#include "study/trials/catch_trials.h"
 #include "temporary_set.h"
 
 namespace seamline::study {
@@ -113,31 +113,31 @@ TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
     const std::string text = base + catches(4, 4);
     const std::string name = base == adaptive_text() ? "adaptive" : "constant";
     const StudySet set = write_set_of_text(folder / (name + "-set"), text);
-    const ProcedurePlan plan = make_procedure_plan(set);
+    const TrialRules rules = make_trial_rules(set);
     const auto answer = [](int trial) {
       return TrialAnswer{.trial_index = trial, .chosen_index = 1 + trial % 3, .rating = 1 + trial % 4};
     };
     LogWriter log(folder / name, set);
     OpenSession place = log.open_session({.code = "whole"});
-    TrialSequence trials = open_trials(plan, log, place);
+    TrialSequence trials = open_trials(rules, log, place);
     while (current_trial(trials)) {
-      plan_due_trial(trials, log, place);
+      store_due_trial(trials, log, place);
       log.append_answer(place, answer(place.answered));
       trials = after_answer(std::move(trials), place.answers.back());
     }
-    ASSERT_GT(catches_of(place.planned).size(), 4U);
+    ASSERT_GT(catch_trials_of(place.planned).size(), 4U);
     // The same slot, and a new session before every trial; sometimes after the picture was shown.
     exclude_participant(folder / name, "whole");
     int shown = 0;
     for (;;) {
       OpenSession part = log.open_session({.code = "parts"});
       ASSERT_EQ(part.slot, place.slot);
-      const TrialSequence resumed = open_trials(plan, log, part);
+      const TrialSequence resumed = open_trials(rules, log, part);
       if (!current_trial(resumed)) {
         EXPECT_EQ(part.planned, place.planned);
         break;
       }
-      plan_due_trial(resumed, log, part);
+      store_due_trial(resumed, log, part);
       if (++shown % 3 == 0) continue;
       log.append_answer(part, answer(part.answered));
     }
@@ -150,12 +150,12 @@ TEST_F(CatchStudyTest, QuestPlusLearnsFromStimuliOnly) {
   const StudySet with = write_set_of_text(folder / "with", adaptive_text() + catches(5, 5));
   const StudySet without = write_set_of_text(folder / "without", adaptive_text());
   const auto run = [&](const StudySet& set, const std::string& name) {
-    const ProcedurePlan plan = make_procedure_plan(set);
+    const TrialRules rules = make_trial_rules(set);
     LogWriter log(folder / name, set);
     OpenSession place = log.open_session({.code = "p"});
-    TrialSequence trials = open_trials(plan, log, place);
+    TrialSequence trials = open_trials(rules, log, place);
     while (const std::optional<PlannedTrial> due = current_trial(trials)) {
-      plan_due_trial(trials, log, place);
+      store_due_trial(trials, log, place);
       const int own = answered_trials(trials.procedure);
       log.append_answer(place, {.trial_index = place.answered,
                                 .chosen_index = due->kind == TrialKind::stimulus ? 1 + own % 3 : 3,

@@ -3,8 +3,9 @@
 
 #include "study/log/log.h"
 #include "study/log/log_writer.h"
-#include "study/trials/catch_plan.h"
-#include "study/trials/trial_order.h"
+#include "study/running/participant_session.h"
+#include "study/trials/catch_trials.h"
+#include "study/trials/stimulus_order.h"
 #include "support/text/error.h"
 #include "temporary_set.h"
 #include "tests/complaint.h"
@@ -20,13 +21,13 @@ class LogTest : public testing::Test {
   std::filesystem::path path = folder / "log.sqlite";
 
   [[nodiscard]] std::vector<int> order(int slot) const {
-    return plan_order(static_cast<int>(set.manifest.stimuli.size()),
-                      {.study_seed = set.study.seed, .slot = slot});
+    return stimulus_order(static_cast<int>(set.manifest.stimuli.size()),
+                          {.study_seed = set.study.seed, .slot = slot});
   }
   [[nodiscard]] std::vector<PlannedTrial> plan(int slot) const { return interleave(order(slot), {}); }
   OpenSession enter(LogWriter& log, const Enrolment& enrolment, int answers) const {
-    OpenSession session = log.open_session(enrolment);
-    if (session.planned.empty()) log.plan_trials(session, plan(session.slot));
+    OpenSession session = enter_session(log, enrolment, set.study.session.orders);
+    if (session.planned.empty()) log.append_trials(session, plan(session.slot));
     for (int i = 0; i < answers; ++i) log.append_answer(session, answer(session.answered));
     return session;
   }

@@ -12,8 +12,9 @@
 #include "sound_log.h"
 #include "study/log/log.h"
 #include "study/log/log_writer.h"
-#include "study/trials/catch_plan.h"
-#include "study/trials/trial_order.h"
+#include "study/running/participant_session.h"
+#include "study/trials/catch_trials.h"
+#include "study/trials/stimulus_order.h"
 #include "support/arithmetic/random.h"
 #include "temporary_set.h"
 
@@ -33,12 +34,12 @@ TrialAnswer answer_to(int participant, int trial_index) {
 }
 
 void write_participant(LogWriter& log, const StudySet& set, int participant, int pipe_end) {
-  OpenSession place = log.open_session({.code = fmt::format("p{:05}", participant)});
+  OpenSession place = enter_session(log, {.code = fmt::format("p{:05}", participant)}, 0);
   if (place.completed) return;
   if (place.planned.empty())
-    log.plan_trials(
+    log.append_trials(
         place,
-        interleave(plan_order(static_cast<int>(set.manifest.stimuli.size()), {.slot = place.slot}), {}));
+        interleave(stimulus_order(static_cast<int>(set.manifest.stimuli.size()), {.slot = place.slot}), {}));
   while (place.answered < static_cast<int>(place.planned.size())) {
     const TrialAnswer answer = answer_to(participant, place.answered);
     log.append_answer(place, answer);

@@ -10,8 +10,8 @@
 #include "log_fixture.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
-#include "study/trials/catch_plan.h"
-#include "study/trials/trial_order.h"
+#include "study/trials/catch_trials.h"
+#include "study/trials/stimulus_order.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
@@ -138,13 +138,14 @@ TEST_F(LogTest, KeepsRawEvents) {
 
 TEST_F(LogTest, SlotsAreFilledFromBelowAndFreedByExclusion) {
   LogWriter log(path, set);
-  EXPECT_EQ(log.open_session({.code = "a"}).slot, 0);
-  EXPECT_EQ(log.open_session({.code = "b"}).slot, 1);
-  EXPECT_EQ(log.open_session({.code = "test", .pilot = true}).slot, 0);
-  EXPECT_EQ(log.open_session({.code = "c"}).slot, 2);
+  const auto slot = [&](const Enrolment& enrolment) { return enter_session(log, enrolment, 0).slot; };
+  EXPECT_EQ(slot({.code = "a"}), 0);
+  EXPECT_EQ(slot({.code = "b"}), 1);
+  EXPECT_EQ(slot({.code = "test", .pilot = true}), 0);
+  EXPECT_EQ(slot({.code = "c"}), 2);
   exclude_participant(path, "b");
-  EXPECT_EQ(log.open_session({.code = "d"}).slot, 1);
-  EXPECT_EQ(log.open_session({.code = "e"}).slot, 3);
+  EXPECT_EQ(slot({.code = "d"}), 1);
+  EXPECT_EQ(slot({.code = "e"}), 3);
   EXPECT_TRUE(log.open_session({.code = "b"}).excluded);
 }
 

@@ -8,7 +8,7 @@
 
 #include "study/log/log.h"
 #include "study/log/log_writer.h"
-#include "study/running/participant_procedure.h"
+#include "study/running/participant_session.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/simulation.h"
 #include "support/text/error.h"
@@ -87,27 +87,27 @@ TEST_F(QuestPlusStudyTest, ABrokenOffSessionGoesOnAsIfNothingHadHappened) {
   const StudySet set = adaptive_set();
   run_simulated_study(request("whole", 1));
   const LogContents whole = read_log(folder / "whole");
-  const ProcedurePlan plan = make_procedure_plan(set);
+  const TrialRules rules = make_trial_rules(set);
   for (const int broken_off_at : {1, 13, 40, 95})
     for (const bool image_was_shown : {false, true}) {
       const std::string name = fmt::format("half{}{}", broken_off_at, image_was_shown);
       {
         LogWriter log(folder / name, set);
         OpenSession place = log.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-        TrialSequence trials = open_trials(plan, log, place);
+        TrialSequence trials = open_trials(rules, log, place);
         for (int trial = 0; trial < broken_off_at; ++trial) {
-          plan_due_trial(trials, log, place);
+          store_due_trial(trials, log, place);
           const Answer& given = whole.answers[static_cast<std::size_t>(trial)];
           const TrialAnswer answer{
               .trial_index = trial, .chosen_index = given.chosen_index, .rating = given.rating};
           log.append_answer(place, answer);
           trials = after_answer(std::move(trials), answer);
         }
-        if (image_was_shown) plan_due_trial(trials, log, place);
+        if (image_was_shown) store_due_trial(trials, log, place);
 
         LogWriter reopened(folder / name, set);
         OpenSession again = reopened.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-        const TrialSequence resumed = open_trials(plan, reopened, again);
+        const TrialSequence resumed = open_trials(rules, reopened, again);
         EXPECT_EQ(current_trial(resumed), current_trial(trials));
         EXPECT_EQ(std::get<QuestPlusProcedure>(resumed.procedure).tracks,
                   std::get<QuestPlusProcedure>(trials.procedure).tracks);
@@ -190,12 +190,12 @@ TEST_F(QuestPlusStudyTest, ASessionWithPriorsGoesOnAndKeepsToItsStudy) {
   run_simulated_study(request("whole", 1));
   run_simulated_study(request("half", 1));
   const LogContents whole = read_log(folder / "whole");
-  const ProcedurePlan plan = make_procedure_plan(set);
+  const TrialRules rules = make_trial_rules(set);
   LogWriter log(folder / "parts", set);
   OpenSession place = log.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-  TrialSequence trials = open_trials(plan, log, place);
+  TrialSequence trials = open_trials(rules, log, place);
   for (int trial = 0; trial < 50; ++trial) {
-    plan_due_trial(trials, log, place);
+    store_due_trial(trials, log, place);
     const Answer& given = whole.answers[static_cast<std::size_t>(trial)];
     const TrialAnswer answer{
         .trial_index = trial, .chosen_index = given.chosen_index, .rating = given.rating};
@@ -204,7 +204,7 @@ TEST_F(QuestPlusStudyTest, ASessionWithPriorsGoesOnAndKeepsToItsStudy) {
   }
   LogWriter reopened(folder / "parts", set);
   OpenSession again = reopened.open_session({.code = "sim-0001", .simulated = Simulated{.seed = 1}});
-  const TrialSequence resumed = open_trials(plan, reopened, again);
+  const TrialSequence resumed = open_trials(rules, reopened, again);
   EXPECT_EQ(current_trial(resumed), current_trial(trials));
   EXPECT_EQ(std::get<QuestPlusProcedure>(resumed.procedure).tracks,
             std::get<QuestPlusProcedure>(trials.procedure).tracks);

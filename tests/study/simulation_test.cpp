@@ -14,8 +14,8 @@
 #include "study/log/log.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
-#include "study/trials/catch_plan.h"
-#include "study/trials/trial_order.h"
+#include "study/trials/catch_trials.h"
+#include "study/trials/stimulus_order.h"
 #include "support/text/error.h"
 #include "temporary_set.h"
 
@@ -90,8 +90,8 @@ TEST_F(SimulationTest, AHalfFinishedParticipantGoesOnAsIfNothingHadHappened) {
     LogWriter log(folder / "half", set);
     OpenSession place =
         log.open_session({.code = "sim-0001", .simulated = Simulated{ObserverKind::threshold, 1}});
-    log.plan_trials(place,
-                    interleave(plan_order(24, {.study_seed = set.study.seed, .slot = place.slot}), {}));
+    log.append_trials(place,
+                      interleave(stimulus_order(24, {.study_seed = set.study.seed, .slot = place.slot}), {}));
     for (int trial = 0; trial < 10; ++trial) {
       const Answer& answer = whole.answers[static_cast<std::size_t>(trial)];
       log.append_answer(place,

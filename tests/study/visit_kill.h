@@ -14,7 +14,7 @@
 #include "scripted_person.h"
 #include "study/log/log.h"
 #include "study/running/visit_store.h"
-#include "study/trials/catch_plan.h"
+#include "study/trials/catch_trials.h"
 #include "temporary_set.h"
 
 namespace seamline::study {

@@ -223,7 +223,7 @@ TEST(Visit, WhoHasNothingLeftOnlyNeedsTheCompletion) {
 }
 
 TEST(Visit, EmptyPartsArePassedOver) {
-  const VisitPlan bare{.pace = {}};
+  const VisitScript bare{.pace = {}};
   Visit visit = stored(next(begin_visit(shared(bare)), ConsentGiven{}), 1);
   EXPECT_TRUE(on<DisplayScreen>(visit));
   visit = stored(next(visit, DisplayConfirmed{}));

@@ -76,11 +76,14 @@ Priors priors_of(const FitArguments& arguments) {
   return priors;
 }
 
-void is_lapse(const std::string& text) {
+void require_lapse(const std::string& text) {
   (void)rate_of("--lapse", text, largest_free_lapse);
 }
-void is_guess(const std::string& text) {
+void require_guess(const std::string& text) {
   (void)rate_of("--guess", text, largest_free_guess);
+}
+void require_pair(const std::string& option, const std::string& text) {
+  (void)pair_of(option, text);
 }
 
 study::Axis axis_of(const FitArguments& arguments) {
@@ -135,10 +138,10 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
       ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
       ->capture_default_str();
-  add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", is_lapse)
+  add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", require_lapse)
       ->capture_default_str();
   add_formed_text(*command, "--guess", arguments->guess, "RATE",
-                  "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no", is_guess);
+                  "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no", require_guess);
   add_number(*command, "--percent", arguments->request.percents, {0, 100},
              "also the level of this percentage correct, between 0 and 100; repeat for more");
   command->add_flag("--overdispersed", arguments->overdispersed,
@@ -150,7 +153,7 @@ void add_fit_command(CLI::App& app) {
   const auto add_prior = [&](const std::string& name, std::string& target, const char* form,
                              const char* description) {
     add_formed_text(*command, name, target, form, description,
-                    [name](const std::string& text) { (void)pair_of(name, text); });
+                    [name](const std::string& text) { require_pair(name, text); });
   };
   add_prior("--threshold-prior", arguments->threshold_prior, "MEAN,SD",
             "normal on the axis, MEAN a level (MAP)");

@@ -38,8 +38,8 @@ Outcome draw(const FormScreen& screen, const Visit& visit, Stage& stage) {
   Ui& ui = stage.ui;
   ui.begin_card(36);
   ui.heading(stage.phrase(Phrase::form_title));
-  if (!visit.plan->form.empty()) ui.prefer(visit.plan->form.front().name);
-  for (const FormField& field : visit.plan->form) {
+  if (!visit.script->form.empty()) ui.prefer(visit.script->form.front().name);
+  for (const FormField& field : visit.script->form) {
     ui.label(field.label);
     if (!field.required) ui.note(stage.phrase(Phrase::form_optional));
     draw_field(field, stage);
@@ -56,7 +56,7 @@ Outcome draw(const FormScreen& screen, const Visit& visit, Stage& stage) {
   ui.end_card();
   if (!submitted) return std::nullopt;
   FormSubmitted form;
-  for (const FormField& field : visit.plan->form)
+  for (const FormField& field : visit.script->form)
     if (const std::string& value = stage.drafts.form[field.name]; !value.empty())
       form.answers.push_back({field.name, value});
   return form;

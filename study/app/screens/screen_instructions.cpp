@@ -17,7 +17,7 @@ Outcome draw(const InstructionScreen& screen, const Visit& visit, Stage& stage) 
   }
   for (const Texture& picture : stage.instruction_pictures.at(at)) ui.picture(picture);
   ui.note(stage.phrase(Phrase::page_of, {{"page", fmt::format("{}", screen.page + 1)},
-                                         {"pages", fmt::format("{}", visit.plan->instruction_pages)}}));
+                                         {"pages", fmt::format("{}", visit.script->instruction_pages)}}));
   std::vector<Ui::ButtonText> buttons;
   if (screen.page > 0) buttons.push_back({"back", stage.phrase(Phrase::back_button)});
   buttons.push_back({"continue", stage.phrase(Phrase::continue_button), Ui::ButtonKind::leading});

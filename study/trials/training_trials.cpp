@@ -1,17 +1,15 @@
+#include "study/trials/training_trials.h"
+
 #include <algorithm>
 #include <map>
+#include <string>
+#include <utility>
 
-#include "study/running/visit_store.h"
-#include "study/trials/trial_picture.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
 
 namespace seamline::study {
 namespace {
-
-std::int64_t nanoseconds(double seconds) {
-  return static_cast<std::int64_t>(seconds * 1e9);
-}
 
 /// The stimuli of each artifact, the coarsest first, and among equals another object first for each artifact,
 /// so that practice does not teach that it is always the same one.
@@ -66,21 +64,13 @@ int index_of(const StudySet& set, const std::string& id) {
 
 }  // namespace
 
-VisitPlan make_visit_plan(const StudySet& set) {
-  const StudyDefinition& study = set.study;
-  VisitPlan plan{.form = study.form,
-                 .instruction_pages = static_cast<int>(study.instructions.size()),
-                 .pace = {.break_every_trials = study.session.break_every_trials,
-                          .minimum_viewing_ns = nanoseconds(study.session.minimum_viewing_s),
-                          .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
-  std::vector<int> training;
-  if (study.training.stimuli.empty()) training = easiest(set, study.training.trials);
-  for (const std::string& id : study.training.stimuli) training.push_back(index_of(set, id));
-  for (const int stimulus : training) {
-    plan.training.push_back({.kind = TrialKind::stimulus, .stimulus = stimulus});
-    plan.training_right.push_back(right_object(set, plan.training.back()));
-  }
-  return plan;
+std::vector<PlannedTrial> training_trials(const StudySet& set) {
+  std::vector<int> stimuli;
+  if (set.study.training.stimuli.empty()) stimuli = easiest(set, set.study.training.trials);
+  for (const std::string& id : set.study.training.stimuli) stimuli.push_back(index_of(set, id));
+  std::vector<PlannedTrial> trials;
+  for (const int stimulus : stimuli) trials.push_back({.kind = TrialKind::stimulus, .stimulus = stimulus});
+  return trials;
 }
 
 }  // namespace seamline::study

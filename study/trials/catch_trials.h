@@ -4,7 +4,7 @@
 
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/stimulus.h"
-#include "study/trials/trial_order.h"
+#include "study/trials/stimulus_order.h"
 #include "study/trials/trial_sequence.h"
 
 namespace seamline::study {
@@ -15,15 +15,15 @@ namespace seamline::study {
 /// apart. The kinds are mixed at random; attention trials go through scenes and objects, reference trials
 /// through scenes, in a random order, each as often as the others. The same for the same key on every
 /// machine.
-[[nodiscard]] std::vector<CatchTrial> plan_catches(const CatchDefinition& definition,
-                                                   std::span<const Stimulus> set, int stimulus_trials,
-                                                   const PlanKey& key);
+[[nodiscard]] std::vector<CatchTrial> draw_catch_trials(const CatchDefinition& definition,
+                                                        std::span<const Stimulus> set, int stimulus_trials,
+                                                        const OrderKey& key);
 
 /// A fixed order of stimuli with catch trials in their places.
 [[nodiscard]] std::vector<PlannedTrial> interleave(std::span<const int> order,
                                                    std::span<const CatchTrial> catches);
 
 /// The catch trials of a plan, in their places: the inverse of `interleave`.
-[[nodiscard]] std::vector<CatchTrial> catches_of(std::span<const PlannedTrial> planned);
+[[nodiscard]] std::vector<CatchTrial> catch_trials_of(std::span<const PlannedTrial> planned);
 
 }  // namespace seamline::study

@@ -1,4 +1,4 @@
-#include "study/trials/catch_plan.h"
+#include "study/trials/catch_trials.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,8 @@ std::vector<Stimulus> small_set() {
 std::vector<PlannedTrial> planned(int stimuli, const CatchDefinition& definition, int slot) {
   std::vector<int> order(static_cast<std::size_t>(stimuli));
   std::iota(order.begin(), order.end(), 0);
-  return interleave(order, plan_catches(definition, small_set(), stimuli, {.study_seed = 3, .slot = slot}));
+  return interleave(order,
+                    draw_catch_trials(definition, small_set(), stimuli, {.study_seed = 3, .slot = slot}));
 }
 
 bool is_catch(const PlannedTrial& trial) {
@@ -79,8 +80,8 @@ TEST(CatchPlan, IsSpreadEvenlyButAtRandom) {
   constexpr int people = 4000, catches = 4, stimuli = 81;
   for (int slot = 0; slot < people; ++slot) {
     std::map<int, int> in_quarter;
-    for (const CatchTrial& one : plan_catches({.attention = 2, .reference = 2}, small_set(), stimuli,
-                                              {.study_seed = 9, .slot = slot})) {
+    for (const CatchTrial& one : draw_catch_trials({.attention = 2, .reference = 2}, small_set(), stimuli,
+                                                   {.study_seed = 9, .slot = slot})) {
       ++at[one.after_stimulus_trials];
       ++in_quarter[(one.after_stimulus_trials - 1) / 20];
     }
@@ -99,7 +100,7 @@ TEST(CatchPlan, GoesThroughScenesAndObjects) {
     std::map<std::pair<std::string, int>, int> attention;
     std::map<std::string, int> reference;
     for (const CatchTrial& one :
-         plan_catches({.attention = 12, .reference = 4}, set, 84, {.study_seed = 3, .slot = slot})) {
+         draw_catch_trials({.attention = 12, .reference = 4}, set, 84, {.study_seed = 3, .slot = slot})) {
       const Stimulus& stimulus = set[static_cast<std::size_t>(one.trial.stimulus)];
       if (one.trial.kind == TrialKind::attention) ++attention[{stimulus.scene, stimulus.object_index}];
       if (one.trial.kind == TrialKind::reference) ++reference[stimulus.scene];
@@ -118,8 +119,8 @@ TEST(CatchPlan, IsTheSameForTheSameKeyAndAnotherForAnother) {
 TEST(CatchPlan, ComesBackOutOfAPlan) {
   for (int slot = 0; slot < 20; ++slot) {
     const std::vector<CatchTrial> catches =
-        plan_catches({.attention = 3, .reference = 4}, small_set(), 12, {.study_seed = 3, .slot = slot});
-    EXPECT_EQ(catches_of(planned(12, {.attention = 3, .reference = 4}, slot)), catches);
+        draw_catch_trials({.attention = 3, .reference = 4}, small_set(), 12, {.study_seed = 3, .slot = slot});
+    EXPECT_EQ(catch_trials_of(planned(12, {.attention = 3, .reference = 4}, slot)), catches);
   }
 }
 
@@ -131,7 +132,7 @@ TrialSequence sequence(int stimuli, const std::vector<CatchTrial>& catches) {
 
 TEST(TrialSequence, ShowsThePlanAndCountsEveryKind) {
   const std::vector<PlannedTrial> plan = planned(12, {.attention = 2, .reference = 3}, 1);
-  TrialSequence trials = sequence(12, catches_of(plan));
+  TrialSequence trials = sequence(12, catch_trials_of(plan));
   EXPECT_EQ(planned_trials(trials), 17);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     EXPECT_EQ(current_trial(trials), plan[i]);

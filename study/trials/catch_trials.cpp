@@ -1,4 +1,4 @@
-#include "study/trials/catch_plan.h"
+#include "study/trials/catch_trials.h"
 
 #include <algorithm>
 #include <set>
@@ -38,8 +38,8 @@ std::vector<int> places(int count, int last, Random& random) {
 
 }  // namespace
 
-std::vector<CatchTrial> plan_catches(const CatchDefinition& definition, std::span<const Stimulus> set,
-                                     int stimulus_trials, const PlanKey& key) {
+std::vector<CatchTrial> draw_catch_trials(const CatchDefinition& definition, std::span<const Stimulus> set,
+                                          int stimulus_trials, const OrderKey& key) {
   const int count = definition.attention + definition.reference;
   if (count == 0 || stimulus_trials == 0 || set.empty()) return {};
   Random random(mix_bits(key.study_seed ^ catch_salt), static_cast<std::uint64_t>(key.slot));
@@ -70,7 +70,7 @@ std::vector<PlannedTrial> interleave(std::span<const int> order, std::span<const
   return planned;
 }
 
-std::vector<CatchTrial> catches_of(std::span<const PlannedTrial> planned) {
+std::vector<CatchTrial> catch_trials_of(std::span<const PlannedTrial> planned) {
   std::vector<CatchTrial> catches;
   int stimuli = 0;
   for (const PlannedTrial& trial : planned) {

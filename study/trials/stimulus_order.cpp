@@ -1,4 +1,4 @@
-#include "study/trials/trial_order.h"
+#include "study/trials/stimulus_order.h"
 
 #include <cassert>
 #include <numeric>
@@ -13,7 +13,7 @@ constexpr std::uint64_t plan_salt = 0x706c616e;  // "plan"
 
 }  // namespace
 
-std::vector<int> plan_order(int stimulus_count, const PlanKey& key) {
+std::vector<int> stimulus_order(int stimulus_count, const OrderKey& key) {
   assert(stimulus_count >= 0 && key.slot >= 0);
   std::vector<int> order(static_cast<std::size_t>(stimulus_count));
   std::iota(order.begin(), order.end(), 0);

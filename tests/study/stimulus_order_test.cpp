@@ -1,4 +1,4 @@
-#include "study/trials/trial_order.h"
+#include "study/trials/stimulus_order.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ double chi_squared_limit(double degrees) {
 TEST(Plan, ShowsEveryStimulusOnce) {
   for (const int count : {0, 1, 2, 84, 5000})
     for (int slot = 0; slot < 5; ++slot) {
-      std::vector<int> order = plan_order(count, {.study_seed = 3, .slot = slot});
+      std::vector<int> order = stimulus_order(count, {.study_seed = 3, .slot = slot});
       std::sort(order.begin(), order.end());
       std::vector<int> expected(static_cast<std::size_t>(count));
       std::iota(expected.begin(), expected.end(), 0);
@@ -45,23 +45,23 @@ TEST(Plan, IsTheSameForTheSameKeyAndDiffersBetweenSlotsAndSeeds) {
   std::set<std::vector<int>> orders;
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     for (int slot = 0; slot < 100; ++slot) {
-      const PlanKey key{.study_seed = seed, .slot = slot};
-      orders.insert(plan_order(84, key));
-      EXPECT_EQ(plan_order(84, key), plan_order(84, key));
+      const OrderKey key{.study_seed = seed, .slot = slot};
+      orders.insert(stimulus_order(84, key));
+      EXPECT_EQ(stimulus_order(84, key), stimulus_order(84, key));
     }
   EXPECT_EQ(orders.size(), 2000U);
 }
 
 TEST(Plan, NeverChangesBetweenVersionsAndMachines) {
-  EXPECT_THAT(plan_order(12, {.study_seed = 1, .slot = 0}),
+  EXPECT_THAT(stimulus_order(12, {.study_seed = 1, .slot = 0}),
               testing::ElementsAre(3, 6, 7, 1, 0, 2, 4, 11, 5, 8, 10, 9));
-  EXPECT_THAT(plan_order(12, {.study_seed = 1, .slot = 1}),
+  EXPECT_THAT(stimulus_order(12, {.study_seed = 1, .slot = 1}),
               testing::ElementsAre(8, 6, 9, 11, 4, 0, 10, 5, 3, 7, 2, 1));
 }
 
 TEST(Plan, EveryOrderIsEquallyLikely) {
   std::map<std::vector<int>, int> seen;
-  for (int slot = 0; slot < 24000; ++slot) ++seen[plan_order(4, {.study_seed = 11, .slot = slot})];
+  for (int slot = 0; slot < 24000; ++slot) ++seen[stimulus_order(4, {.study_seed = 11, .slot = slot})];
   std::vector<int> counts;
   for (const auto& [order, count] : seen) counts.push_back(count);
   ASSERT_EQ(counts.size(), 24U);
@@ -72,7 +72,7 @@ TEST(Plan, EveryStimulusIsEquallyLikelyAtEveryPlace) {
   constexpr int stimuli = 84;
   std::vector<int> counts(stimuli * stimuli, 0);
   for (int slot = 0; slot < 20000; ++slot) {
-    const std::vector<int> order = plan_order(stimuli, {.study_seed = 5, .slot = slot});
+    const std::vector<int> order = stimulus_order(stimuli, {.study_seed = 5, .slot = slot});
     for (std::size_t place = 0; place < order.size(); ++place)
       ++counts[place * stimuli + static_cast<std::size_t>(order[place])];
   }

@@ -1,0 +1,52 @@
+#include "study/running/participant_session.h"
+
+#include <algorithm>
+
+#include "study/trials/slot.h"
+
+namespace seamline::study {
+
+OpenSession enter_session(LogWriter& log, Enrolment enrolment, int orders) {
+  OpenSession place;
+  log.transaction([&] {  // nobody else takes the slot meanwhile
+    enrolment.slot = newcomer_slot(orders, log.held_slots(enrolment));
+    place = log.open_session(enrolment);
+  });
+  return place;
+}
+
+TrialSequence open_trials(const TrialRules& rules, LogWriter& log, OpenSession& place) {
+  const std::vector<PlannedTrial> decided = decided_trials(rules, place.slot, place.planned);
+  const auto is_new = std::span(decided).subspan(place.planned.size());
+  if (!is_new.empty()) log.append_trials(place, is_new);
+  return trial_sequence(rules, {.slot = place.slot, .trials = place.planned, .answers = place.answers});
+}
+
+void store_due_trial(const TrialSequence& trials, LogWriter& log, OpenSession& place) {
+  const std::optional<PlannedTrial> due = undecided_trial(trials, static_cast<int>(place.planned.size()));
+  if (due) log.append_trials(place, std::span<const PlannedTrial>(&*due, 1));
+}
+
+int store_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,
+                      std::int64_t now_ns) {
+  const auto* quest_plus = std::get_if<QuestPlusProcedure>(&procedure);
+  if (quest_plus == nullptr) return 0;
+  const QuestPlusDesign& design = *quest_plus->design;
+  std::vector<RawEvent> events;
+  int thresholds = 0;
+  for (std::size_t t = 0; t < design.tracks.size(); ++t) {
+    const std::vector<EdgeAlarm> alarms =
+        edge_alarms(design.grid, quest_plus->tracks[t].posterior, design.definition.edge_share);
+    for (const EdgeAlarm& alarm : alarms)
+      events.push_back({.monotonic_ns = now_ns,
+                        .kind = "edge_alarm",
+                        .trial_index = {},
+                        .detail = name_of(design.tracks[t]) + ": " + text(alarm)});
+    thresholds += std::any_of(alarms.begin(), alarms.end(),
+                              [](const EdgeAlarm& alarm) { return alarm.parameter == Parameter::threshold; });
+  }
+  if (!events.empty()) log.append_events(place, events);
+  return thresholds;
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,85 @@
+#include "study/trials/participant_trials.h"
+
+#include "study/trials/catch_trials.h"
+#include "study/trials/stimulus_order.h"
+#include "support/arithmetic/random.h"
+
+namespace seamline::study {
+namespace {
+
+/// Keeps the draws of adaptive procedures apart from those of the order and of the renderer.
+constexpr std::uint64_t quest_plus_salt = 0x71756573742b;  // "quest+"
+
+std::uint64_t participant_seed(std::uint64_t study_seed, int slot) {
+  return Random(mix_bits(study_seed ^ quest_plus_salt), static_cast<std::uint64_t>(slot)).bits();
+}
+
+/// The trials of the procedure among those of the participant, and their answers as the procedure numbers
+/// them.
+struct OwnTrials {
+  std::vector<int> stimuli;
+  std::vector<TrialAnswer> answers;
+};
+
+OwnTrials own_trials(const ParticipantProgress& progress) {
+  OwnTrials own;
+  for (std::size_t trial = 0; trial < progress.trials.size(); ++trial) {
+    if (progress.trials[trial].kind != TrialKind::stimulus) continue;
+    own.stimuli.push_back(progress.trials[trial].stimulus);
+    if (trial >= progress.answers.size()) continue;
+    own.answers.push_back(progress.answers[trial]);
+    own.answers.back().trial_index = static_cast<int>(own.answers.size()) - 1;
+  }
+  return own;
+}
+
+Procedure procedure_at(const TrialRules& rules, int slot, const OwnTrials& own) {
+  if (rules.quest_plus)
+    return resume_quest_plus(begin_quest_plus(rules.quest_plus, participant_seed(rules.study_seed, slot)),
+                             own.stimuli, own.answers);
+  return ConstantProcedure{.order = own.stimuli, .answered = static_cast<int>(own.answers.size())};
+}
+
+/// Those that are decided, then the rest of those that are due to come.
+std::vector<CatchTrial> catches_at(const TrialRules& rules, const ParticipantProgress& progress) {
+  std::vector<CatchTrial> catches = catch_trials_of(progress.trials);
+  if (!rules.quest_plus) return catches;  // all are decided
+  const int most = most_trials(begin_quest_plus(rules.quest_plus, 0));
+  const std::vector<CatchTrial> schedule = draw_catch_trials(
+      rules.catches, rules.stimuli, most, {.study_seed = rules.study_seed, .slot = progress.slot});
+  for (std::size_t i = catches.size(); i < schedule.size(); ++i) catches.push_back(schedule[i]);
+  return catches;
+}
+
+}  // namespace
+
+TrialRules make_trial_rules(const StudySet& set) {
+  TrialRules rules{.study_seed = set.study.seed, .catches = set.study.catches};
+  for (const ManifestStimulus& record : set.manifest.stimuli) rules.stimuli.push_back(record.stimulus);
+  if (const auto* definition = std::get_if<QuestPlusDefinition>(&set.study.procedure))
+    rules.quest_plus = std::make_shared<QuestPlusDesign>(make_quest_plus_design(*definition, rules.stimuli));
+  return rules;
+}
+
+std::vector<PlannedTrial> decided_trials(const TrialRules& rules, int slot,
+                                         std::span<const PlannedTrial> trials) {
+  if (rules.quest_plus || !trials.empty()) return {trials.begin(), trials.end()};
+  const OrderKey key{.study_seed = rules.study_seed, .slot = slot};
+  const int stimuli = static_cast<int>(rules.stimuli.size());
+  return interleave(stimulus_order(stimuli, key),
+                    draw_catch_trials(rules.catches, rules.stimuli, stimuli, key));
+}
+
+TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress& progress) {
+  const OwnTrials own = own_trials(progress);
+  return {.procedure = procedure_at(rules, progress.slot, own),
+          .catches = catches_at(rules, progress),
+          .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size())};
+}
+
+std::optional<PlannedTrial> undecided_trial(const TrialSequence& trials, int decided) {
+  if (decided > answered_trials(trials)) return std::nullopt;
+  return current_trial(trials);
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "study/placement/quest_plus_design.h"
+#include "study/trials/study_set.h"
+#include "study/trials/trial_sequence.h"
+
+namespace seamline::study {
+
+// Which trials a participant gets: pure functions of the study, the participant's slot and what was decided
+// and answered before. Whoever runs a session (the window, a simulation, a server) calls them and keeps what
+// they return:
+//
+//     trials = decided_trials(rules, slot, trials)                    before the session; keep what is new
+//     sequence = trial_sequence(rules, {slot, trials, answers})
+//     while current_trial(sequence):
+//       undecided_trial(sequence, number of trials)                   before its picture is shown; keep it
+//       sequence = after_answer(sequence, answer)                     once the answer is kept
+
+/// What decides the trials of all participants of a study.
+struct TrialRules {
+  std::vector<Stimulus> stimuli = {};  ///< of the set
+  std::uint64_t study_seed = 1;
+  CatchDefinition catches = {};
+  std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli
+};
+
+[[nodiscard]] TrialRules make_trial_rules(const StudySet& set);
+
+/// How far a participant has come.
+struct ParticipantProgress {
+  int slot = 0;                          ///< see study/trials/slot.h
+  std::span<const PlannedTrial> trials;  ///< decided so far
+  std::span<const TrialAnswer> answers;  ///< to the first of them
+};
+
+/// The trials of a participant that are known when a session begins: those decided before, `trials`, as they
+/// are; where there are none, all trials of constant stimuli with their catch trials; of an adaptive
+/// procedure none, since it decides each by the answers before it.
+[[nodiscard]] std::vector<PlannedTrial> decided_trials(const TrialRules& rules, int slot,
+                                                       std::span<const PlannedTrial> trials);
+
+/// The trials of a participant, at the first one without an answer. What was decided is taken as it is and
+/// not decided again, so the result is, bit for bit, what it was before a session broke off. Precondition:
+/// those of `decided_trials` are among them.
+[[nodiscard]] TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress& progress);
+
+/// The trial that is due, unless it is one of the first `decided` trials or the session is over. Constant
+/// stimuli have none.
+[[nodiscard]] std::optional<PlannedTrial> undecided_trial(const TrialSequence& trials, int decided);
+
+}  // namespace seamline::study

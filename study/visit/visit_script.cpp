@@ -1,0 +1,27 @@
+#include "study/visit/visit_script.h"
+
+#include "study/trials/training_trials.h"
+#include "study/trials/trial_picture.h"
+
+namespace seamline::study {
+namespace {
+
+std::int64_t nanoseconds(double seconds) {
+  return static_cast<std::int64_t>(seconds * 1e9);
+}
+
+}  // namespace
+
+VisitScript make_visit_script(const StudySet& set) {
+  const StudyDefinition& study = set.study;
+  VisitScript script{.form = study.form,
+                     .instruction_pages = static_cast<int>(study.instructions.size()),
+                     .training = training_trials(set),
+                     .pace = {.break_every_trials = study.session.break_every_trials,
+                              .minimum_viewing_ns = nanoseconds(study.session.minimum_viewing_s),
+                              .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
+  for (const PlannedTrial& trial : script.training) script.training_right.push_back(right_object(set, trial));
+  return script;
+}
+
+}  // namespace seamline::study

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "stimuli/definition/form_definition.h"
+#include "study/trials/study_set.h"
+#include "study/visit/session.h"
+
+namespace seamline::study {
+
+/// What is the same for every visit to a study.
+struct VisitScript {
+  std::vector<FormField> form = {};
+  int instruction_pages = 0;
+  std::vector<PlannedTrial> training = {};
+  std::vector<int> training_right = {};  ///< the right choice of each: 1 left, 2 middle, 3 right
+  SessionPace pace = {};
+};
+
+/// The script of a set's study. Throws InputError when a training stimulus is not in the set.
+[[nodiscard]] VisitScript make_visit_script(const StudySet& set);
+
+}  // namespace seamline::study
