@@ -1,11 +1,10 @@
 // The build tool that writes the built-in scenes and objects: generate_scenes OUTDIR
 #include <exception>
 #include <iostream>
-#include <thread>
 
 #include "scenes/builtin.h"
-#include "scenes/shapes/lattice.h"
 #include "support/files/atomic_file.h"
+#include "support/running/parallel.h"
 
 int main(int argc, char** argv) {
   using namespace seamline;
@@ -20,8 +19,7 @@ int main(int argc, char** argv) {
     for (const std::string_view name : builtin_scene_names)
       write_glb(folder / (std::string(name) + ".glb"), builtin_scene(name));
     // One object a thread: decimation does not divide.
-    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    for_each_parallel(static_cast<int>(builtin_object_names.size()), threads, [&](int index) {
+    run_parallel(static_cast<int>(builtin_object_names.size()), 0, [&](int index) {
       const std::string name(builtin_object_names[static_cast<std::size_t>(index)]);
       const SceneContents object{
           .parts = {{name, builtin_object(name, {.threads = 1})}}, .camera = {}, .sun = {}};

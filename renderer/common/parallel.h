@@ -1,17 +1,13 @@
 #pragma once
-#include <functional>
+#include "support/running/parallel.h"
 
 namespace seamline::renderer {
 
-/// Runs `work(index)` for every index in [0, count) on `threads` threads, each index once, in any order;
-/// denormals are flushed to zero on every worker. The calling thread meanwhile calls `tick(finished)` about
-/// ten times a second (may be empty). Throws Interrupted when the person asked to stop, after the pieces
-/// under way have ended; an exception of `work` is thrown on after all workers have stopped. For one thread
-/// without `tick` the calling thread does the work itself, and gets its floating-point mode back.
-void parallel_for(int count, int threads, const std::function<void(int index)>& work,
-                  const std::function<void(int finished)>& tick = {});
-
-/// The number of threads to use when the person named none.
-[[nodiscard]] int default_thread_count();
+/// `run_parallel` as the renderer's loops over pixels want it: denormals are zero. (A depth mesh keeps them:
+/// it holds its bound for distances of 1e-38 m too.) `tick` may be empty.
+inline void parallel_for(int count, int threads, const std::function<void(int index)>& work,
+                         const std::function<void(int finished)>& tick = {}) {
+  run_parallel(count, threads, work, {.denormals = Denormals::zero, .tick = tick});
+}
 
 }  // namespace seamline::renderer

@@ -7,7 +7,7 @@
 
 #include "renderer/common/stopwatch.h"
 #include "renderer/picture/composite.h"
-#include "renderer/tracing/ray_memory.h"
+#include "renderer/tracing/geometry.h"
 #include "stimuli/pictures/difference.h"
 #include "support/running/progress.h"
 
@@ -49,13 +49,13 @@ Geometry build_and_measure(const ConvergenceSubject& subject, MeshRow& row) {
     const Stopwatch build_watch;
     const DepthMesh mesh = subject_mesh(subject, subject.map, density, row.tolerance.value_or(0));
     const double build_s = build_watch.seconds();
-    const RayMemoryMeter memory;
+    const std::int64_t memory_before = RayDevice::instance().memory_bytes();
     const Stopwatch bvh_watch;
     Geometry geometry = subject_geometry(subject, mesh);
     const double bvh_s = bvh_watch.seconds();
     row.build_seconds = repeat == 1 ? build_s : std::min(build_s, row.build_seconds);
     row.bvh_seconds = repeat == 1 ? bvh_s : std::min(bvh_s, row.bvh_seconds);
-    row.embree_bytes = memory.bytes();
+    row.embree_bytes = RayDevice::instance().memory_bytes() - memory_before;
     row.triangles = static_cast<std::int64_t>(mesh.triangles.size());
     row.mesh_bytes = static_cast<std::int64_t>(mesh.vertices_m.size() * sizeof(mesh.vertices_m[0]) +
                                                mesh.triangles.size() * sizeof(mesh.triangles[0]));

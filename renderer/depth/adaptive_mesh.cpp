@@ -5,6 +5,7 @@
 #include "renderer/depth/adaptive_mesh_assembly.h"
 #include "renderer/depth/adaptive_mesh_bound.h"
 #include "renderer/depth/adaptive_mesh_lattice.h"
+#include "support/running/parallel.h"
 
 namespace seamline::renderer {
 namespace {
@@ -39,14 +40,14 @@ void refine_all(Lattice& lattice, const TriangleBound& bound, int threads) {
     return changed;
   };
   for (std::vector<int> blocks = changed_blocks(); !blocks.empty(); blocks = changed_blocks())
-    for_each_in_parallel(2 * static_cast<int>(blocks.size()), threads, [&](int i) {
+    run_parallel(2 * static_cast<int>(blocks.size()), threads, [&](int i) {
       refine(lattice, bound, lattice.root(2 * blocks[static_cast<std::size_t>(i / 2)] + i % 2));
     });
 }
 
 double largest_error(const Lattice& lattice, const TriangleBound& bound, int threads) {
   std::vector<double> errors(static_cast<std::size_t>(lattice.root_count()));
-  for_each_in_parallel(lattice.root_count(), threads, [&](int root) {
+  run_parallel(lattice.root_count(), threads, [&](int root) {
     lattice.for_each_leaf(lattice.root(root), [&](const LatticeTriangle& t) {
       if (t.is_unit()) return;
       double& error = errors[static_cast<std::size_t>(root)];

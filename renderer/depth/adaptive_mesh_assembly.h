@@ -1,10 +1,11 @@
 #pragma once
+#include <atomic>
 #include <vector>
 
 #include "renderer/depth/adaptive_mesh_numbering.h"
-#include "renderer/depth/adaptive_mesh_workers.h"
 #include "renderer/depth/dense_sphere.h"
 #include "renderer/depth/depth_mesh.h"
+#include "support/running/parallel.h"
 
 namespace seamline::renderer {
 
@@ -18,7 +19,7 @@ DepthMesh assemble_mesh(const DenseSphere& sphere, int parts, int threads,
   VertexNumbering numbering(sphere.width, sphere.height);
   std::atomic<bool> uses_zenith = false, uses_nadir = false;
   std::vector<std::size_t> first_triangle(static_cast<std::size_t>(parts) + 1);
-  for_each_in_parallel(parts, threads, [&](int part) {
+  run_parallel(parts, threads, [&](int part) {
     std::size_t count = 0;
     const auto mark = [&](const GridVertex& vertex) {
       if (vertex.row < 0)
@@ -45,7 +46,7 @@ DepthMesh assemble_mesh(const DenseSphere& sphere, int parts, int threads,
   if (uses_nadir) mesh.vertices_m[nadir] = {0, -sphere.nadir_m, 0};
 
   mesh.triangles.resize(first_triangle.back());
-  for_each_in_parallel(parts, threads, [&](int part) {
+  run_parallel(parts, threads, [&](int part) {
     auto* triangle = mesh.triangles.data() + first_triangle[static_cast<std::size_t>(part)];
     const auto index = [&](const GridVertex& vertex) {
       if (vertex.row < 0) return zenith;

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <bit>
 
-#include "renderer/depth/adaptive_mesh_workers.h"
+#include "support/running/parallel.h"
 
 namespace seamline::renderer {
 
@@ -35,7 +35,7 @@ std::uint32_t VertexNumbering::number(int row, int column) const {
 
 void VertexNumbering::write_positions(const DenseSphere& sphere, Eigen::Vector3f* positions_m,
                                       int threads) const {
-  for_each_in_parallel(tiles_down_, threads, [&](int tile_row) {
+  run_parallel(tiles_down_, threads, [&](int tile_row) {
     for (int tile_column = 0; tile_column < tiles_across_; ++tile_column) {
       const std::size_t i = tile(tile_row * 8, tile_column * 8);
       Eigen::Vector3f* out = positions_m + marked_before_[i];

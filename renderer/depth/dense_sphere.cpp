@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/depth/adaptive_mesh_workers.h"
+#include "support/running/parallel.h"
 
 namespace seamline::renderer {
 namespace {
@@ -49,7 +49,7 @@ void resample(DenseSphere& sphere, const DepthMap& map, int threads) {
     column.second %= map.width_px;
   }
   sphere.resampled_m.resize(static_cast<std::size_t>(sphere.width) * static_cast<std::size_t>(sphere.height));
-  for_each_in_parallel(sphere.height, threads, [&](int r) {
+  run_parallel(sphere.height, threads, [&](int r) {
     Between row = between_texels(r, sphere.height, map.height_px);
     row.first = std::clamp(row.first, 0, map.height_px - 1);
     row.second = std::clamp(row.second, 0, map.height_px - 1);

@@ -5,10 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <cstring>
-#include <sstream>
-#include <stdexcept>
+#include <span>
 
-#include "support/files/atomic_file.h"
+#include "support/files/gltf_writing.h"
 #include "support/text/error.h"
 
 namespace seamline::scenes {
@@ -32,29 +31,6 @@ std::vector<double> xyzw(const Eigen::Quaterniond& q) {
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
-/// Appends `values` to the one buffer and describes them; returns the number of the new accessor.
-template <class T>
-int add_accessor(tinygltf::Model& model, const std::vector<T>& values, int target, int component_type,
-                 int type) {
-  std::vector<unsigned char>& bytes = model.buffers[0].data;
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = bytes.size();
-  view.byteLength = values.size() * sizeof(T);
-  view.target = target;
-  bytes.resize(bytes.size() + view.byteLength);
-  std::memcpy(bytes.data() + view.byteOffset, values.data(), view.byteLength);
-  model.bufferViews.push_back(view);
-  tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
-  accessor.componentType = component_type;
-  accessor.type = type;
-  accessor.count = values.size() / static_cast<std::size_t>(
-                                       tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
-  model.accessors.push_back(accessor);
-  return static_cast<int>(model.accessors.size()) - 1;
-}
-
 int add_vectors(tinygltf::Model& model, const std::vector<Vector3d>& vectors, bool with_range) {
   std::vector<float> values;
   std::vector<double> low(3, 1e300);
@@ -66,8 +42,9 @@ int add_vectors(tinygltf::Model& model, const std::vector<Vector3d>& vectors, bo
       low[at] = std::min(low[at], static_cast<double>(values.back()));
       high[at] = std::max(high[at], static_cast<double>(values.back()));
     }
-  const int number = add_accessor(model, values, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                  TINYGLTF_TYPE_VEC3);
+  const int number =
+      add_accessor(model, std::as_bytes(std::span(values)),
+                   {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER});
   if (with_range) {
     model.accessors.back().minValues = low;
     model.accessors.back().maxValues = high;
@@ -89,8 +66,9 @@ void add_part(tinygltf::Model& model, const ScenePart& part) {
   primitive.material = 0;
   primitive.attributes["POSITION"] = add_vectors(model, part.mesh.positions_m, true);
   primitive.attributes["NORMAL"] = add_vectors(model, part.mesh.normals, false);
-  primitive.indices = add_accessor(model, indices, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER,
-                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+  primitive.indices = add_accessor(
+      model, std::as_bytes(std::span(indices)),
+      {TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER});
   tinygltf::Mesh mesh;
   mesh.name = part.name;
   mesh.primitives.push_back(primitive);
@@ -185,11 +163,7 @@ void write_glb(const fs::path& path, const SceneContents& contents) {
   for (const ScenePart& part : contents.parts) add_part(model, part);
   if (contents.camera) add_camera(model, *contents.camera);
   if (contents.sun) add_sun(model, *contents.sun);
-  std::ostringstream bytes;  // the writer does not notice a disk that is full
-  tinygltf::TinyGLTF writer;
-  if (!writer.WriteGltfSceneToStream(&model, bytes, false, true))
-    throw std::logic_error("the scene cannot be written as glTF");
-  write_file_atomically(path, std::move(bytes).str());
+  write_glb_file(path, model);
 }
 
 SceneContents read_glb(const fs::path& path) {

@@ -1,8 +1,8 @@
 #include "scenes/shapes/lattice.h"
 
-#include <atomic>
 #include <cmath>
-#include <thread>
+
+#include "support/running/parallel.h"
 
 namespace seamline::scenes {
 namespace {
@@ -56,7 +56,7 @@ FieldLattice sample_field(const Sculpture& sculpture, double cell_m, double grou
   lattice.cubes = ((box.sizes() + 2 * margin) / cell_m).array().ceil().cast<int>();
   lattice.values.resize(2 * static_cast<std::size_t>(lattice.cubes.cast<std::int64_t>().prod()));
   const Eigen::Array3i blocks = (lattice.cubes + lattice_block - 1) / lattice_block;
-  for_each_parallel(blocks.prod(), threads, [&](int block) {
+  run_parallel(blocks.prod(), threads, [&](int block) {
     const Eigen::Array3i at(block % blocks.x(), block / blocks.x() % blocks.y(),
                             block / blocks.x() / blocks.y());
     sample_block(sculpture, lattice, at * lattice_block, ground_m);
@@ -67,17 +67,6 @@ FieldLattice sample_field(const Sculpture& sculpture, double cell_m, double grou
 LocalField field_near(const Sculpture& sculpture, const Vector3d& point_m, double reach_m) {
   const Vector3d reach = Vector3d::Constant(reach_m);
   return near_box(sculpture, Box(point_m - reach, point_m + reach), reach_m);
-}
-
-void for_each_parallel(int count, int threads, const std::function<void(int)>& work) {
-  std::atomic<int> next{0};
-  const auto run = [&] {
-    for (int i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < threads; ++i) helpers.emplace_back(run);
-  run();
-  for (std::thread& helper : helpers) helper.join();
 }
 
 }  // namespace seamline::scenes

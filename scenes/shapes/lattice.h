@@ -38,7 +38,4 @@ inline constexpr int lattice_block = 8;
 [[nodiscard]] LocalField field_near(const Sculpture& sculpture, const Eigen::Vector3d& point_m,
                                     double reach_m);
 
-/// Calls `work(i)` for i in [0, count) on several threads, each index once.
-void for_each_parallel(int count, int threads, const std::function<void(int)>& work);
-
 }  // namespace seamline::scenes

@@ -6,6 +6,7 @@
 
 #include "scenes/shapes/decimate.h"
 #include "scenes/shapes/lattice.h"
+#include "support/running/parallel.h"
 
 namespace seamline::scenes {
 namespace {
@@ -80,7 +81,7 @@ void march_cube(const FieldLattice& lattice, const Array3i& cube, std::vector<Cr
 std::vector<CrossedTriangle> march_all(const FieldLattice& lattice, int threads) {
   const int layers = lattice.cubes.z() - 2;
   std::vector<std::vector<CrossedTriangle>> by_layer(static_cast<std::size_t>(std::max(layers, 0)));
-  for_each_parallel(layers, threads, [&](int z) {
+  run_parallel(layers, threads, [&](int z) {
     for (int y = 0; y + 2 < lattice.cubes.y(); ++y)
       for (int x = 0; x + 2 < lattice.cubes.x(); ++x)
         march_cube(lattice, {x, y, z}, by_layer[static_cast<std::size_t>(z)]);
@@ -147,7 +148,7 @@ TriangleMesh march_and_weld(const Sculpture& sculpture, const PolygoniseOptions&
 void settle_all(TriangleMesh& mesh, const Sculpture& sculpture, const PolygoniseOptions& options) {
   constexpr int batch = 512;
   const auto count = static_cast<int>(mesh.positions_m.size());
-  for_each_parallel((count + batch - 1) / batch, options.threads, [&](int part) {
+  run_parallel((count + batch - 1) / batch, options.threads, [&](int part) {
     for (int i = part * batch; i < std::min(count, (part + 1) * batch); ++i) {
       const auto vertex = static_cast<std::size_t>(i);
       settle(sculpture, options, mesh.positions_m[vertex], mesh.normals[vertex]);

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace seamline::renderer {
@@ -23,6 +25,35 @@ TEST(ParallelFor, DoesEveryPieceOnceForAnyNumberOfThreads) {
     parallel_for(100, threads, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
     for (const auto& times : done) EXPECT_EQ(times, 1);
   }
+}
+
+TEST(ParallelFor, TellsHowManyPiecesAreFinishedAndDoesThemAllBesideTheCaller) {
+  const std::thread::id caller = std::this_thread::get_id();
+  for (const int threads : {1, 3}) {
+    std::atomic<int> done = 0;
+    std::atomic<bool> beside = true;
+    std::vector<int> told;
+    const auto work = [&](int) {
+      if (std::this_thread::get_id() == caller) beside = false;
+      ++done;
+    };
+    parallel_for(50, threads, work, [&](int finished) { told.push_back(finished); });
+    EXPECT_EQ(done, 50);
+    EXPECT_TRUE(beside);
+    ASSERT_FALSE(told.empty());
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 50);
+    EXPECT_THROW(parallel_for(
+                     8, threads, [](int) { throw std::runtime_error("of the work"); }, [](int) {}),
+                 std::runtime_error);
+  }
+}
+
+TEST(RunParallel, OneThreadIsTheCallersAndKeepsDenormals) {
+  run_parallel(4, 1, [caller = std::this_thread::get_id()](int) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_GT(denormal(), 0.0F);
+  });
 }
 
 TEST(ParallelFor, FlushesDenormalsInTheWorkAndLeavesTheCallerAsItWas) {
