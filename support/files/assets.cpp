@@ -1,6 +1,7 @@
 #include "support/files/assets.h"
 
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "support/files/confined_path.h"
@@ -13,19 +14,27 @@ namespace {
 
 constexpr std::string_view builtin_prefix = "builtin:";
 
-/// `wanted` as it was installed with the running program or moved beside it, else where the build has it.
-/// The kernel names the program's own file, links followed, so neither the current folder, nor PATH, nor a
-/// link to the program decides. A folder is taken whole: two installations never mix.
-fs::path folder_of_data(const char* wanted, const char* in_build) {
+/// The folder of the running program. The kernel names its file, links followed, so neither the current
+/// folder, nor PATH, nor a link to the program decides.
+fs::path program_folder() {
   std::error_code error;
-  const fs::path bin = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const fs::path installed = bin.parent_path() / "share" / "seamline";
-  if (fs::is_directory(installed, error)) return installed / wanted;
-  return fs::is_directory(bin / wanted, error) ? bin / wanted : fs::path(in_build);
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+/// What was installed with the running program; nullopt in a build folder. It is taken whole: two
+/// installations never mix.
+std::optional<fs::path> installed_data() {
+  std::error_code error;
+  const fs::path folder = program_folder().parent_path() / "share" / "seamline";
+  return fs::is_directory(folder, error) ? std::optional(folder) : std::nullopt;
+}
+
+/// Installed with the running program, or beside it when it was moved there, else where the build wrote them.
 fs::path builtin_folder() {
-  return folder_of_data("scenes/builtin", SEAMLINE_BUILTIN_DIR);
+  if (const auto data = installed_data()) return *data / "scenes" / "builtin";
+  std::error_code error;
+  const fs::path beside = program_folder() / "scenes" / "builtin";
+  return fs::is_directory(beside, error) ? beside : fs::path(SEAMLINE_BUILTIN_DIR);
 }
 
 std::vector<std::string> builtin_names(const fs::path& folder) {
@@ -56,7 +65,12 @@ std::string program_version() {
 }
 
 fs::path builtin_study(const std::string& name) {
-  return folder_of_data("stimuli", SEAMLINE_STUDIES_DIR) / (name + ".toml");
+  const std::string file = name + ".toml";
+  if (const auto data = installed_data()) return *data / "stimuli" / file;
+  std::error_code error;
+  const fs::path beside =
+      program_folder() / "stimuli" / file;  // a build has a folder of that name, and no studies in it
+  return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / file;
 }
 
 fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field) {
