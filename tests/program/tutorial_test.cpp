@@ -1,0 +1,96 @@
+// documentation/tutorial.md does what it says: its study and its commands, as they stand on the page, in a
+// folder that holds nothing but the scene.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const fs::path documentation = fs::path(SEAMLINE_SOURCE_DIR) / "documentation";
+
+struct Block {
+  std::string kind;  ///< what stands behind the fence: "sh", "toml", "sh by hand"
+  std::string text;
+};
+
+std::vector<Block> fenced_blocks(const fs::path& page) {
+  std::ifstream in(page);
+  std::vector<Block> blocks;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```")) {
+      if (!inside) blocks.push_back({.kind = line.substr(3), .text = {}});
+      inside = !inside;
+    } else if (inside) {
+      blocks.back().text += line + "\n";
+    }
+  }
+  EXPECT_FALSE(inside) << page << " ends in a block";
+  return blocks;
+}
+
+TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
+  const fs::path folder = test::fresh_folder("tutorial");
+  fs::copy(documentation / "tutorial" / "room.gltf", folder);
+  int studies = 0, lines_run = 0, by_hand = 0;
+  for (const Block& block : fenced_blocks(documentation / "tutorial.md")) {
+    if (block.kind == "toml") {
+      test::write_text(folder / "my_study.toml", block.text);
+      ++studies;
+    } else if (block.kind == "sh by hand") {
+      ++by_hand;
+    } else if (block.kind == "sh") {
+      std::istringstream lines(block.text);
+      for (std::string line; std::getline(lines, line);) {
+        test::write_text(folder / "command", "set -e\ncd '" + folder.string() + "'\nPATH='" +
+                                                 fs::path(SEAMLINE_PROGRAM).parent_path().string() +
+                                                 "':$PATH\n" + line + "\n");
+        const test::Outcome outcome = test::run_program("bash", (folder / "command").string());
+        ASSERT_EQ(outcome.status, 0) << line << "\n" << outcome.output;
+        ++lines_run;
+      }
+    } else {
+      EXPECT_EQ(block.kind, "");  // what the program says
+    }
+  }
+  EXPECT_EQ(studies, 1);
+  EXPECT_EQ(by_hand, 1);
+  EXPECT_GE(lines_run, 6);
+  EXPECT_TRUE(fs::is_regular_file(folder / "my_set" / "contact-receiver.png"));
+  EXPECT_THAT(test::read_text(folder / "report" / "report.html"), HasSubstr("20 simulated observers"));
+}
+
+TEST(Documentation, EveryLinkLeadsToAFileAndEveryPageIsOnTheFirst) {
+  const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
+  int links = 0;
+  std::vector<fs::path> pages = {fs::path(SEAMLINE_SOURCE_DIR) / "README.md"};
+  const std::string first = test::read_text(documentation / "README.md");
+  for (const auto& entry : fs::directory_iterator(documentation))
+    if (entry.path().extension() == ".md") {
+      pages.push_back(entry.path());
+      const std::string name = entry.path().filename().string();
+      if (name != "README.md") {
+        EXPECT_THAT(first, HasSubstr("(" + name)) << "not on documentation/README.md";
+      }
+    }
+  for (const fs::path& page : pages) {
+    const std::string text = test::read_text(page);
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), link); it != std::sregex_iterator(); ++it) {
+      const std::string target = (*it)[1];
+      if (target.find("://") != std::string::npos) continue;
+      EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << " links to " << target;
+      ++links;
+    }
+  }
+  EXPECT_GE(links, 40);
+}
+
+}  // namespace
+}  // namespace seamline
