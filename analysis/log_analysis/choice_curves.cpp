@@ -7,8 +7,8 @@
 
 #include "analysis/psychometric/likelihood/overdispersion.h"
 #include "analysis/psychometric/likelihood/search.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 #include "analysis/statistics/interval.h"
+#include "study/placement/sigmoid_shape.h"
 #include "study/placement/trial.h"
 #include "support/arithmetic/random.h"
 #include "support/running/parallel.h"
@@ -66,7 +66,7 @@ void add_band(ChoiceCurve& curve, const PooledChoices& choices, const Resampling
   }
   curve.band_replicates = std::min(request.replicates, most_band_replicates);
   std::vector<std::vector<double>> shares(places.size());
-  const double width_of_scale = scales_in_width(fit.options.sigmoid) * problem.range;
+  const double width_of_scale = study::scales_in_width(fit.options.sigmoid) * problem.range;
   std::vector<double> narrowest, widest, lapses;
   for (int r = 0; r < curve.band_replicates; ++r) {
     const FitProblem drawn = resampled(choices, problem, request.seed, r);

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 #include "stability/common/groups.h"
 #include "stability/common/namespaces.h"
 #include "stability/common/worst.h"
 #include "stability/statistics/curve_fit_cases.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::stability {
@@ -93,7 +93,7 @@ Finding try_extreme_probabilities() {
     return {nan, "an answer of probability 1e-300 was given a likelihood"};
   for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
     for (const double z : {-1e308, -1e4, -40.0, 0.0, 40.0, 1e4, 1e308}) {
-      const SigmoidPoint point = sigmoid_point(sigmoid, z);
+      const study::SigmoidPoint point = study::sigmoid_point(sigmoid, z);
       error = worse(error, std::abs(point.below + point.above - 1));
       error = worse(error, std::isfinite(point.density) && std::isfinite(point.density_slope) ? 0 : nan);
     }

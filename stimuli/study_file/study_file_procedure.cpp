@@ -105,9 +105,9 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<in
   quest.track =
       one_of<PlacementTrack>(table, "track", quest.track,
                              {{"artifact", PlacementTrack::artifact}, {"object", PlacementTrack::object}});
-  quest.sigmoid = one_of<Sigmoid>(
-      table, "sigmoid", quest.sigmoid,
-      {{"logistic", Sigmoid::logistic}, {"norm", Sigmoid::normal}, {"gumbel", Sigmoid::gumbel}});
+  Words<Sigmoid> sigmoids;
+  for (const Sigmoid sigmoid : every_sigmoid) sigmoids.emplace_back(word(sigmoid), sigmoid);
+  quest.sigmoid = one_of<Sigmoid>(table, "sigmoid", quest.sigmoid, sigmoids);
   quest.axis = one_of<Axis>(table, "axis", quest.axis, {{"log2", Axis::log2}, {"linear", Axis::linear}});
   quest.direction = read_direction(table);
   read_grid(table, depth_width_px, quest);

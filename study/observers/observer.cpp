@@ -7,6 +7,7 @@
 
 #include "study/placement/overloaded.h"
 #include "study/placement/psychometric_function.h"
+#include "study/placement/sigmoid_shape.h"
 #include "study/placement/trial.h"
 #include "support/text/error.h"
 

@@ -2,21 +2,10 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::study {
-
-double sigmoid_value(Sigmoid sigmoid, double z) {
-  switch (sigmoid) {
-    case Sigmoid::logistic:
-      return 1 / (1 + std::exp(-z));
-    case Sigmoid::normal:
-      return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-    case Sigmoid::gumbel:
-      return -std::expm1(-std::numbers::ln2 * std::exp(z));
-  }
-  return {};
-}
 
 double response_probability(const PsychometricFunction& function, double level) {
   assert(function.scale > 0);

@@ -22,9 +22,6 @@ struct PsychometricFunction {
   double lapse = 0.0;
 };
 
-/// F(z), without guess and lapse. NaN gives NaN.
-[[nodiscard]] double sigmoid_value(Sigmoid sigmoid, double z);
-
 /// psi(x). On a log2 axis the level and the threshold are positive.
 [[nodiscard]] double response_probability(const PsychometricFunction& function, double level);
 

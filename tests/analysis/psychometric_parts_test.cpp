@@ -5,7 +5,7 @@
 
 #include "analysis/psychometric/likelihood/binomial_sampler.h"
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
 using namespace study;
@@ -52,7 +52,7 @@ TEST(PsychometricParts, BinomialSamplesHaveTheirMeanAndVariance) {
 }
 
 TEST(PsychometricParts, SigmoidsQuantilesAndDerivatives) {
-  for (Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
+  for (const Sigmoid sigmoid : every_sigmoid)
     for (double share : {1e-6, 0.05, 0.5, 0.8, 0.999}) {
       const double z = sigmoid_quantile(sigmoid, share), h = 1e-5;
       const SigmoidPoint at = sigmoid_point(sigmoid, z);

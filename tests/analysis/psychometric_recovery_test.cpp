@@ -35,7 +35,7 @@ PsychometricFunction falling(Sigmoid sigmoid) {
 }
 
 TEST(PsychometricRecovery, ThreeAlternativesThatFallWithWidth) {
-  for (Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel}) {
+  for (const Sigmoid sigmoid : every_sigmoid) {
     const PsychometricFunction truth = falling(sigmoid);
     FitOptions options = options_for_alternatives(3);
     options.sigmoid = sigmoid;

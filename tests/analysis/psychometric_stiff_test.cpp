@@ -191,7 +191,7 @@ TEST(PsychometricStiff, AMillionTrialsALevel) {
 TEST(PsychometricStiff, LevelsFromAMillionthToAMillion) {
   std::vector<double> levels;
   for (int i = 0; i <= 12; ++i) levels.push_back(std::pow(10.0, i - 6));
-  for (Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel}) {
+  for (const Sigmoid sigmoid : every_sigmoid) {
     const PsychometricFunction function{.sigmoid = sigmoid,
                                         .axis = Axis::log2,
                                         .direction = Direction::increasing,

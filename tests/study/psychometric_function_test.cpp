@@ -4,10 +4,31 @@
 
 #include <cmath>
 
+#include "study/placement/sigmoid_shape.h"
+
 namespace seamline::study {
 namespace {
 
-constexpr Sigmoid every_sigmoid[] = {Sigmoid::logistic, Sigmoid::normal, Sigmoid::gumbel};
+TEST(Sigmoid, EveryOneHasAWordOfItsOwnThatIsReadBack) {
+  for (const Sigmoid sigmoid : every_sigmoid) EXPECT_EQ(sigmoid_from_word(word(sigmoid)), sigmoid);
+  EXPECT_EQ(sigmoid_from_word("cauchy"), std::nullopt);
+  EXPECT_EQ(sigmoid_from_word(""), std::nullopt);
+}
+
+/// The three ways to write a sigmoid down say the same.
+TEST(Sigmoid, ValuePointAndQuantileAgree) {
+  for (const Sigmoid sigmoid : every_sigmoid)
+    for (const double z : {-3.0, -1.0, -0.25, 0.0, 0.5, 1.0}) {
+      const double value = sigmoid_value(sigmoid, z);
+      const SigmoidPoint point = sigmoid_point(sigmoid, z);
+      EXPECT_NEAR(point.below, value, 1e-15);
+      EXPECT_NEAR(point.above, 1 - value, 1e-15);
+      EXPECT_NEAR(sigmoid_quantile(sigmoid, value), z, 1e-12);
+      const double h = 1e-5;
+      EXPECT_NEAR((sigmoid_value(sigmoid, z + h) - sigmoid_value(sigmoid, z - h)) / (2 * h), point.density,
+                  1e-9);
+    }
+}
 
 TEST(PsychometricFunction, EverySigmoidIsHalfAtZeroAndRisesFrom0To1) {
   for (const Sigmoid sigmoid : every_sigmoid) {

@@ -29,7 +29,7 @@ TEST(QuestPlusModel, BinaryOutcomeIsThePsychometricFunction) {
 }
 
 TEST(QuestPlusModel, NoticeabilityRefinesTheBinaryOutcome) {
-  for (const Sigmoid sigmoid : {Sigmoid::logistic, Sigmoid::normal, Sigmoid::gumbel}) {
+  for (const Sigmoid sigmoid : every_sigmoid) {
     Task task = make_task(PlacementOutcome::noticeability);
     task.definition.sigmoid = sigmoid;
     QuestPlusDefinition binary = task.definition;

@@ -268,7 +268,7 @@ TEST(QuestPlusAxis, FindsThePlantedThresholdOfALinearFunction) {
 TEST(QuestPlusAxis, ARisingFunctionMirrorsTheFallingOne) {
   for (const Axis axis : {Axis::log2, Axis::linear})
     for (const PlacementOutcome outcome : {PlacementOutcome::correct, PlacementOutcome::noticeability})
-      for (const Sigmoid sigmoid : {Sigmoid::logistic, Sigmoid::normal, Sigmoid::gumbel}) {
+      for (const Sigmoid sigmoid : every_sigmoid) {
         QuestPlusDefinition falling = usual();
         falling.axis = axis;
         falling.outcome = outcome;

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "analysis/psychometric/intervals/goodness.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 #include "analysis/statistics/distributions.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -174,7 +174,7 @@ BootstrapIntervals bootstrap_intervals(const PsychometricFit& fit, const Bootstr
     return Interval{.low = level(unit.low), .high = level(unit.high)};
   };
   intervals.threshold = to_levels(interval(0));
-  const double unit_width = scales_in_width(fit.options.sigmoid) * problem.range;
+  const double unit_width = study::scales_in_width(fit.options.sigmoid) * problem.range;
   // Of a step's scales 0 counts at the low end and the largest at the high end.
   const double largest = found.step ? found.step->largest_log_scale : found.maximum.theta[1];
   const Interval log_scale{

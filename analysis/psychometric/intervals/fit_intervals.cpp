@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
 
@@ -64,7 +64,7 @@ Interval threshold_interval(const PsychometricFit& fit, double cut) {
 Interval width_interval(const PsychometricFit& fit, double cut) {
   if (fit.levels.size() < 2) return {.low = 0};
   const Profile profile(fit.search);
-  const double unit_width = scales_in_width(fit.options.sigmoid) * fit.search.problem.range;
+  const double unit_width = study::scales_in_width(fit.options.sigmoid) * fit.search.problem.range;
   const Interval log_scale = profile.log_scale(cut);
   const bool step_allowed =
       fit.search.step && fit.search.step->maximum.value >= fit.search.best.value - cut / 2;

@@ -5,8 +5,8 @@
 
 #include "analysis/psychometric/likelihood/binomial_sampler.h"
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 #include "analysis/statistics/distributions.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -91,7 +91,7 @@ double normal_deviance_p(const PsychometricFit& fit, double deviance) {
     variance += moments.variance;
     if (moments.covariance == 0) continue;
     const double z = -dz_dm * (level.t - theta[parameter::threshold]);
-    const SigmoidPoint F = sigmoid_point(problem.sigmoid, z);
+    const study::SigmoidPoint F = study::sigmoid_point(problem.sigmoid, z);
     const Eigen::Vector4d slope{A * F.density * dz_dm, -A * F.density * z, -F.below, F.above};
     shared += moments.covariance / (p.right * p.wrong) * slope;
   }

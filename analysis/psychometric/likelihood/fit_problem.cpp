@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/running/interrupt.h"
 #include "support/text/csv.h"
 #include "support/text/error.h"
@@ -25,7 +25,7 @@ Priors unit_priors(const Priors& priors, const FitProblem& problem) {
                                  .sd = priors.threshold->sd / problem.range};
   if (unit.log2_width)  // of the natural logarithm of the unit scale
     unit.log2_width = NormalPrior{.mean = priors.log2_width->mean * std::numbers::ln2 -
-                                          std::log(scales_in_width(problem.sigmoid) * problem.range),
+                                          std::log(study::scales_in_width(problem.sigmoid) * problem.range),
                                   .sd = priors.log2_width->sd * std::numbers::ln2};
   return unit;
 }
@@ -65,7 +65,7 @@ void add_level(Objective& objective, const FitProblem& problem, const Theta& the
   const double g = theta[parameter::guess], l = theta[parameter::lapse], A = 1 - g - l;
   const double dz_dm = -problem.sign * std::exp(-theta[parameter::log_scale]);
   const double z = -dz_dm * (counts.t - theta[parameter::threshold]);
-  const SigmoidPoint F = sigmoid_point(problem.sigmoid, z);
+  const study::SigmoidPoint F = study::sigmoid_point(problem.sigmoid, z);
   const CountTerm term = term_of(counts, {.right = g + A * F.below, .wrong = l + A * F.above}, eta);
   objective.value += term.value;
   if (!std::isfinite(term.value)) return;
@@ -138,7 +138,7 @@ FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions
 
 ResponseProbability probability_at(const FitProblem& problem, const Theta& theta, double t) {
   const double z = problem.sign * (t - theta[parameter::threshold]) * std::exp(-theta[parameter::log_scale]);
-  const SigmoidPoint F = sigmoid_point(problem.sigmoid, z);
+  const study::SigmoidPoint F = study::sigmoid_point(problem.sigmoid, z);
   const double g = theta[parameter::guess], l = theta[parameter::lapse];
   return {.right = g + (1 - g - l) * F.below, .wrong = l + (1 - g - l) * F.above};
 }

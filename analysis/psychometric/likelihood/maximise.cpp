@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/psychometric/likelihood/overdispersion.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/running/interrupt.h"
 #include "support/text/numbers.h"
 
@@ -39,13 +39,13 @@ std::optional<Chart> chart_at(const FitProblem& problem, const Theta& coordinate
   if (level.of == SoughtLevel::Of::sigmoid && level.share == 0.5) return chart;
   const double q = sigmoid_share(level, coordinates);
   if (!(q > 0 && q < 1)) return std::nullopt;
-  const double z = sigmoid_quantile(problem.sigmoid, q);
+  const double z = study::sigmoid_quantile(problem.sigmoid, q);
   const double signed_scale = problem.sign * std::exp(coordinates[parameter::log_scale]);
   chart.theta[parameter::threshold] -= signed_scale * z;
   chart.jacobian(0, 1) = -signed_scale * z;
   if (level.of == SoughtLevel::Of::response) {
     const double A = 1 - coordinates[parameter::guess] - coordinates[parameter::lapse];
-    const double dz_dq = 1 / sigmoid_point(problem.sigmoid, z).density;
+    const double dz_dq = 1 / study::sigmoid_point(problem.sigmoid, z).density;
     chart.jacobian(0, 2) = -signed_scale * dz_dq * q / A;
     chart.jacobian(0, 3) = -signed_scale * dz_dq * (q - 1) / A;
   }
@@ -161,7 +161,7 @@ std::optional<double> place_of(const FitProblem& problem, const Theta& theta, co
   const double q = sigmoid_share(level, theta);
   if (!(q > 0 && q < 1)) return std::nullopt;
   return theta[parameter::threshold] +
-         problem.sign * std::exp(theta[parameter::log_scale]) * sigmoid_quantile(problem.sigmoid, q);
+         problem.sign * std::exp(theta[parameter::log_scale]) * study::sigmoid_quantile(problem.sigmoid, q);
 }
 
 std::optional<Theta> theta_with(const FitProblem& problem, const Theta& coordinates,

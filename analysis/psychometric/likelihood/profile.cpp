@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -44,11 +44,12 @@ std::vector<double> log_scales_at(const Search& search, const SoughtLevel& level
       const double A = 1 - g - l,
                    sought = level.of == SoughtLevel::Of::sigmoid ? level.share : (level.share - g) / A;
       if (!(sought > 0 && sought < 1)) continue;
-      const double z = sigmoid_quantile(problem.sigmoid, sought);
+      const double z = study::sigmoid_quantile(problem.sigmoid, sought);
       for (auto counts = first; counts != end; ++counts) {
         const double F = (counts->k / counts->n - g) / A;
         if (!(F > 0 && F < 1)) continue;
-        const double scale = problem.sign * (counts->t - place) / (sigmoid_quantile(problem.sigmoid, F) - z);
+        const double scale =
+            problem.sign * (counts->t - place) / (study::sigmoid_quantile(problem.sigmoid, F) - z);
         if (scale > 0 && std::isfinite(scale) && std::log(scale) > problem.lower[1])
           log_scales.push_back(std::log(scale));
       }

@@ -5,7 +5,7 @@
 
 #include "analysis/psychometric/likelihood/count_terms.h"
 #include "analysis/psychometric/likelihood/profile.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
 
@@ -85,7 +85,7 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
                   .scale = std::exp(theta[parameter::log_scale]) * problem.range,
                   .guess = theta[parameter::guess],
                   .lapse = theta[parameter::lapse]};
-  fit.width = fit.function.scale * scales_in_width(options.sigmoid);
+  fit.width = fit.function.scale * study::scales_in_width(options.sigmoid);
   fit.eta = fit.search.best.eta;
   fit.log_likelihood = log_likelihood_of(fit);
   fit.flat_log_likelihood = flat_log_likelihood(problem);

@@ -6,7 +6,7 @@
 
 #include "analysis/psychometric/likelihood/count_terms.h"
 #include "analysis/psychometric/likelihood/level_bins.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -64,7 +64,8 @@ void lay_grid(Search& search) {
   search.guesses = spread(problem.lower[parameter::guess], problem.upper[parameter::guess], {0, 0.1, 0.4, 1});
 }
 
-double value_of_levels(const FitProblem& problem, const std::vector<SigmoidPoint>& F, double l, double g) {
+double value_of_levels(const FitProblem& problem, const std::vector<study::SigmoidPoint>& F, double l,
+                       double g) {
   double sum = 0;
   for (std::size_t i = 0; i < F.size(); ++i) {
     const double A = 1 - g - l;
@@ -74,11 +75,12 @@ double value_of_levels(const FitProblem& problem, const std::vector<SigmoidPoint
   return sum;
 }
 
-Maximum likeliest_cell(const Search& search, double place, double log_scale, std::vector<SigmoidPoint>& F) {
+Maximum likeliest_cell(const Search& search, double place, double log_scale,
+                       std::vector<study::SigmoidPoint>& F) {
   const FitProblem& problem = search.problem;
   const double inverse = problem.sign * std::exp(-log_scale);
   for (std::size_t i = 0; i < F.size(); ++i)
-    F[i] = sigmoid_point(problem.sigmoid, inverse * (problem.levels[i].t - place));
+    F[i] = study::sigmoid_point(problem.sigmoid, inverse * (problem.levels[i].t - place));
   Maximum cell{.theta = {place, log_scale, search.lapses.front(), search.guesses.front()},
                .value = -infinity};
   for (double l : search.lapses)
@@ -179,7 +181,7 @@ Search search_maximum(FitProblem problem) {
   Search search;
   search.problem = std::move(problem);
   lay_grid(search);
-  std::vector<SigmoidPoint> F(search.problem.levels.size());
+  std::vector<study::SigmoidPoint> F(search.problem.levels.size());
   for (double place : search.places)
     for (double log_scale : search.log_scales)
       search.cells.push_back(likeliest_cell(search, place, log_scale, F));

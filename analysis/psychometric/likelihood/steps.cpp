@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/psychometric/likelihood/count_terms.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -85,7 +85,7 @@ Theta on_ridge(const FitProblem& problem, const Candidate& step, double place, d
   if (step.through) {
     const UnitCounts& level = problem.levels[step.first];
     const double F = (level.k / level.n - step.guess) / (1 - step.guess - step.lapse);
-    m = level.t - problem.sign * scale * sigmoid_quantile(problem.sigmoid, F);
+    m = level.t - problem.sign * scale * study::sigmoid_quantile(problem.sigmoid, F);
   }
   return {std::clamp(m, problem.lower[0], problem.upper[0]), std::log(scale), step.lapse, step.guess};
 }
@@ -163,8 +163,8 @@ StepFit described(const FitProblem& problem, const Candidate& step) {
     fit.largest_log_scale = std::log(least_steep);
     fit.level_t = place;
     fit.level_z =
-        sigmoid_quantile(problem.sigmoid, (levels[step.first].k / levels[step.first].n - step.guess) /
-                                              (1 - step.guess - step.lapse));
+        study::sigmoid_quantile(problem.sigmoid, (levels[step.first].k / levels[step.first].n - step.guess) /
+                                                     (1 - step.guess - step.lapse));
     weigh_ridge(problem, step, place, steep, fit);
     fit.middle = on_ridge(problem, step, place, least_steep / 2);
   } else {

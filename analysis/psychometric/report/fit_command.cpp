@@ -1,6 +1,9 @@
 #include "analysis/psychometric/report/fit_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -22,7 +25,8 @@ constexpr std::size_t rows_of_seconds = 20'000;  ///< more may take seconds, and
 struct FitArguments {
   std::string file;
   int alternatives = 0;
-  std::string sigmoid = "norm", axis = "log2", direction = "auto", lapse = "free:0.1", guess;
+  std::string sigmoid = std::string(word(FitOptions{}.sigmoid)), axis = "log2", direction = "auto",
+              lapse = "free:0.1", guess;
   std::string threshold_prior, width_prior, lapse_prior;
   bool overdispersed = false, json = false;
   FitRequest request;
@@ -86,14 +90,22 @@ void require_pair(const std::string& option, const std::string& text) {
   (void)pair_of(option, text);
 }
 
+/// The default first.
+std::vector<std::string> sigmoid_words() {
+  std::vector<std::string> words;
+  for (const Sigmoid sigmoid : every_sigmoid) words.emplace_back(word(sigmoid));
+  std::stable_partition(words.begin(), words.end(),
+                        [](const std::string& one) { return one == word(FitOptions{}.sigmoid); });
+  return words;
+}
+
 study::Axis axis_of(const FitArguments& arguments) {
   return arguments.axis == word(study::Axis::linear) ? study::Axis::linear : study::Axis::log2;
 }
 
 FitOptions options_of(const FitArguments& arguments) {
   FitOptions options = options_for_alternatives(arguments.alternatives);
-  for (const Sigmoid sigmoid : {Sigmoid::normal, Sigmoid::logistic, Sigmoid::gumbel})
-    if (arguments.sigmoid == word(sigmoid)) options.sigmoid = sigmoid;
+  options.sigmoid = sigmoid_from_word(arguments.sigmoid).value();
   options.axis = axis_of(arguments);
   if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
   if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
@@ -129,8 +141,12 @@ void add_fit_command(CLI::App& app) {
   add_number(*command, "--alternatives", arguments->alternatives, {1, 1000},
              "of the forced choice; 1 is yes/no")
       ->required();
-  command->add_option("--sigmoid", arguments->sigmoid, "norm, logistic or gumbel")
-      ->check(CLI::IsMember({"norm", "logistic", "gumbel"}))
+  const std::vector<std::string> sigmoids = sigmoid_words();
+  command
+      ->add_option(
+          "--sigmoid", arguments->sigmoid,
+          fmt::format("{} or {}", fmt::join(sigmoids.begin(), sigmoids.end() - 1, ", "), sigmoids.back()))
+      ->check(CLI::IsMember(sigmoids))
       ->capture_default_str();
   command->add_option("--axis", arguments->axis, "log2 or linear")
       ->check(CLI::IsMember({"log2", "linear"}))

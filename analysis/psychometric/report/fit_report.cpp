@@ -94,18 +94,6 @@ const char* word(study::Direction direction) {
   return direction == study::Direction::increasing ? "increasing" : "decreasing";
 }
 
-const char* word(Sigmoid sigmoid) {
-  switch (sigmoid) {
-    case Sigmoid::normal:
-      return "norm";
-    case Sigmoid::logistic:
-      return "logistic";
-    case Sigmoid::gumbel:
-      return "gumbel";
-  }
-  return "";
-}
-
 const char* word(study::Axis axis) {
   return axis == study::Axis::log2 ? "log2" : "linear";
 }

@@ -57,9 +57,8 @@ struct FitReport {
 /// The same as tables for a terminal.
 [[nodiscard]] std::string fit_text(const FitReport& report);
 
-/// "increasing", "decreasing"; "norm", "logistic", "gumbel"; "linear", "log2": the words of the command line.
+/// "increasing", "decreasing"; "linear", "log2": the words of the command line.
 [[nodiscard]] const char* word(study::Direction direction);
-[[nodiscard]] const char* word(Sigmoid sigmoid);
 [[nodiscard]] const char* word(study::Axis axis);
 
 }  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "analysis/psychometric/intervals/verdict.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
 
@@ -35,7 +35,8 @@ void warn_of_separation(const PsychometricFit& fit, Warnings& warnings) {
                               std::abs(step.high_t - step.maximum.theta[0])
                           ? step.low_t
                           : step.high_t),
-                std::exp(step.largest_log_scale) * problem.range * scales_in_width(fit.options.sigmoid),
+                std::exp(step.largest_log_scale) * problem.range *
+                    study::scales_in_width(fit.options.sigmoid),
                 level(step.low_t), level(step.high_t))
           : fmt::format(
                 "separation: no sigmoid is likelier than a step between {:.4g} and {:.4g}, so that threshold "
@@ -46,7 +47,7 @@ void warn_of_separation(const PsychometricFit& fit, Warnings& warnings) {
     text +=
         fmt::format(" (best smooth function: threshold {:.4g}, width {:.3g}, {:.3g} log units less likely)",
                     level(smooth->theta[0]),
-                    std::exp(smooth->theta[1]) * problem.range * scales_in_width(fit.options.sigmoid),
+                    std::exp(smooth->theta[1]) * problem.range * study::scales_in_width(fit.options.sigmoid),
                     step.maximum.value - smooth->value);
   warnings.push_back(text);
 }

@@ -1,7 +1,7 @@
 #pragma once
-#include "study/placement/psychometric_function.h"
+#include "stimuli/definition/sigmoid.h"
 
-namespace seamline::analysis {
+namespace seamline::study {
 
 /// A sigmoid F at one place z, with both tails exact to the last bits.
 struct SigmoidPoint {
@@ -11,6 +11,9 @@ struct SigmoidPoint {
   double density_slope = 0;  ///< F''(z)
 };
 
+/// F(z), without guess and lapse. NaN gives NaN.
+[[nodiscard]] double sigmoid_value(Sigmoid sigmoid, double z);
+
 [[nodiscard]] SigmoidPoint sigmoid_point(Sigmoid sigmoid, double z);
 
 /// z with F(z) = share, 0 < share < 1.
@@ -19,4 +22,4 @@ struct SigmoidPoint {
 /// F^-1(0.95) - F^-1(0.05): the width of a function is this many scales.
 [[nodiscard]] double scales_in_width(Sigmoid sigmoid);
 
-}  // namespace seamline::analysis
+}  // namespace seamline::study

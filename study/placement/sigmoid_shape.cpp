@@ -1,12 +1,12 @@
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 #include <boost/math/special_functions/erf.hpp>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
-namespace seamline::analysis {
-
+namespace seamline::study {
 namespace {
 
 using std::numbers::ln2;
@@ -39,35 +39,66 @@ SigmoidPoint gumbel_point(double z) {
           .density_slope = above > 0 ? density * (1 - hazard) : 0};
 }
 
-}  // namespace
+double normal_value(double z) {
+  return 0.5 * std::erfc(-z / sqrt2);
+}
 
-SigmoidPoint sigmoid_point(Sigmoid sigmoid, double z) {
+double logistic_value(double z) {
+  return 1 / (1 + std::exp(-z));
+}
+
+double gumbel_value(double z) {
+  return -std::expm1(-ln2 * std::exp(z));
+}
+
+double normal_quantile(double share) {
+  return -sqrt2 * boost::math::erfc_inv(2 * share);
+}
+
+double logistic_quantile(double share) {
+  return std::log(share) - std::log1p(-share);
+}
+
+double gumbel_quantile(double share) {
+  return std::log(-std::log1p(-share) / ln2);
+}
+
+/// All that is known of a sigmoid.
+struct SigmoidShape {
+  double (*value)(double z);
+  SigmoidPoint (*point)(double z);
+  double (*quantile)(double share);
+};
+
+SigmoidShape shape_of(Sigmoid sigmoid) {
   switch (sigmoid) {
     case Sigmoid::logistic:
-      return logistic_point(z);
+      return {logistic_value, logistic_point, logistic_quantile};
     case Sigmoid::normal:
-      return normal_point(z);
+      return {normal_value, normal_point, normal_quantile};
     case Sigmoid::gumbel:
-      return gumbel_point(z);
+      return {gumbel_value, gumbel_point, gumbel_quantile};
   }
-  return {};
+  throw std::logic_error("a sigmoid without a shape");
+}
+
+}  // namespace
+
+double sigmoid_value(Sigmoid sigmoid, double z) {
+  return shape_of(sigmoid).value(z);
+}
+
+SigmoidPoint sigmoid_point(Sigmoid sigmoid, double z) {
+  return shape_of(sigmoid).point(z);
 }
 
 double sigmoid_quantile(Sigmoid sigmoid, double share) {
   assert(share > 0 && share < 1);
-  switch (sigmoid) {
-    case Sigmoid::logistic:
-      return std::log(share) - std::log1p(-share);
-    case Sigmoid::normal:
-      return -sqrt2 * boost::math::erfc_inv(2 * share);
-    case Sigmoid::gumbel:
-      return std::log(-std::log1p(-share) / ln2);
-  }
-  return {};
+  return shape_of(sigmoid).quantile(share);
 }
 
 double scales_in_width(Sigmoid sigmoid) {
   return sigmoid_quantile(sigmoid, 0.95) - sigmoid_quantile(sigmoid, 0.05);
 }
 
-}  // namespace seamline::analysis
+}  // namespace seamline::study
