@@ -7,9 +7,9 @@
 #include <map>
 
 #include "analysis/thresholds/paper_values.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "study/observers/observer.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "support/text/error.h"
 
 namespace seamline::analysis {
@@ -24,7 +24,7 @@ struct CellSums {
 DifferenceFloors floors_of(const std::filesystem::path& none_set, double ppd, int threads) {
   if (none_set.empty()) return {};
   const Manifest manifest = read_manifest(none_set);
-  check_set_files(none_set, manifest);
+  check_manifest_pictures(none_set, manifest);
   const DifferenceFloors floors =
       difference_floors(manifest, visible_differences(none_set, manifest, ppd, {}, threads));
   if (floors.empty())
@@ -107,8 +107,8 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 }
 
 Prediction predict_thresholds(const PredictionRequest& request) {
-  const study::StudySet set = study::load_study_set(request.set_folder);
-  check_set_files(set.folder, set.manifest);
+  const study::RenderedSet set = study::load_rendered_set(request.set_folder);
+  check_manifest_pictures(set.folder, set.manifest);
   Prediction prediction{.observer = set.study.observer, .artifacts = {}};
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);

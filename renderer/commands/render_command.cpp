@@ -12,7 +12,7 @@
 #include "renderer/set/pages/explain.h"
 #include "renderer/set/render_set.h"
 #include "renderer/set/true_error_set.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/confined_path.h"
 #include "support/running/progress.h"
@@ -100,7 +100,7 @@ void run_verify(const std::string& set) {
     throw input_error({.file = study.string(),
                        .wanted = "the study that the set was rendered from",
                        .found = "another one"});
-  check_set_files(set, manifest);
+  check_manifest_pictures(set, manifest);
   fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
              manifest.references.size());
 }

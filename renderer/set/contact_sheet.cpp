@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/files/image.h"
 
 namespace seamline::renderer {
@@ -140,10 +140,10 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
   for (const auto& [key, row] : rows) {
     const ManifestStimulus& coarsest = *row.rbegin()->second;
     const auto picture_of = [&](const ManifestStimulus& record) {
-      return read_set_file(set_folder, stimulus_file(manifest, record));
+      return read_manifest_picture(set_folder, stimulus_picture(manifest, record));
     };
-    const ByteImage reference = read_set_file(
-        set_folder, reference_file(manifest, reference_of(set_folder, manifest, coarsest.stimulus.scene)));
+    const ByteImage reference = read_manifest_picture(
+        set_folder, reference_picture(manifest, reference_of(set_folder, manifest, coarsest.stimulus.scene)));
     const Box window = artifact_window(picture_of(coarsest), reference);
     column = 0;
     for (const int width_px : widths) {

@@ -16,7 +16,7 @@
 #include "renderer/set/set_pictures.h"
 #include "renderer/set/set_work.h"
 #include "renderer/set/timings.h"
-#include "stimuli/study_file/session_files.h"
+#include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/running/memory.h"
@@ -75,7 +75,7 @@ class SetRenderer {
   /// Manifest and study file change together, at the end: until then a set stays what it was.
   void write_set() {
     Manifest written = manifest();
-    copy_session_files(study_, request_.set_folder);
+    copy_carried_files(study_, request_.set_folder);
     write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
     write_manifest(request_.set_folder, written);
     // Another shard may have finished meanwhile: the last to look lists everything.

@@ -11,7 +11,7 @@
 #include "renderer/picture/composite.h"
 #include "renderer/picture/true_error.h"
 #include "renderer/picture/worst_tile.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 
@@ -116,8 +116,8 @@ class Measuring {
   }
 
   void measure(const ManifestStimulus& record, double exposure_ev, const StimulusLayers& reference) {
-    const ByteImage shown =
-        read_set_file(request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
+    const ByteImage shown = read_manifest_picture(
+        request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
     const TrueError error = true_error(
         shown, {compose_half(reference, 0).picture, compose_half(reference, 1).picture}, exposure_ev);
     const TrueErrorRecord result{.rmse = error.rmse(),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "stimuli/pictures/flip.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -38,7 +38,7 @@ std::map<std::string, FlipPicture> read_references(const fs::path& folder, const
   for (const ManifestStimulus& stimulus : manifest.stimuli)
     if (!references.contains(stimulus.reference))
       references[stimulus.reference] =
-          flip_picture(read_picture(set_file_path(folder, stimulus.reference), manifest), ppd);
+          flip_picture(read_picture(path_in_set(folder, stimulus.reference), manifest), ppd);
   return references;
 }
 
@@ -66,7 +66,7 @@ VisibleDifferences visible_differences(const fs::path& set_folder, const Manifes
   std::vector<double> pooled(manifest.stimuli.size());
   run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
     const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
-    const ByteImage image = read_picture(set_file_path(set_folder, stimulus.image), manifest);
+    const ByteImage image = read_picture(path_in_set(set_folder, stimulus.image), manifest);
     const Image flip =
         flip_difference(references.at(stimulus.reference), flip_picture(image, pixels_per_degree));
     pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, pixels_per_degree);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "stimuli/study_file/session_files.h"
+#include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/study_file_people.h"
 #include "stimuli/study_file/study_file_procedure.h"
 #include "stimuli/study_file/study_file_scene.h"
@@ -96,7 +96,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   }
   table.finish();
   const std::filesystem::path folder = path.parent_path();
-  check_session_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
+  check_carried_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
   return study;
 }

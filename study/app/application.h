@@ -21,7 +21,7 @@ class Application {
  public:
   /// Opens the window and checks it. Throws InputError when there is none, or when it cannot show the
   /// pictures pixel for pixel and the request does not allow scaling.
-  Application(const StudySet& set, VisitStore& store, const ParticipantRequest& request);
+  Application(const RenderedSet& set, VisitStore& store, const ParticipantRequest& request);
 
   /// Until the last page is closed, or the person leaves. Throws InputError when the session had to stop.
   void run();
@@ -46,7 +46,7 @@ class Application {
   void show_frame(std::int64_t begun_ns);
   void plan_next_frame(std::int64_t now_ns);
 
-  const StudySet& set_;
+  const RenderedSet& set_;
   VisitStore& store_;
   const ParticipantRequest& request_;
   Window window_;

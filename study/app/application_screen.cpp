@@ -10,11 +10,11 @@
 namespace seamline::study::app {
 namespace {
 
-Size picture_size(const StudySet& set) {
+Size picture_size(const RenderedSet& set) {
   return {static_cast<double>(set.manifest.width_px), static_cast<double>(set.manifest.height_px)};
 }
 
-WindowRequest window_request(const StudySet& set, const ParticipantRequest& request) {
+WindowRequest window_request(const RenderedSet& set, const ParticipantRequest& request) {
   constexpr int least_width_px = 1100, least_height_px = 760, margin_px = 40;
   return {.title = "Seamline",
           .fullscreen = !request.windowed,
@@ -34,7 +34,7 @@ std::string key_of(const DisplayInfo& display) {
 
 }  // namespace
 
-Application::Application(const StudySet& set, VisitStore& store, const ParticipantRequest& request)
+Application::Application(const RenderedSet& set, VisitStore& store, const ParticipantRequest& request)
     : set_(set),
       store_(store),
       request_(request),

@@ -5,13 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
 #include "study/log/recovery/log_recovery.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/simulation.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/suggest.h"
@@ -54,8 +54,8 @@ void simulate(const StudyOptions& options) {
       throw input_error({.field = flag, .wanted = "a person (--participant)", .found = "--observer"});
   std::optional<double> gain;
   if (options.gain > 0) gain = options.gain;
-  const StudySet set = load_study_set(options.set_folder);
-  check_set_files(set.folder, set.manifest);
+  const RenderedSet set = load_rendered_set(options.set_folder);
+  check_manifest_pictures(set.folder, set.manifest);
   const SimulationSummary summary = run_simulated_study({.set_folder = options.set_folder,
                                                          .log = options.log,
                                                          .observer = parse_observer(options.observer),

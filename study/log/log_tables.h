@@ -54,7 +54,7 @@ struct LogWriter::Tables {
 };
 
 /// The study of a set; its stimuli that the log does not have, and how many those were.
-void enter_study_row(SQLite::Database& database, const StudySet& set);
+void enter_study_row(SQLite::Database& database, const RenderedSet& set);
 std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli);
 
 }  // namespace seamline::study

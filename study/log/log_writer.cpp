@@ -36,7 +36,7 @@ std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector
   return entered;
 }
 
-void enter_study_row(SQLite::Database& database, const StudySet& set) {
+void enter_study_row(SQLite::Database& database, const RenderedSet& set) {
   SQLite::Statement insert(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
   run(insert, set.study.name, set.manifest.study_hash, set.set_hash, set.folder.string(), set.study_text,
       program_version());
@@ -44,7 +44,7 @@ void enter_study_row(SQLite::Database& database, const StudySet& set) {
 
 namespace {
 
-void enter_study(SQLite::Database& database, const StudySet& set) {
+void enter_study(SQLite::Database& database, const RenderedSet& set) {
   enter_study_row(database, set);
   const auto wanted = static_cast<std::int64_t>(set.manifest.stimuli.size());
   const std::int64_t entered = enter_missing_stimuli(database, set.manifest.stimuli);
@@ -87,7 +87,7 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
 }
 
 /// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
-void claim_log(SQLite::Database& database, const fs::path& path, const StudySet& set) {
+void claim_log(SQLite::Database& database, const fs::path& path, const RenderedSet& set) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement row(database, "SELECT study_hash, set_hash FROM study");
   if (!row.executeStep())
@@ -103,7 +103,7 @@ void claim_log(SQLite::Database& database, const fs::path& path, const StudySet&
 
 }  // namespace
 
-LogWriter::LogWriter(fs::path path, const StudySet& set) : path_(std::move(path)) {
+LogWriter::LogWriter(fs::path path, const RenderedSet& set) : path_(std::move(path)) {
   const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
   SQLite::Database database = open_or_create_log_database(path_, fill);
   with_log_errors(path_, [&] {

@@ -11,8 +11,8 @@
 #include "stimuli/definition/form_definition.h"
 #include "study/observers/observer.h"
 #include "study/placement/trial.h"
+#include "study/trials/rendered_set.h"
 #include "study/trials/slot.h"
-#include "study/trials/study_set.h"
 #include "study/visit/display_facts.h"
 
 namespace seamline::study {
@@ -91,7 +91,7 @@ class LogWriter {
   /// Opens or creates the log of a set, and proves by a committed write that it can be written to. Throws
   /// InputError when it cannot, or when the log belongs to another study or set; a log begun here is removed
   /// again then.
-  LogWriter(std::filesystem::path path, const StudySet& set);
+  LogWriter(std::filesystem::path path, const RenderedSet& set);
   ~LogWriter();
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;

@@ -8,8 +8,8 @@
 
 #include "study/log/log_writer.h"
 #include "study/running/participant_session.h"
+#include "study/trials/rendered_set.h"
 #include "study/trials/slot.h"
-#include "study/trials/study_set.h"
 #include "study/visit/session.h"
 #include "support/arithmetic/random.h"
 #include "support/running/interrupt.h"
@@ -35,21 +35,21 @@ struct SimulatedPerson {
 using SharedDifferences = std::shared_ptr<const VisibleDifferences>;
 
 /// What `image` observers look at, once for all of them; none for the other kinds.
-SharedDifferences look_at_pictures(const SimulationRequest& request, const StudySet& set) {
+SharedDifferences look_at_pictures(const SimulationRequest& request, const RenderedSet& set) {
   if (request.observer != ObserverKind::image) return nullptr;
   require_image_gain(set.study.observer);
   return std::make_shared<const VisibleDifferences>(
       visible_differences(set.folder, set.manifest, set.study.observer.pixels_per_degree));
 }
 
-SimulatedPerson make_person(const SimulationRequest& request, const StudySet& set,
+SimulatedPerson make_person(const SimulationRequest& request, const RenderedSet& set,
                             const SharedDifferences& differences, int number) {
   const std::uint64_t seed = person_seed(request.seed, number);
   Random random(seed, 0);
   return {.seed = seed, .observer = make_observer(request.observer, set.study.observer, random, differences)};
 }
 
-Response answer_of(const SimulatedPerson& person, const StudySet& set, const Session& session) {
+Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const Session& session) {
   const PlannedTrial trial = current_trial(session.trials).value();
   Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
   const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
@@ -65,7 +65,7 @@ Response answer_of(const SimulatedPerson& person, const StudySet& set, const Ses
 }
 
 /// One trial from the image to the stored answer, all at time 0.
-Session run_trial(Session session, const SimulatedPerson& person, const StudySet& set,
+Session run_trial(Session session, const SimulatedPerson& person, const RenderedSet& set,
                   const std::function<void(const TrialAnswer&)>& store) {
   const Response response = answer_of(person, set, session);
   session = next(std::move(session), ImageShown{});
@@ -77,7 +77,7 @@ Session run_trial(Session session, const SimulatedPerson& person, const StudySet
 }
 
 /// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
-int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, const TrialRules& rules,
+int run_participant(LogWriter& log, OpenSession& place, const RenderedSet& set, const TrialRules& rules,
                     const SimulatedPerson& person) {
   Session session = begin_session(open_trials(rules, log, place),
                                   {.break_every_trials = set.study.session.break_every_trials});
@@ -94,7 +94,7 @@ int run_participant(LogWriter& log, OpenSession& place, const StudySet& set, con
 /// What all simulated people of a run share.
 struct SimulatedStudy {
   const SimulationRequest& request;
-  StudySet set;
+  RenderedSet set;
   TrialRules rules;
   SharedDifferences differences;
 };
@@ -124,7 +124,7 @@ void simulate(LogWriter& log, const SimulatedStudy& study, int number, Simulatio
 SimulationSummary run_simulated_study(const SimulationRequest& request) {
   assert(request.count >= 1);
   SimulatedStudy study{
-      .request = request, .set = load_study_set(request.set_folder), .rules = {}, .differences = {}};
+      .request = request, .set = load_rendered_set(request.set_folder), .rules = {}, .differences = {}};
   study.rules = make_trial_rules(study.set);
   if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
   study.differences = look_at_pictures(request, study.set);

@@ -28,7 +28,7 @@ struct SimulationSummary {
 /// is missing and nothing else: completed participants are left alone, and a participant's answers depend on
 /// nothing but the seed, the participant's number and the set. So a transaction holds 25 participants, not
 /// one answer as for people: what a crash loses of simulated participants the next run makes again, bit for
-/// bit. Throws InputError as load_study_set and LogWriter do, before the log is begun where the set is at
+/// bit. Throws InputError as load_rendered_set and LogWriter do, before the log is begun where the set is at
 /// fault; Interrupted after Ctrl-C, with whole participants kept.
 SimulationSummary run_simulated_study(const SimulationRequest& request);
 

@@ -13,7 +13,7 @@ InputError refusal(const fs::path& log, const std::string& code, const std::stri
       {.file = log.string(), .field = "participant " + code, .wanted = wanted, .found = found});
 }
 
-void check_consent_text(const StudySet& set, const Visitor& visitor) {
+void check_consent_text(const RenderedSet& set, const Visitor& visitor) {
   if (visitor.pilot || !is_default_consent(set.study.consent)) return;
   throw input_error({.file = (set.folder / set.manifest.study_file).string(),
                      .field = "consent.text",
@@ -36,14 +36,14 @@ void check_may_begin(const KnownParticipant& known, const fs::path& log, const V
 }  // namespace
 
 struct VisitStore::State {
-  State(const StudySet& study_set, const fs::path& log_path, const Visitor& visitor)
-      : set(study_set),
+  State(const RenderedSet& rendered, const fs::path& log_path, const Visitor& visitor)
+      : set(rendered),
         enrolment{.code = visitor.code, .pilot = visitor.pilot},
-        rules(make_trial_rules(study_set)),
-        script(std::make_shared<const VisitScript>(make_visit_script(study_set))),
-        log(log_path, study_set) {}
+        rules(make_trial_rules(rendered)),
+        script(std::make_shared<const VisitScript>(make_visit_script(rendered))),
+        log(log_path, rendered) {}
 
-  const StudySet& set;
+  const RenderedSet& set;
   Enrolment enrolment;
   TrialRules rules;
   std::shared_ptr<const VisitScript> script;
@@ -146,7 +146,7 @@ Visit VisitStore::State::settle(Visit visit) {
   });
 }
 
-VisitStore::VisitStore(const StudySet& set, const fs::path& log, const Visitor& visitor) {
+VisitStore::VisitStore(const RenderedSet& set, const fs::path& log, const Visitor& visitor) {
   check_participant_code(visitor.code);
   check_consent_text(set, visitor);
   state_ = std::make_unique<State>(set, log, visitor);

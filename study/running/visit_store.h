@@ -8,7 +8,7 @@
 
 #include "study/log/log_writer.h"
 #include "study/running/participant_session.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "study/visit/visit.h"
 
 namespace seamline::study {
@@ -30,7 +30,7 @@ class VisitStore {
   /// the shipped consent text would be shown to somebody who is no pilot, or when the participant is
   /// complete, excluded, of another kind, in a session elsewhere, or has begun and the study refuses to
   /// resume. `set` must live as long as the store.
-  VisitStore(const StudySet& set, const std::filesystem::path& log, const Visitor& visitor);
+  VisitStore(const RenderedSet& set, const std::filesystem::path& log, const Visitor& visitor);
   ~VisitStore();
   VisitStore(const VisitStore&) = delete;
   VisitStore& operator=(const VisitStore&) = delete;

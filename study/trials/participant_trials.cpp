@@ -53,7 +53,7 @@ std::vector<CatchTrial> catches_at(const TrialRules& rules, const ParticipantPro
 
 }  // namespace
 
-TrialRules make_trial_rules(const StudySet& set) {
+TrialRules make_trial_rules(const RenderedSet& set) {
   TrialRules rules{.study_seed = set.study.seed, .catches = set.study.catches};
   for (const ManifestStimulus& record : set.manifest.stimuli) rules.stimuli.push_back(record.stimulus);
   if (const auto* definition = std::get_if<QuestPlusDefinition>(&set.study.procedure))

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "study/placement/quest_plus_design.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "study/trials/trial_sequence.h"
 
 namespace seamline::study {
@@ -29,7 +29,7 @@ struct TrialRules {
   std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli
 };
 
-[[nodiscard]] TrialRules make_trial_rules(const StudySet& set);
+[[nodiscard]] TrialRules make_trial_rules(const RenderedSet& set);
 
 /// How far a participant has come.
 struct ParticipantProgress {

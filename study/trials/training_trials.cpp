@@ -13,7 +13,7 @@ namespace {
 
 /// The stimuli of each artifact, the coarsest first, and among equals another object first for each artifact,
 /// so that practice does not teach that it is always the same one.
-std::vector<std::vector<int>> coarsest_first(const StudySet& set) {
+std::vector<std::vector<int>> coarsest_first(const RenderedSet& set) {
   std::vector<std::vector<int>> by_artifact;
   std::map<Artifact, std::size_t> place;
   const auto stimulus = [&](int index) -> const Stimulus& {
@@ -36,7 +36,7 @@ std::vector<std::vector<int>> coarsest_first(const StudySet& set) {
   return by_artifact;
 }
 
-std::vector<int> easiest(const StudySet& set, int wanted) {
+std::vector<int> easiest(const RenderedSet& set, int wanted) {
   const std::vector<std::vector<int>> by_artifact = coarsest_first(set);
   std::vector<int> chosen;
   for (std::size_t round = 0;; ++round) {
@@ -48,7 +48,7 @@ std::vector<int> easiest(const StudySet& set, int wanted) {
   }
 }
 
-int index_of(const StudySet& set, const std::string& id) {
+int index_of(const RenderedSet& set, const std::string& id) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
     if (set.manifest.stimuli[i].id == id) return static_cast<int>(i);
@@ -64,7 +64,7 @@ int index_of(const StudySet& set, const std::string& id) {
 
 }  // namespace
 
-std::vector<PlannedTrial> training_trials(const StudySet& set) {
+std::vector<PlannedTrial> training_trials(const RenderedSet& set) {
   std::vector<int> stimuli;
   if (set.study.training.stimuli.empty()) stimuli = easiest(set, set.study.training.trials);
   for (const std::string& id : set.study.training.stimuli) stimuli.push_back(index_of(set, id));

@@ -2,12 +2,12 @@
 #include <vector>
 
 #include "study/placement/trial.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 
 namespace seamline::study {
 
 /// The practice of every visit: the stimuli that the study names, or the coarsest ones, one artifact after
 /// the other. Throws InputError when a stimulus that the study names is not in the set.
-[[nodiscard]] std::vector<PlannedTrial> training_trials(const StudySet& set);
+[[nodiscard]] std::vector<PlannedTrial> training_trials(const RenderedSet& set);
 
 }  // namespace seamline::study

@@ -1,33 +1,33 @@
 #include "study/trials/trial_picture.h"
 
 #include "stimuli/pictures/attention_image.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 
 namespace seamline::study {
 namespace {
 
-const ManifestStimulus& record_of(const StudySet& set, const PlannedTrial& trial) {
+const ManifestStimulus& record_of(const RenderedSet& set, const PlannedTrial& trial) {
   return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
 }
 
-const ManifestReference& scene_reference(const StudySet& set, const PlannedTrial& trial) {
+const ManifestReference& scene_reference(const RenderedSet& set, const PlannedTrial& trial) {
   return reference_of(set.folder, set.manifest, record_of(set, trial).stimulus.scene);
 }
 
-ByteImage load_reference(const StudySet& set, const PlannedTrial& trial) {
-  return read_set_file(set.folder, reference_file(set.manifest, scene_reference(set, trial)));
+ByteImage load_reference(const RenderedSet& set, const PlannedTrial& trial) {
+  return read_manifest_picture(set.folder, reference_picture(set.manifest, scene_reference(set, trial)));
 }
 
 }  // namespace
 
-ByteImage load_object_ids(const StudySet& set, const PlannedTrial& trial) {
-  return read_set_file(set.folder, click_map_file(set.manifest, scene_reference(set, trial)));
+ByteImage load_object_ids(const RenderedSet& set, const PlannedTrial& trial) {
+  return read_manifest_picture(set.folder, click_map_picture(set.manifest, scene_reference(set, trial)));
 }
 
-ByteImage load_trial_picture(const StudySet& set, const PlannedTrial& trial) {
+ByteImage load_trial_picture(const RenderedSet& set, const PlannedTrial& trial) {
   switch (trial.kind) {
     case TrialKind::stimulus:
-      return read_set_file(set.folder, stimulus_file(set.manifest, record_of(set, trial)));
+      return read_manifest_picture(set.folder, stimulus_picture(set.manifest, record_of(set, trial)));
     case TrialKind::attention:
       return attention_image(load_reference(set, trial), load_object_ids(set, trial),
                              record_of(set, trial).stimulus.object_index);
@@ -37,7 +37,7 @@ ByteImage load_trial_picture(const StudySet& set, const PlannedTrial& trial) {
   return {};
 }
 
-int right_object(const StudySet& set, const PlannedTrial& trial) {
+int right_object(const RenderedSet& set, const PlannedTrial& trial) {
   return trial.kind == TrialKind::reference ? 0 : record_of(set, trial).stimulus.object_index;
 }
 

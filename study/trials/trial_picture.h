@@ -1,6 +1,6 @@
 #pragma once
 #include "study/placement/trial.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "support/files/image.h"
 
 namespace seamline::study {
@@ -9,12 +9,12 @@ namespace seamline::study {
 /// Reads files and nothing else, so threads may load pictures ahead. Throws InputError naming the file when
 /// it is missing, has other bytes than the set was rendered with or another size, or the set has no reference
 /// of the scene.
-[[nodiscard]] ByteImage load_trial_picture(const StudySet& set, const PlannedTrial& trial);
+[[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const PlannedTrial& trial);
 
 /// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.
-[[nodiscard]] ByteImage load_object_ids(const StudySet& set, const PlannedTrial& trial);
+[[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const PlannedTrial& trial);
 
 /// The object whose choice is right: 1 left, 2 middle, 3 right, 0 when there is none (`reference`).
-[[nodiscard]] int right_object(const StudySet& set, const PlannedTrial& trial);
+[[nodiscard]] int right_object(const RenderedSet& set, const PlannedTrial& trial);
 
 }  // namespace seamline::study

@@ -12,7 +12,7 @@ std::int64_t nanoseconds(double seconds) {
 
 }  // namespace
 
-VisitScript make_visit_script(const StudySet& set) {
+VisitScript make_visit_script(const RenderedSet& set) {
   const StudyDefinition& study = set.study;
   VisitScript script{.form = study.form,
                      .instruction_pages = static_cast<int>(study.instructions.size()),

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "stimuli/definition/form_definition.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "study/visit/session.h"
 
 namespace seamline::study {
@@ -17,6 +17,6 @@ struct VisitScript {
 };
 
 /// The script of a set's study. Throws InputError when a training stimulus is not in the set.
-[[nodiscard]] VisitScript make_visit_script(const StudySet& set);
+[[nodiscard]] VisitScript make_visit_script(const RenderedSet& set);
 
 }  // namespace seamline::study

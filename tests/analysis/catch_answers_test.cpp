@@ -19,7 +19,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// How somebody answers: by the observer, as a person or a pilot would be in the log.
-void take_part(LogWriter& log, const StudySet& set, const Enrolment& who, ObserverKind kind,
+void take_part(LogWriter& log, const RenderedSet& set, const Enrolment& who, ObserverKind kind,
                std::uint64_t seed) {
   Random random(seed);
   const Observer observer = make_observer(kind, set.study.observer, random);
@@ -48,7 +48,7 @@ class CatchAnswersTest : public ::testing::Test {
 };
 
 TEST_F(CatchAnswersTest, AttentionScreensAndReferencesEstimateGuessers) {
-  const StudySet set = write_set_of_text(
+  const RenderedSet set = write_set_of_text(
       folder / "set", study_text("tiny", paper_widths_px) + "[catch]\nattention = 8\nreference = 6\n");
   {
     LogWriter log(folder / "log", set);
@@ -76,7 +76,7 @@ TEST_F(CatchAnswersTest, AttentionScreensAndReferencesEstimateGuessers) {
 
 /// The thresholds, cells and every other number of the same log without its pilot participants.
 TEST_F(CatchAnswersTest, PilotDataAreAnalysedOnlyWhenAskedFor) {
-  const StudySet set = write_set_of_text(
+  const RenderedSet set = write_set_of_text(
       folder / "set", study_text("tiny", paper_widths_px) + "[catch]\nattention = 2\nreference = 2\n");
   const auto write = [&](const std::string& name, bool with_pilot) {
     LogWriter log(folder / name, set);
@@ -114,7 +114,7 @@ TEST_F(CatchAnswersTest, PilotDataAreAnalysedOnlyWhenAskedFor) {
 }
 
 TEST_F(CatchAnswersTest, ALogOfPilotsAloneNeedsTheFlag) {
-  const StudySet set = write_set(folder / "set", paper_widths_px);
+  const RenderedSet set = write_set(folder / "set", paper_widths_px);
   {
     LogWriter log(folder / "log", set);
     log.transaction([&] { take_part(log, set, {.code = "t1", .pilot = true}, ObserverKind::threshold, 1); });

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "analysis/psychometric/intervals/fit_intervals.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
 #include "stability/statistics/curve_fit_cases.h"
+#include "study/placement/sigmoid_shape.h"
 #include "tests/analysis/psychometric_simulated.h"
 
 namespace seamline::analysis {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/intervals/fit_intervals.h"
-#include "analysis/psychometric/likelihood/sigmoid_shape.h"
+#include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
 using namespace study;

@@ -23,7 +23,7 @@ using testing::Not;
 class StimulusSamplesTest : public testing::Test {
  protected:
   const TemporaryFolder folder_;
-  StudySet set_ = test::write_picture_set(folder_ / "set", {.widths = "64, 128, 256"});
+  RenderedSet set_ = test::write_picture_set(folder_ / "set", {.widths = "64, 128, 256"});
   Analysis analysis_;
 
   void SetUp() override {

@@ -52,7 +52,7 @@ inline ByteImage disc_ids(int width_px, int height_px) {
   return ids;
 }
 
-inline StudySet write_picture_set(const std::filesystem::path& folder, const PictureSetRequest& request) {
+inline RenderedSet write_picture_set(const std::filesystem::path& folder, const PictureSetRequest& request) {
   std::string text = fmt::format(
       "format = \"seamline study 1\"\nname = \"discs\"\nseed = 7\nwidth_px = {}\nheight_px = {}\n"
       "depth_width_px = [{}]\n{}\n[session]\n{}\n"
@@ -77,7 +77,7 @@ inline StudySet write_picture_set(const std::filesystem::path& folder, const Pic
     record.sha256 = sha256_of_file(folder / record.image);
   }
   write_manifest(folder, manifest);
-  return load_study_set(folder);
+  return load_rendered_set(folder);
 }
 
 }  // namespace seamline::test

@@ -43,7 +43,7 @@ struct Pressed {
 class SessionTest : public testing::Test {
  protected:
   fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "app" / "session";
-  StudySet set;
+  RenderedSet set;
   std::optional<test::XServer> server;
   std::optional<test::WindowDriver> window;
 

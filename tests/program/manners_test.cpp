@@ -74,13 +74,13 @@ TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
 
 TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
   // A set may have come from somebody else, with links out of its folder: whoever opens what a manifest names
-  // asks set_file_path. Its own two files know better, and so does what writes a set.
-  const std::set<std::string> known = {"renderer/set/set_pictures.cpp", "stimuli/set/set_files.cpp"};
+  // asks path_in_set. Its own two files know better, and so does what writes a set.
+  const std::set<std::string> known = {"renderer/set/set_pictures.cpp", "stimuli/set/manifest_pictures.cpp"};
   EXPECT_EQ(files_with(R"((folder|set)[a-z_]*(\(\))? / [a-z_.>()-]+(\.|->)(image|reference|object_ids)\b)"),
             std::set<std::string>{"renderer/set/set_pictures.cpp"});
   for (const std::string& file : files_with(R"(\bread_bytes_image\()")) {
     const std::string& text = sources().at(file);
-    const bool confined = text.find("set_file_path") != std::string::npos ||
+    const bool confined = text.find("path_in_set") != std::string::npos ||
                           text.find("path_below") != std::string::npos || known.contains(file) ||
                           file.starts_with("support/files/");
     EXPECT_TRUE(confined) << file;

@@ -3,21 +3,21 @@
 #include <gtest/gtest.h>
 
 #include "run_program.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/text/error.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {
 namespace {
 
-using study::StudySet;
+using study::RenderedSet;
 
 using test::fresh_folder;
 using test::Outcome;
 using test::run_seamline;
 using testing::HasSubstr;
 
-void expect_refused(const StudySet& set, const std::string& part) {
+void expect_refused(const RenderedSet& set, const std::string& part) {
   const std::string folder = set.folder.string();
   for (const std::string& command :
        {"verify " + folder, "study " + folder + " --observer perfect --log " + folder + "/log.sqlite",
@@ -26,11 +26,11 @@ void expect_refused(const StudySet& set, const std::string& part) {
     EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr(part)) << command;
   }
-  EXPECT_THROW(check_set_shapes(set.folder, set.manifest), InputError);
+  EXPECT_THROW(check_manifest_shapes(set.folder, set.manifest), InputError);
 }
 
 TEST(SetPictures, OfAnotherSizeOrKindAreRefused) {
-  StudySet set = test::write_picture_set(fresh_folder("pictures-size"), {.width_px = 64, .height_px = 48});
+  RenderedSet set = test::write_picture_set(fresh_folder("pictures-size"), {.width_px = 64, .height_px = 48});
   EXPECT_EQ(run_seamline("verify " + set.folder.string()).status, 0);
   const Manifest right = set.manifest;
   const auto put = [&](const std::string& file, const ByteImage& picture) {
@@ -49,7 +49,8 @@ TEST(SetPictures, OfAnotherSizeOrKindAreRefused) {
 }
 
 TEST(SetPictures, OfAStimulusThatAreNotItsScenesAreRefused) {
-  StudySet set = test::write_picture_set(fresh_folder("pictures-names"), {.width_px = 64, .height_px = 48});
+  RenderedSet set =
+      test::write_picture_set(fresh_folder("pictures-names"), {.width_px = 64, .height_px = 48});
   write_png(set.folder / "tiny.png", test::disc_ids(4, 4));
   set.manifest.stimuli[1].object_ids = "tiny.png";
   write_manifest(set.folder, set.manifest);
@@ -57,7 +58,7 @@ TEST(SetPictures, OfAStimulusThatAreNotItsScenesAreRefused) {
 }
 
 TEST(SetPictures, AReportWithoutOneSaysSo) {
-  const StudySet set =
+  const RenderedSet set =
       test::write_picture_set(fresh_folder("pictures-report"), {.width_px = 64, .height_px = 48});
   const std::string folder = set.folder.string();
   ASSERT_EQ(

@@ -19,7 +19,7 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leav
 namespace seamline {
 namespace {
 
-using study::StudySet;
+using study::RenderedSet;
 
 using test::fresh_folder;
 using test::run_seamline;
@@ -75,7 +75,7 @@ struct Work {
 
 /// A set whose pictures go on for gigabytes after their last byte that says anything.
 void write_long_set(const fs::path& folder) {
-  const StudySet set = test::write_picture_set(folder, {.width_px = 64, .height_px = 48});
+  const RenderedSet set = test::write_picture_set(folder, {.width_px = 64, .height_px = 48});
   fs::resize_file(set.folder / "room.png", std::uintmax_t{1} << 34U);
 }
 

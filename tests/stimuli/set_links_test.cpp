@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/pictures/visible_difference.h"
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/files/hash.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"
@@ -51,8 +51,9 @@ TEST_F(SetLinks, OutOfTheFolderAreRefusedByEveryReader) {
     EXPECT_THAT(complaint_of([&] { (void)visible_differences(set_, manifest_, 60, {}, 1); }),
                 HasSubstr("leads out of it"))
         << name;
-    EXPECT_THAT(complaint_of([&] { check_set_shapes(set_, manifest_); }), HasSubstr("leads out of it"));
-    EXPECT_THAT(complaint_of([&] { check_set_files(set_, manifest_); }), HasSubstr("leads out of it"));
+    EXPECT_THAT(complaint_of([&] { check_manifest_shapes(set_, manifest_); }), HasSubstr("leads out of it"));
+    EXPECT_THAT(complaint_of([&] { check_manifest_pictures(set_, manifest_); }),
+                HasSubstr("leads out of it"));
     fs::remove(set_ / name);
     fs::copy_file(outside_, set_ / name);
   }
@@ -62,7 +63,7 @@ TEST_F(SetLinks, OutOfTheFolderAreRefusedByEveryReader) {
 TEST_F(SetLinks, InsideTheFolderAreFollowed) {
   put_link("image.png", "reference.png");
   EXPECT_NO_THROW((void)visible_differences(set_, manifest_, 60, {}, 1));
-  EXPECT_NO_THROW(check_set_files(set_, manifest_));
+  EXPECT_NO_THROW(check_manifest_pictures(set_, manifest_));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "stimuli/study_file/session_files.h"
+#include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
@@ -139,7 +139,7 @@ feedback_right = "Ja: {object}"
   EXPECT_TRUE(study.instructions[1].text.empty());
   EXPECT_EQ(study.training.trials, 1);
   EXPECT_EQ(study.training.feedback_right, "Ja: {object}");
-  EXPECT_EQ(session_files(study), (std::vector<std::string>{"a.png", "deep/b.jpg", "page2.png"}));
+  EXPECT_EQ(carried_files(study), (std::vector<std::string>{"a.png", "deep/b.jpg", "page2.png"}));
   EXPECT_THAT(complaint_of_people("[instructions]\n"), HasSubstr("at least one"));
   EXPECT_THAT(complaint_of_people("[[instructions.page]]\n"), HasSubstr("neither"));
   EXPECT_THAT(complaint_of_people("[[instructions.page]]\npicture = \"a.png\""), HasSubstr("pictures"));
@@ -168,7 +168,7 @@ TEST(StudyFilePeople, FilesOfASessionLieBesideTheStudy) {
   write_file_atomically(folder / "deep/b.png", "picture");
   const StudyDefinition study = read_study(folder / "study.toml");
   EXPECT_EQ(study.session.font, "a.ttf");
-  copy_session_files(study, folder / "set");
+  copy_carried_files(study, folder / "set");
   EXPECT_EQ(read_file(folder / "set/a.ttf"), "letters");
   EXPECT_EQ(read_file(folder / "set/deep/b.png"), "picture");
 }

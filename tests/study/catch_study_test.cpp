@@ -112,7 +112,7 @@ TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
   for (const std::string& base : {study_text("tiny", "64, 512"), adaptive_text()}) {
     const std::string text = base + catches(4, 4);
     const std::string name = base == adaptive_text() ? "adaptive" : "constant";
-    const StudySet set = write_set_of_text(folder / (name + "-set"), text);
+    const RenderedSet set = write_set_of_text(folder / (name + "-set"), text);
     const TrialRules rules = make_trial_rules(set);
     const auto answer = [](int trial) {
       return TrialAnswer{.trial_index = trial, .chosen_index = 1 + trial % 3, .rating = 1 + trial % 4};
@@ -147,9 +147,9 @@ TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
 /// An adaptive procedure learns from its own trials alone: without the catch trials the same answers to the
 /// same stimuli leave the same beliefs, and choose the same stimuli.
 TEST_F(CatchStudyTest, QuestPlusLearnsFromStimuliOnly) {
-  const StudySet with = write_set_of_text(folder / "with", adaptive_text() + catches(5, 5));
-  const StudySet without = write_set_of_text(folder / "without", adaptive_text());
-  const auto run = [&](const StudySet& set, const std::string& name) {
+  const RenderedSet with = write_set_of_text(folder / "with", adaptive_text() + catches(5, 5));
+  const RenderedSet without = write_set_of_text(folder / "without", adaptive_text());
+  const auto run = [&](const RenderedSet& set, const std::string& name) {
     const TrialRules rules = make_trial_rules(set);
     LogWriter log(folder / name, set);
     OpenSession place = log.open_session({.code = "p"});

@@ -67,7 +67,7 @@ TEST(ImageObserver, AStimulusItHasNoPictureOfIsWrongInput) {
 }
 
 /// A set whose coarse pictures differ from the reference and whose fine ones do not.
-StudySet write_pictures(const std::filesystem::path& folder) {
+RenderedSet write_pictures(const std::filesystem::path& folder) {
   const std::string text = study_text("tiny", "64, 512") + "[observer]\nimage_gain = 20\n";
   Manifest manifest = write_set_of_text(folder, text).manifest;
   manifest.width_px = 64;
@@ -81,12 +81,12 @@ StudySet write_pictures(const std::filesystem::path& folder) {
     write_png(folder / record.image, record.stimulus.condition.depth_width_px == 64 ? seam : plain);
   }
   write_manifest(folder, manifest);
-  return load_study_set(folder);
+  return load_rendered_set(folder);
 }
 
 TEST(ImageObserver, LooksAtTheSetAndAnswersByWhatIsThere) {
   const TemporaryFolder folder;
-  const StudySet set = write_pictures(folder / "set");
+  const RenderedSet set = write_pictures(folder / "set");
   const auto simulate = [&](const std::string& log) {
     return run_simulated_study({.set_folder = set.folder,
                                 .log = folder / log,
@@ -112,7 +112,7 @@ TEST(ImageObserver, LooksAtTheSetAndAnswersByWhatIsThere) {
 /// People of two gains are two kinds of people: the log keeps the gain and mixes none.
 TEST(ImageObserver, TheLogKeepsTheGainThatWasGiven) {
   const TemporaryFolder folder;
-  const StudySet set = write_pictures(folder / "set");
+  const RenderedSet set = write_pictures(folder / "set");
   const auto simulate = [&](double gain, int count) {
     run_simulated_study({.set_folder = set.folder,
                          .log = folder / "log",
@@ -133,7 +133,7 @@ TEST(ImageObserver, WithoutAGainIsWrongInput) {
 
 TEST(ImageObserver, ASetWithoutPicturesIsWrongInputAndBeginsNoLog) {
   const TemporaryFolder folder;
-  const StudySet set = write_set(folder / "set");
+  const RenderedSet set = write_set(folder / "set");
   EXPECT_THROW(
       run_simulated_study(
           {.set_folder = set.folder, .log = folder / "log", .observer = ObserverKind::image, .count = 1}),

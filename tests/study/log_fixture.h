@@ -17,7 +17,7 @@ using test::complaint_of;
 class LogTest : public testing::Test {
  protected:
   TemporaryFolder folder;
-  StudySet set = write_set(folder / "set");
+  RenderedSet set = write_set(folder / "set");
   std::filesystem::path path = folder / "log.sqlite";
 
   [[nodiscard]] std::vector<int> order(int slot) const {

@@ -33,7 +33,7 @@ TrialAnswer answer_to(int participant, int trial_index) {
           .rating = 1 + static_cast<int>(random.below(4))};
 }
 
-void write_participant(LogWriter& log, const StudySet& set, int participant, int pipe_end) {
+void write_participant(LogWriter& log, const RenderedSet& set, int participant, int pipe_end) {
   OpenSession place = enter_session(log, {.code = fmt::format("p{:05}", participant)}, 0);
   if (place.completed) return;
   if (place.planned.empty())
@@ -50,7 +50,8 @@ void write_participant(LogWriter& log, const StudySet& set, int participant, int
 }
 
 /// Resumes everyone in turn until it is killed.
-[[noreturn]] void write_until_killed(const std::filesystem::path& path, const StudySet& set, int pipe_end) {
+[[noreturn]] void write_until_killed(const std::filesystem::path& path, const RenderedSet& set,
+                                     int pipe_end) {
   try {
     LogWriter log(path, set);
     for (int participant = 1;; ++participant) write_participant(log, set, participant, pipe_end);
@@ -61,7 +62,8 @@ void write_participant(LogWriter& log, const StudySet& set, int participant, int
 }
 
 /// Forks a writer, kills it after a while, and returns what it had reported by then.
-std::vector<Report> run_and_kill(const std::filesystem::path& path, const StudySet& set, unsigned delay_us) {
+std::vector<Report> run_and_kill(const std::filesystem::path& path, const RenderedSet& set,
+                                 unsigned delay_us) {
   int ends[2] = {};
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
   const pid_t child = ::fork();
@@ -84,7 +86,7 @@ std::vector<Report> run_and_kill(const std::filesystem::path& path, const StudyS
 TEST(LogKill, NothingStoredIsLostAndNothingIsDoubled) {
   constexpr int kills = 20;
   const TemporaryFolder folder;
-  const StudySet set = write_set(folder / "set", "64");
+  const RenderedSet set = write_set(folder / "set", "64");
   const std::filesystem::path path = folder / "log.sqlite";
   std::map<std::pair<std::string, int>, Report> reported;
   Random random(6);

@@ -65,12 +65,12 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
 
 TEST_F(LogTest, ALogOfAnotherStudyOrSetIsRefusedAndUnharmed) {
   { LogWriter log(path, set); }
-  const StudySet other_study = write_set(folder / "other", "64, 512", "another");
+  const RenderedSet other_study = write_set(folder / "other", "64, 512", "another");
   EXPECT_THAT(complaint_of([&] { LogWriter log(path, other_study); }), HasSubstr("study_hash"));
   Manifest rendered_again = set.manifest;
   rendered_again.stimuli[0].sha256 = std::string(64, '1');
   write_manifest(folder / "set", rendered_again);
-  EXPECT_THAT(complaint_of([&] { LogWriter log(path, load_study_set(folder / "set")); }),
+  EXPECT_THAT(complaint_of([&] { LogWriter log(path, load_rendered_set(folder / "set")); }),
               HasSubstr("set_hash"));
   EXPECT_EQ(read_log(path).set_hash, set.set_hash);
 }
@@ -161,7 +161,7 @@ TEST_F(LogTest, AnUnwritableLocationIsRefusedAndNothingIsLeft) {
 TEST_F(LogTest, WhatBeganBadlyIsRemoved) {
   Manifest wrong = set.manifest;
   wrong.stimuli[1].id = wrong.stimuli[0].id;
-  StudySet twice = set;
+  RenderedSet twice = set;
   twice.manifest = wrong;
   EXPECT_ANY_THROW(LogWriter(path, twice));
   for (const char* suffix : {"", "-wal", "-shm"}) EXPECT_FALSE(fs::exists(path.string() + suffix)) << suffix;
@@ -169,12 +169,13 @@ TEST_F(LogTest, WhatBeganBadlyIsRemoved) {
 
 TEST_F(LogTest, ASetWithoutManifestOrWithAnotherStudyIsRefused) {
   fs::create_directories(folder / "empty");
-  EXPECT_THROW((void)load_study_set(folder / "empty"), InputError);
-  EXPECT_THROW((void)load_study_set(folder / "nowhere"), InputError);
+  EXPECT_THROW((void)load_rendered_set(folder / "empty"), InputError);
+  EXPECT_THROW((void)load_rendered_set(folder / "nowhere"), InputError);
   write_file_atomically(folder / "set/study.toml", study_text("edited", "64, 512"));
-  EXPECT_THAT(complaint_of([&] { (void)load_study_set(folder / "set"); }), HasSubstr("render the set again"));
+  EXPECT_THAT(complaint_of([&] { (void)load_rendered_set(folder / "set"); }),
+              HasSubstr("render the set again"));
   fs::remove(folder / "set/study.toml");
-  EXPECT_THROW((void)load_study_set(folder / "set"), InputError);
+  EXPECT_THROW((void)load_rendered_set(folder / "set"), InputError);
 }
 
 }  // namespace

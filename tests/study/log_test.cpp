@@ -100,7 +100,7 @@ TEST_F(LogTest, ResumesWhereTheParticipantStopped) {
 TEST_F(LogTest, FindsTheSetWhereItWasLast) {
   { LogWriter log(path, set); }
   fs::rename(folder / "set", folder / "moved");
-  { LogWriter log(path, load_study_set(folder / "moved")); }
+  { LogWriter log(path, load_rendered_set(folder / "moved")); }
   EXPECT_EQ(read_log(path).set_folder, folder / "moved");
 }
 

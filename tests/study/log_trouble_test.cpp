@@ -32,7 +32,7 @@ struct Ending {
   char message[400] = {};
 };
 
-Ending visit_until_it_stops(const StudySet& set, const fs::path& path, int most_answers) {
+Ending visit_until_it_stops(const RenderedSet& set, const fs::path& path, int most_answers) {
   VisitStore store(set, path, {.code = "p01"});
   ScriptedPerson person(3);
   Visit visit = store.begin();
@@ -48,7 +48,7 @@ Ending visit_until_it_stops(const StudySet& set, const fs::path& path, int most_
 }
 
 /// The same in a process whose files may not grow beyond a limit.
-Ending visit_under_a_limit(const StudySet& set, const fs::path& path, rlim_t bytes) {
+Ending visit_under_a_limit(const RenderedSet& set, const fs::path& path, rlim_t bytes) {
   int ends[2] = {};
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
   const pid_t child = ::fork();
@@ -76,7 +76,7 @@ Ending visit_under_a_limit(const StudySet& set, const fs::path& path, rlim_t byt
 
 TEST(LogTrouble, OnAFullDiskTheVisitStopsPlainlyAndKeepsWhatWasAnswered) {
   const TemporaryFolder folder;
-  const StudySet set = write_set_of_text(folder / "set", text_of_study());
+  const RenderedSet set = write_set_of_text(folder / "set", text_of_study());
   int stopped_in_trials = 0;
   for (const rlim_t kilobytes : {120, 160, 200, 250, 300}) {
     const fs::path path = folder / fmt::format("log{}.sqlite", kilobytes);
@@ -99,7 +99,7 @@ TEST(LogTrouble, OnAFullDiskTheVisitStopsPlainlyAndKeepsWhatWasAnswered) {
 TEST(LogTrouble, ALogThatIsGoneStopsTheVisit) {
   for (const char* gone : {"", "-wal"}) {
     const TemporaryFolder folder;
-    const StudySet set = write_set_of_text(folder / "set", text_of_study());
+    const RenderedSet set = write_set_of_text(folder / "set", text_of_study());
     const fs::path path = folder / "log.sqlite";
     VisitStore store(set, path, {.code = "p01"});
     ScriptedPerson person(3);

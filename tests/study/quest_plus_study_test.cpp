@@ -32,8 +32,8 @@ class QuestPlusStudyTest : public testing::Test {
  protected:
   TemporaryFolder folder;
 
-  [[nodiscard]] StudySet adaptive_set(const std::string& quest_plus = settings,
-                                      const std::string& more = "") const {
+  [[nodiscard]] RenderedSet adaptive_set(const std::string& quest_plus = settings,
+                                         const std::string& more = "") const {
     return write_set_of_text(folder / "set", adaptive_text(quest_plus, more));
   }
   [[nodiscard]] SimulationRequest request(const std::string& log, int count) const {
@@ -84,7 +84,7 @@ TEST_F(QuestPlusStudyTest, SameSeedSameLogAndRunningAgainAddsOnlyWhatIsMissing) 
 }
 
 TEST_F(QuestPlusStudyTest, ABrokenOffSessionGoesOnAsIfNothingHadHappened) {
-  const StudySet set = adaptive_set();
+  const RenderedSet set = adaptive_set();
   run_simulated_study(request("whole", 1));
   const LogContents whole = read_log(folder / "whole");
   const TrialRules rules = make_trial_rules(set);
@@ -186,7 +186,7 @@ TEST_F(QuestPlusStudyTest, EstimatesOnALinearAxisAreInPixels) {
 /// What was believed before the first answer is part of what a broken off session is rebuilt from, and of the
 /// study that a log belongs to.
 TEST_F(QuestPlusStudyTest, ASessionWithPriorsGoesOnAndKeepsToItsStudy) {
-  const StudySet set = adaptive_set(rising_settings, rising_people);
+  const RenderedSet set = adaptive_set(rising_settings, rising_people);
   run_simulated_study(request("whole", 1));
   run_simulated_study(request("half", 1));
   const LogContents whole = read_log(folder / "whole");
@@ -211,12 +211,12 @@ TEST_F(QuestPlusStudyTest, ASessionWithPriorsGoesOnAndKeepsToItsStudy) {
 
   const std::string other =
       std::string(rising_settings).replace(std::string(rising_settings).find("1.5"), 3, "1.6");
-  const StudySet changed = write_set_of_text(folder / "other", adaptive_text(other, rising_people));
+  const RenderedSet changed = write_set_of_text(folder / "other", adaptive_text(other, rising_people));
   EXPECT_THROW(LogWriter(folder / "half", changed), InputError);
 }
 
 TEST_F(QuestPlusStudyTest, AThresholdBeyondTheGridIsReported) {
-  const StudySet set = adaptive_set(
+  const RenderedSet set = adaptive_set(
       settings, "[observer]\npeople_sd_octaves = 0\n[observer.midpoint_width_px]\nreceiver = 200000\n");
   EXPECT_GE(run_simulated_study(request("log", 3)).tracks_on_edge, 3);
   int alarms = 0;

@@ -25,7 +25,7 @@ class SetFromOutside : public testing::Test {
   std::string manifest_;
 
   void SetUp() override {
-    StudySet set = write_set(set_, "64");
+    RenderedSet set = write_set(set_, "64");
     set.manifest.stimuli.resize(2);
     set.manifest.references = {{"bedroom", "a.png", "b.png", "1", "2"}};
     write_manifest(set_, set.manifest);

@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const fs::path& log) {
 class SimulationTest : public testing::Test {
  protected:
   TemporaryFolder folder;
-  StudySet set = write_set(folder / "set");
+  RenderedSet set = write_set(folder / "set");
   [[nodiscard]] SimulationRequest request(const std::string& log, ObserverKind kind, int count,
                                           std::uint64_t seed = 1) const {
     return {.set_folder = set.folder, .log = folder / log, .observer = kind, .count = count, .seed = seed};
@@ -177,7 +177,7 @@ TEST_F(SimulationTest, ExcludedPeopleAreLeftAlone) {
 /// Through the whole chain of plan, session and log the means are the planted ones.
 TEST(Simulation, TwoThousandObserversMeetTheirExpectationFast) {
   const TemporaryFolder folder;
-  const StudySet set = write_set(folder / "set", paper_widths_px);
+  const RenderedSet set = write_set(folder / "set", paper_widths_px);
   ASSERT_EQ(set.manifest.stimuli.size(), 84U);
   const auto start = std::chrono::steady_clock::now();
   run_simulated_study({.set_folder = set.folder,

@@ -7,7 +7,7 @@
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/set/manifest.h"
 #include "stimuli/study_file/study_file.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 
@@ -55,14 +55,14 @@ inline Manifest begin_set_of_text(const std::filesystem::path& folder, const std
 }
 
 /// Writes a set of a study file as `render` would, without images.
-inline StudySet write_set_of_text(const std::filesystem::path& folder, const std::string& text) {
+inline RenderedSet write_set_of_text(const std::filesystem::path& folder, const std::string& text) {
   write_manifest(folder, begin_set_of_text(folder, text));
-  return load_study_set(folder);
+  return load_rendered_set(folder);
 }
 
 /// The same of `study_text`: 12 stimuli a width. The paper's widths make its 84.
-inline StudySet write_set(const std::filesystem::path& folder, const std::string& widths_px = "64, 512",
-                          const std::string& name = "tiny") {
+inline RenderedSet write_set(const std::filesystem::path& folder, const std::string& widths_px = "64, 512",
+                             const std::string& name = "tiny") {
   return write_set_of_text(folder, study_text(name, widths_px));
 }
 

@@ -32,7 +32,7 @@ ByteImage three_stripes() {
 class TrialPictureTest : public testing::Test {
  protected:
   TemporaryFolder folder;
-  StudySet set;
+  RenderedSet set;
 
   void SetUp() override {
     std::string text = study_text("tiny", "64");

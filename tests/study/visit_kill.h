@@ -30,7 +30,7 @@ inline std::string kill_code(int person) {
 }
 
 /// One person's visit to its end. The time of a picture is not waited for: only the log takes time.
-inline void visit_to_the_end(const StudySet& set, const std::filesystem::path& path, int person,
+inline void visit_to_the_end(const RenderedSet& set, const std::filesystem::path& path, int person,
                              int pipe_end) {
   const auto say = [&](const KillReport& report) {
     if (::write(pipe_end, &report, sizeof report) != sizeof report) ::_exit(3);
@@ -57,7 +57,7 @@ inline void visit_to_the_end(const StudySet& set, const std::filesystem::path& p
 
 /// Runs visits, one person after the other, in a process of its own and kills it after a while: at once, or
 /// counted from its first report, so that a slow machine gets somewhere too.
-inline std::vector<KillReport> visit_and_kill(const StudySet& set, const std::filesystem::path& path,
+inline std::vector<KillReport> visit_and_kill(const RenderedSet& set, const std::filesystem::path& path,
                                               int first_person, unsigned delay_us, bool at_once) {
   int ends[2] = {};
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
@@ -118,7 +118,7 @@ inline std::map<std::string, int> answers_of_each(const StoredAnswers& stored) {
 
 inline void kill_visits(const std::string& study, int kills, std::uint64_t seed, int least_answers) {
   const TemporaryFolder folder;
-  const StudySet set = write_set_of_text(folder / "set", study);
+  const RenderedSet set = write_set_of_text(folder / "set", study);
   const std::filesystem::path path = folder / "log.sqlite";
   std::map<std::pair<std::string, int>, std::pair<int, int>> accepted;
   std::map<std::string, int> stored_before;

@@ -99,7 +99,8 @@ TEST_F(VisitStoreTest, ACodeThatAppearsMeanwhileStopsTheSecondVisit) {
 }
 
 TEST_F(VisitStoreTest, RestartSetsAnswersAsideAndRefuseRefuses) {
-  const StudySet restart = write_set_of_text(folder / "restart", people_text("", "resume = \"restart\"\n"));
+  const RenderedSet restart =
+      write_set_of_text(folder / "restart", people_text("", "resume = \"restart\"\n"));
   ScriptedPerson person(5);
   std::vector<PlannedTrial> first_plan;
   for (int attempt = 0; attempt < 3; ++attempt) {
@@ -115,7 +116,7 @@ TEST_F(VisitStoreTest, RestartSetsAnswersAsideAndRefuseRefuses) {
   EXPECT_EQ(count("SELECT count(*) FROM set_aside_answers WHERE attempt = 1"), 3);
   EXPECT_EQ(count("SELECT count(*) FROM set_aside_answers WHERE attempt = 2"), 4);
 
-  const StudySet refuse = write_set_of_text(folder / "refuse", people_text("", "resume = \"refuse\"\n"));
+  const RenderedSet refuse = write_set_of_text(folder / "refuse", people_text("", "resume = \"refuse\"\n"));
   const fs::path other = folder / "other.sqlite";
   {
     VisitStore store(refuse, other, {.code = "p01"});

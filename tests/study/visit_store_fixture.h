@@ -21,7 +21,7 @@ inline std::string people_text(const std::string& more = "", const std::string& 
 class VisitStoreTest : public testing::Test {
  protected:
   TemporaryFolder folder;
-  StudySet set = write_set_of_text(folder / "set", people_text());
+  RenderedSet set = write_set_of_text(folder / "set", people_text());
   std::filesystem::path path = folder / "log.sqlite";
 
   /// Goes on until the wanted number of answers is stored, or the end.
@@ -36,7 +36,7 @@ class VisitStoreTest : public testing::Test {
   static bool on(const Visit& visit) {
     return std::holds_alternative<Wanted>(visit.screen);
   }
-  static std::string complaint(const StudySet& set, const std::filesystem::path& log,
+  static std::string complaint(const RenderedSet& set, const std::filesystem::path& log,
                                const Visitor& visitor) {
     return test::complaint_of([&] { const VisitStore store(set, log, visitor); });
   }

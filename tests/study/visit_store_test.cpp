@@ -94,7 +94,7 @@ TEST_F(VisitStoreTest, DecliningStoresTheFactAlone) {
 }
 
 TEST_F(VisitStoreTest, TheShippedConsentIsForPilotsOnly) {
-  const StudySet shipped = write_set(folder / "shipped", "64");
+  const RenderedSet shipped = write_set(folder / "shipped", "64");
   EXPECT_THAT(complaint(shipped, folder / "other.sqlite", {.code = "p01"}),
               testing::AllOf(HasSubstr("consent.text"), HasSubstr("--pilot")));
   EXPECT_FALSE(fs::exists(folder / "other.sqlite"));
@@ -160,7 +160,7 @@ TEST_F(VisitStoreTest, StatusSaysWhoHasDoneWhat) {
 TEST_F(VisitStoreTest, AnAdaptiveStudyPlansBeforeItShows) {
   std::string text = people_text("[quest_plus]\nmax_shows_per_image = 2\nmax_trials = 4\n");
   text.insert(text.find("[session]"), "procedure = \"quest_plus\"\n");
-  const StudySet adaptive = write_set_of_text(folder / "adaptive", text);
+  const RenderedSet adaptive = write_set_of_text(folder / "adaptive", text);
   ScriptedPerson person(5);
   std::optional<PlannedTrial> shown;
   for (int answered = 0; answered < 30; ++answered) {
@@ -194,7 +194,7 @@ TEST_F(VisitStoreTest, KeepsTheConsentTextThatEachPersonSaw) {
   std::string text = people_text();
   text.replace(text.find("Our own text."), 13, "Our new text.");
   write_file_atomically(folder / "set/study.toml", text);
-  const StudySet edited = load_study_set(folder / "set");  // texts can be edited in a rendered set
+  const RenderedSet edited = load_rendered_set(folder / "set");  // texts can be edited in a rendered set
   {
     VisitStore store(edited, path, {.code = "p02"});
     (void)store.step(store.begin(), ConsentGiven{});
@@ -208,7 +208,7 @@ TEST_F(VisitStoreTest, KeepsTheConsentTextThatEachPersonSaw) {
 }
 
 TEST_F(VisitStoreTest, SharedOrdersAreBalancedByCompletedSessions) {
-  const StudySet shared = write_set_of_text(folder / "shared", people_text("", "orders = 3\n"));
+  const RenderedSet shared = write_set_of_text(folder / "shared", people_text("", "orders = 3\n"));
   ScriptedPerson person(5);
   const auto visit = [&](const std::string& code, int answers) {
     VisitStore store(shared, path, {.code = code});

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <optional>
 
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/files/atomic_file.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
@@ -38,13 +38,14 @@ class Scissors {
   Scissors(const std::filesystem::path& set, std::filesystem::path png) : set_(set), png_(std::move(png)) {}
 
   /// Around the pixels of object `id`; false when there is no click map to say where that is.
-  bool look_at(const SetFile& click_map, int id, std::string& trouble) {
+  bool look_at(const ManifestPicture& click_map, int id, std::string& trouble) {
     const std::optional<ByteImage> ids = read(click_map, trouble);
     if (ids) area_ = crop_around(*ids, id);
     return ids.has_value();
   }
 
-  SampleImage sample(const SetFile& file, const std::string& label, const std::string& stimulus_id) const {
+  SampleImage sample(const ManifestPicture& file, const std::string& label,
+                     const std::string& stimulus_id) const {
     SampleImage image{.label = label, .stimulus_id = stimulus_id, .png = {}, .trouble = {}};
     const std::optional<ByteImage> picture = read(file, image.trouble);
     if (!picture) return image;
@@ -59,9 +60,9 @@ class Scissors {
 
  private:
   /// Nothing and a sentence when the picture is not what the manifest says.
-  std::optional<ByteImage> read(const SetFile& file, std::string& trouble) const {
+  std::optional<ByteImage> read(const ManifestPicture& file, std::string& trouble) const {
     try {
-      return read_set_file(set_, file);
+      return read_manifest_picture(set_, file);
     } catch (const InputError& error) {
       trouble = error.what();
       return std::nullopt;
@@ -83,10 +84,10 @@ SampleRow sample_row(const std::filesystem::path& set, const Manifest& manifest,
   const ManifestReference& reference = reference_of(set, manifest, first.scene);
   SampleRow row{
       .artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}, .trouble = {}};
-  if (!scissors.look_at(click_map_file(manifest, reference), first.object_index, row.trouble)) return row;
-  row.images.push_back(scissors.sample(reference_file(manifest, reference), "reference", ""));
+  if (!scissors.look_at(click_map_picture(manifest, reference), first.object_index, row.trouble)) return row;
+  row.images.push_back(scissors.sample(reference_picture(manifest, reference), "reference", ""));
   for (const ManifestStimulus* stimulus : stimuli)
-    row.images.push_back(scissors.sample(stimulus_file(manifest, *stimulus),
+    row.images.push_back(scissors.sample(stimulus_picture(manifest, *stimulus),
                                          std::to_string(stimulus->stimulus.condition.depth_width_px),
                                          stimulus->id));
   return row;

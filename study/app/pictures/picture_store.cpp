@@ -7,13 +7,13 @@
 namespace seamline::study::app {
 namespace {
 
-const std::string& scene_of(const StudySet& set, const PlannedTrial& trial) {
+const std::string& scene_of(const RenderedSet& set, const PlannedTrial& trial) {
   return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.scene;
 }
 
 }  // namespace
 
-PictureStore::PictureStore(const StudySet& set, bool scaled)
+PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     : set_(set),
       scaled_(scaled),
       loader_([&set](const PlannedTrial& trial) { return load_trial_picture(set, trial); }) {

@@ -7,7 +7,7 @@
 #include "study/app/pictures/object_map.h"
 #include "study/app/pictures/picture_loader.h"
 #include "study/app/window/texture.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 
 namespace seamline::study::app {
 
@@ -16,7 +16,7 @@ namespace seamline::study::app {
 class PictureStore {
  public:
   /// `scaled`: pictures are not shown pixel for pixel and need smooth sampling.
-  PictureStore(const StudySet& set, bool scaled);
+  PictureStore(const RenderedSet& set, bool scaled);
 
   /// Has the trial that is due and the one after it decoded, and puts what is decoded into textures. Throws
   /// InputError when a picture cannot be read.
@@ -37,7 +37,7 @@ class PictureStore {
   void fetch(const PlannedTrial& trial);
   [[nodiscard]] Slot& oldest_slot();
 
-  const StudySet& set_;
+  const RenderedSet& set_;
   bool scaled_;
   std::array<Slot, 3> slots_;
   std::int64_t clock_ = 0;

@@ -25,7 +25,7 @@ ByteImage opaque(const ByteImage& picture) {
 
 }  // namespace
 
-std::vector<std::vector<Texture>> load_instruction_pictures(const StudySet& set) {
+std::vector<std::vector<Texture>> load_instruction_pictures(const RenderedSet& set) {
   std::vector<std::vector<Texture>> pages;
   for (const InstructionPage& page : set.study.instructions) {
     std::vector<Texture>& pictures = pages.emplace_back();

@@ -10,7 +10,7 @@
 #include "study/app/pictures/pixel_check.h"
 #include "study/app/window/ui.h"
 #include "study/app/window/window.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "study/visit/visit.h"
 
 namespace seamline::study::app {
@@ -34,7 +34,7 @@ struct Drafts {
 /// What a screen draws on and reads from.
 struct Stage {
   Ui& ui;
-  const StudySet& set;
+  const RenderedSet& set;
   PictureStore& pictures;
   const DisplayInfo& display;
   PixelCheck pixel_check = {};

@@ -29,7 +29,7 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
   return texts;
 }
 
-std::string characters_needed(const StudySet& set) {
+std::string characters_needed(const RenderedSet& set) {
   const std::string file = (set.folder / set.manifest.study_file).string();
   std::string all;
   for (const ShownText& shown : shown_texts(set.study)) {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 
 namespace seamline::study::app {
 
@@ -16,6 +16,6 @@ struct ShownText {
 [[nodiscard]] std::vector<ShownText> shown_texts(const StudyDefinition& study);
 
 /// All of them together, for the font. Throws InputError for a text that cannot be set (see characters.h).
-[[nodiscard]] std::string characters_needed(const StudySet& set);
+[[nodiscard]] std::string characters_needed(const RenderedSet& set);
 
 }  // namespace seamline::study::app

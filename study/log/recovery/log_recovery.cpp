@@ -12,7 +12,7 @@
 #include "study/log/log_place.h"
 #include "study/log/log_tables.h"
 #include "study/log/recovery/log_salvage.h"
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 #include "support/files/temporary_folder.h"
 
 namespace seamline::study {
@@ -31,7 +31,7 @@ class Refill {
   Refill(SQLite::Database& database, const SalvagedLog& log, LogRecovery& recovery)
       : database_(database), log_(log), recovery_(recovery) {}
 
-  void fill(const std::optional<StudySet>& set) {
+  void fill(const std::optional<RenderedSet>& set) {
     for (const LogTable& table : log_tables()) {
       if (std::string(table.name) == "trials") enter_lost_participants();
       if (std::string(table.name) == "answers") enter_lost_sessions();
@@ -78,7 +78,7 @@ class Refill {
   }
 
   /// The manifest that the log was made from says what its rows of stimuli said.
-  void enter_from_set(const StudySet& set) {
+  void enter_from_set(const RenderedSet& set) {
     SQLite::Statement same(database_, "SELECT 1 FROM study WHERE set_hash = ? AND study_hash = ?");
     SQLite::bind(same, set.set_hash, set.manifest.study_hash);
     if (!same.executeStep()) {
@@ -159,8 +159,8 @@ std::vector<LostAnswers> lost_answers(SQLite::Database& database) {
   return people;
 }
 
-std::optional<StudySet> find_set(const SalvagedLog& log, const fs::path& given) {
-  if (!given.empty()) return load_study_set(given);
+std::optional<RenderedSet> find_set(const SalvagedLog& log, const fs::path& given) {
+  if (!given.empty()) return load_rendered_set(given);
   const auto study = log.find("study");
   if (study == log.end() || study->second.empty() || study->second.front().size() < 5) return std::nullopt;
   const LogRow& row = study->second.front();
@@ -168,7 +168,7 @@ std::optional<StudySet> find_set(const SalvagedLog& log, const fs::path& given) 
   const auto* folder = std::get_if<std::string>(&row[4]);
   if (hash == nullptr || folder == nullptr) return std::nullopt;
   try {
-    StudySet set = load_study_set(*folder);
+    RenderedSet set = load_rendered_set(*folder);
     if (set.set_hash == *hash) return set;
   } catch (const InputError&) {
     // moved or gone: the log's own rows must do
@@ -199,7 +199,7 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
   check_is_free(out);
   const TemporaryFolder scratch(out);
   const SalvagedLog log = salvage_log(damaged, scratch.path());
-  const std::optional<StudySet> set = find_set(log, set_folder);
+  const std::optional<RenderedSet> set = find_set(log, set_folder);
   LogRecovery recovery;
   const fs::path made = scratch.path() / "recovered.sqlite";
   with_log_errors(out, [&] {

@@ -1,4 +1,4 @@
-#include "stimuli/set/set_files.h"
+#include "stimuli/set/manifest_pictures.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path existing(const fs::path& set_folder, const std::string& file) {
-  const fs::path path = set_file_path(set_folder, file);
+  const fs::path path = path_in_set(set_folder, file);
   std::error_code error;
   if (fs::is_regular_file(path, error)) return path;
   throw input_error(
@@ -32,7 +32,7 @@ void check_bytes(const fs::path& path, const std::string& sha256) {
                        .found = "other bytes, hash " + found.substr(0, 16) + "..."});
 }
 
-void check_shape(const fs::path& path, const SetFile& wanted, const PictureShape& found) {
+void check_shape(const fs::path& path, const ManifestPicture& wanted, const PictureShape& found) {
   const PictureShape right{wanted.width_px, wanted.height_px, wanted.channels};
   if (found == right) return;
   const auto text = [](const PictureShape& shape) {
@@ -61,15 +61,15 @@ void check_references(const fs::path& set_folder, const Manifest& manifest) {
 
 }  // namespace
 
-SetFile stimulus_file(const Manifest& manifest, const ManifestStimulus& stimulus) {
+ManifestPicture stimulus_picture(const Manifest& manifest, const ManifestStimulus& stimulus) {
   return {stimulus.image, stimulus.sha256, manifest.width_px, manifest.height_px, 3};
 }
 
-SetFile reference_file(const Manifest& manifest, const ManifestReference& reference) {
+ManifestPicture reference_picture(const Manifest& manifest, const ManifestReference& reference) {
   return {reference.image, reference.image_sha256, manifest.width_px, manifest.height_px, 3};
 }
 
-SetFile click_map_file(const Manifest& manifest, const ManifestReference& reference) {
+ManifestPicture click_map_picture(const Manifest& manifest, const ManifestReference& reference) {
   return {reference.object_ids, reference.object_ids_sha256, manifest.width_px, manifest.height_px, 1};
 }
 
@@ -83,15 +83,15 @@ const ManifestReference& reference_of(const fs::path& set_folder, const Manifest
                      .found = "none"});
 }
 
-std::vector<SetFile> set_files(const Manifest& manifest) {
-  std::vector<SetFile> files;
+std::vector<ManifestPicture> manifest_pictures(const Manifest& manifest) {
+  std::vector<ManifestPicture> files;
   for (const ManifestReference& reference : manifest.references) {
-    files.push_back(reference_file(manifest, reference));
-    files.push_back(click_map_file(manifest, reference));
+    files.push_back(reference_picture(manifest, reference));
+    files.push_back(click_map_picture(manifest, reference));
   }
   for (const ManifestStimulus& stimulus : manifest.stimuli)
-    files.push_back(stimulus_file(manifest, stimulus));
-  const auto less = [](const SetFile& a, const SetFile& b) {
+    files.push_back(stimulus_picture(manifest, stimulus));
+  const auto less = [](const ManifestPicture& a, const ManifestPicture& b) {
     return std::tie(a.file, a.sha256, a.channels) < std::tie(b.file, b.sha256, b.channels);
   };
   std::sort(files.begin(), files.end(), less);
@@ -99,17 +99,17 @@ std::vector<SetFile> set_files(const Manifest& manifest) {
   return files;
 }
 
-fs::path set_file_path(const fs::path& set_folder, const std::string& name) {
+fs::path path_in_set(const fs::path& set_folder, const std::string& name) {
   return path_below(set_folder, name, {.file = (set_folder / "manifest.json").string(), .field = "files"});
 }
 
-void check_set_file(const fs::path& set_folder, const SetFile& wanted) {
+void check_manifest_picture(const fs::path& set_folder, const ManifestPicture& wanted) {
   const fs::path path = existing(set_folder, wanted.file);
   check_bytes(path, wanted.sha256);
   check_shape(path, wanted, picture_shape(path));
 }
 
-ByteImage read_set_file(const fs::path& set_folder, const SetFile& wanted) {
+ByteImage read_manifest_picture(const fs::path& set_folder, const ManifestPicture& wanted) {
   const fs::path path = existing(set_folder, wanted.file);
   check_bytes(path, wanted.sha256);
   ByteImage image = read_bytes_image(path);
@@ -117,19 +117,20 @@ ByteImage read_set_file(const fs::path& set_folder, const SetFile& wanted) {
   return image;
 }
 
-void check_set_shapes(const fs::path& set_folder, const Manifest& manifest) {
+void check_manifest_shapes(const fs::path& set_folder, const Manifest& manifest) {
   check_references(set_folder, manifest);
-  for (const SetFile& wanted : set_files(manifest)) {
+  for (const ManifestPicture& wanted : manifest_pictures(manifest)) {
     const fs::path path = existing(set_folder, wanted.file);
     check_shape(path, wanted, picture_shape(path));
   }
 }
 
-void check_set_files(const fs::path& set_folder, const Manifest& manifest) {
+void check_manifest_pictures(const fs::path& set_folder, const Manifest& manifest) {
   check_references(set_folder, manifest);
-  const std::vector<SetFile> files = set_files(manifest);
-  run_parallel(static_cast<int>(files.size()), 0,
-               [&](int index) { check_set_file(set_folder, files[static_cast<std::size_t>(index)]); });
+  const std::vector<ManifestPicture> files = manifest_pictures(manifest);
+  run_parallel(static_cast<int>(files.size()), 0, [&](int index) {
+    check_manifest_picture(set_folder, files[static_cast<std::size_t>(index)]);
+  });
 }
 
 }  // namespace seamline::inline stimuli

@@ -1,4 +1,4 @@
-#include "stimuli/study_file/session_files.h"
+#include "stimuli/study_file/carried_files.h"
 
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
@@ -6,7 +6,7 @@
 
 namespace seamline::inline stimuli {
 namespace fs = std::filesystem;
-std::vector<std::string> session_files(const StudyDefinition& study) {
+std::vector<std::string> carried_files(const StudyDefinition& study) {
   std::vector<std::string> files;
   for (const InstructionPage& page : study.instructions)
     files.insert(files.end(), page.pictures.begin(), page.pictures.end());
@@ -14,16 +14,16 @@ std::vector<std::string> session_files(const StudyDefinition& study) {
   return files;
 }
 
-void copy_session_files(const StudyDefinition& study, const fs::path& set_folder) {
-  for (const std::string& file : session_files(study)) {
+void copy_carried_files(const StudyDefinition& study, const fs::path& set_folder) {
+  for (const std::string& file : carried_files(study)) {
     fs::create_directories((set_folder / file).parent_path());
     write_file_atomically(set_folder / file,
                           read_file(study.file.parent_path() / file, limits::largest_picture_file_bytes));
   }
 }
 
-void check_session_files(const StudyDefinition& study, const fs::path* folder) {
-  for (const std::string& file : session_files(study)) {
+void check_carried_files(const StudyDefinition& study, const fs::path* folder) {
+  for (const std::string& file : carried_files(study)) {
     const char* field = file == study.session.font ? "session.font" : "instructions.page.pictures";
     if (file.empty() || !is_written_below(file) ||
         (folder != nullptr && fs::exists(*folder / file) && !lies_below(*folder / file, *folder)))

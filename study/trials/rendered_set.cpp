@@ -1,4 +1,4 @@
-#include "study/trials/study_set.h"
+#include "study/trials/rendered_set.h"
 
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
@@ -9,7 +9,7 @@ namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
-void check_study_belongs(const StudySet& set, const fs::path& study_file) {
+void check_study_belongs(const RenderedSet& set, const fs::path& study_file) {
   const std::string found = study_hash(set.study);
   if (found == set.manifest.study_hash) return;
   throw input_error({.file = study_file.string(),
@@ -20,12 +20,12 @@ void check_study_belongs(const StudySet& set, const fs::path& study_file) {
 
 }  // namespace
 
-StudySet load_study_set(const fs::path& folder) {
-  StudySet set{.folder = fs::absolute(folder).lexically_normal(),
-               .manifest = read_manifest(folder),
-               .set_hash = set_hash(folder),
-               .study = {},
-               .study_text = {}};
+RenderedSet load_rendered_set(const fs::path& folder) {
+  RenderedSet set{.folder = fs::absolute(folder).lexically_normal(),
+                  .manifest = read_manifest(folder),
+                  .set_hash = set_hash(folder),
+                  .study = {},
+                  .study_text = {}};
   const fs::path study_file = path_below(
       folder, set.manifest.study_file, {.file = (folder / "manifest.json").string(), .field = "study.file"});
   set.study = read_study(study_file, AssetCheck::not_needed);

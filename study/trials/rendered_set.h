@@ -8,7 +8,7 @@
 namespace seamline::study {
 
 /// A rendered set, and the study it belongs to: all that a session needs, without the images.
-struct StudySet {
+struct RenderedSet {
   std::filesystem::path folder;  ///< absolute
   Manifest manifest;
   std::string set_hash;    ///< of the manifest's bytes
@@ -18,6 +18,6 @@ struct StudySet {
 
 /// Reads a set. Throws InputError when there is no manifest or study file, one of them is wrong, the set is
 /// empty, or the study file is not the one that the set was rendered from.
-[[nodiscard]] StudySet load_study_set(const std::filesystem::path& folder);
+[[nodiscard]] RenderedSet load_rendered_set(const std::filesystem::path& folder);
 
 }  // namespace seamline::study
