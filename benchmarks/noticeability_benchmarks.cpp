@@ -27,7 +27,7 @@ LogContents paper_sized_log() {
           Stimulus stimulus;
           stimulus.artifact = artifact;
           stimulus.object_index = object;
-          stimulus.condition.depth_width_px = width_px;
+          stimulus.depth.width_px = width_px;
           const Response response = respond(observer, stimulus, random);
           Answer answer;
           answer.participant = record.code;

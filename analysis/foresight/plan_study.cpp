@@ -47,7 +47,7 @@ Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, 
   Stimulus stimulus;
   stimulus.artifact = artifact;
   for (std::size_t w = 0; w < width_px.size(); ++w) {
-    stimulus.condition.depth_width_px = width_px[w];
+    stimulus.depth.width_px = width_px[w];
     int sum = 0;
     for (int object = 0; object < objects; ++object) {
       stimulus.object_index = 1 + object % study::objects_per_stimulus;
@@ -171,7 +171,7 @@ void check_study(const PlanRequest& request, const StudyDefinition& study) {
   if (objects_of_artifacts(study).empty())
     throw input_error(
         {.file = file, .field = "scene", .wanted = "an artifact with a seam", .found = "only none"});
-  if (study.depth_width_px.size() < 2)
+  if (depth_widths_px(study).size() < 2)
     throw input_error(
         {.file = file, .field = "depth_width_px", .wanted = "at least two widths", .found = "one"});
 }
@@ -179,7 +179,7 @@ void check_study(const PlanRequest& request, const StudyDefinition& study) {
 }  // namespace
 
 std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study) {
-  const std::vector<int>& all = study.depth_width_px;
+  const std::vector<int> all = depth_widths_px(study);
   WidthSet second{.name = "every second", .width_px = {}};
   for (std::size_t i = (all.size() + 1) % 2; i < all.size(); i += 2) second.width_px.push_back(all[i]);
 

@@ -64,7 +64,7 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
   std::map<Artifact, std::map<int, CellSums>> sums;
   for (const ManifestStimulus& record : manifest.stimuli) {
     if (record.stimulus.artifact == Artifact::none) continue;
-    CellSums& cell = sums[record.stimulus.artifact][record.stimulus.condition.depth_width_px];
+    CellSums& cell = sums[record.stimulus.artifact][record.stimulus.depth.width_px];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
     cell.noticeability += study::expected_noticeability_of_difference(observer, difference);

@@ -146,7 +146,7 @@ std::string source_text(const Analysis& analysis) {
 PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data) {
   PlantedValues planted;
   for (const ArtifactScores& scores : data.artifacts) {
-    if (!observer.midpoint_width_px.contains(scores.artifact)) continue;
+    if (!observer.midpoint.contains(scores.artifact)) continue;
     std::vector<double> expected;
     for (int width_px : scores.width_px)
       expected.push_back(study::expected_noticeability(observer, scores.artifact, width_px));

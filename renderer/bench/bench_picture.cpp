@@ -175,12 +175,12 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
   const ConvergenceSubject subject = load_subject(read_study(builtin_study("furnished_room")), request);
   // Capture again: the subject has its depth map already.
   const Stopwatch mesh_watch;
-  const DepthMap map = capture_depth(subject.geometry.truth, subject.stimulus.condition.depth_width_px,
-                                     subject.stimulus.condition.yaw_texels, subject.threads);
+  const DepthMap map = capture_depth(subject.geometry.truth, subject.stimulus.depth.width_px,
+                                     subject.stimulus.depth.yaw_texels, subject.threads);
   // The rays of one picture do not pay for a better tree.
-  const Geometry depth(subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance),
-                       Rgb::Constant(static_cast<float>(subject.scene.definition.albedo)),
-                       TreeQuality::for_few_rays);
+  const Geometry depth(
+      subject_mesh(subject, map, subject.study.depth.mesh, subject.study.depth.mesh_tolerance),
+      Rgb::Constant(static_cast<float>(subject.scene.definition.albedo)), TreeQuality::for_few_rays);
   const double mesh_seconds = mesh_watch.seconds();
   fmt::print(stderr, "  the reference, by path\n");
   GivenBackground given =

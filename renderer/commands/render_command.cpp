@@ -41,12 +41,13 @@ std::pair<int, int> shard_of(const std::string& text) {
 }
 
 /// The plan, for the scenes that have a stimulus asked for.
-void print_plan(StudyDefinition study, const RenderRequest& request) {
-  std::set<std::string> scenes;
+void print_plan(const StudyDefinition& study, const RenderRequest& request) {
+  std::set<std::string> truths;
   for (const Stimulus& stimulus : list_stimuli(study))
-    if (matches_pattern(stimulus_id(stimulus), request.only)) scenes.insert(stimulus.scene);
-  std::erase_if(study.scenes, [&](const SceneDefinition& scene) { return !scenes.contains(scene.name); });
-  fmt::print("{}", explain(study, render_plan(study, lights_of(study), render_settings(study, request))));
+    if (matches_pattern(stimulus_id(stimulus), request.only)) truths.insert(truth_of(stimulus));
+  std::map<std::string, LightFacts> lights = lights_of(study);
+  std::erase_if(lights, [&](const auto& light) { return !truths.contains(light.first); });
+  fmt::print("{}", explain(study, render_plan(study, lights, render_settings(study, request))));
   std::fflush(stdout);
 }
 

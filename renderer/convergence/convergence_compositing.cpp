@@ -89,7 +89,8 @@ CompositingRow compare(const ConvergenceSubject& subject, const Runs& runs, Comp
 
 CompositingResult measure_compositing(const ConvergenceSubject& subject, double budget_s) {
   const Geometry depth = subject_geometry(
-      subject, subject_mesh(subject, subject.map, subject.study.mesh, subject.study.mesh_tolerance));
+      subject,
+      subject_mesh(subject, subject.map, subject.study.depth.mesh, subject.study.depth.mesh_tolerance));
   const int spp = affordable_spp(subject, depth, budget_s);
   Progress progress(stimulus_id(subject.stimulus) + " compositing", spp * (5.0 + photograph_to_trial));
   const Runs runs = render_runs(subject, depth, spp, progress);

@@ -98,7 +98,7 @@ bool keeps_rule(const MeshRow& row) {
 
 MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& truth,
                         const std::vector<double>& tolerances) {
-  MeshResult result{.default_tolerance = subject.study.mesh_tolerance};
+  MeshResult result{.default_tolerance = subject.study.depth.mesh_tolerance};
   const std::vector<double> tried = tolerances_to_try(tolerances, result.default_tolerance);
   Progress progress(stimulus_id(subject.stimulus) + " mesh", static_cast<double>(tried.size()) + 2);
   const auto render = [&](MeshRow& row, double work) {

@@ -139,7 +139,8 @@ std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geome
 
 SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s) {
   const Geometry depth = subject_geometry(
-      subject, subject_mesh(subject, subject.map, subject.study.mesh, subject.study.mesh_tolerance));
+      subject,
+      subject_mesh(subject, subject.map, subject.study.depth.mesh, subject.study.depth.mesh_tolerance));
   PathRuns runs(subject, depth);
   const int reference_spp = affordable_spp(subject, runs, budget_s);
   const int largest_spp = reference_spp / reference_to_largest_trial;

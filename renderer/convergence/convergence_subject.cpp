@@ -20,9 +20,9 @@ Stimulus the_one_stimulus(const StudyDefinition& study, const std::string& only)
   return matching.front();
 }
 
-const SceneDefinition& scene_of(const StudyDefinition& study, const Stimulus& stimulus) {
-  for (const SceneDefinition& scene : study.scenes)
-    if (scene.name == stimulus.scene) return scene;
+SceneDefinition scene_of(const StudyDefinition& study, const Stimulus& stimulus) {
+  for (const SceneDefinition& truth : list_truths(study))
+    if (truth.truth == truth_of(stimulus)) return truth;
   throw std::logic_error("a stimulus of no scene");
 }
 
@@ -55,8 +55,7 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
   TruthScene scene = load_truth_scene(scene_of(study, stimulus), study.width_px, study.height_px);
   ObjectGeometry geometry = object_geometry(scene, stimulus.object_index);
   const int threads = request.threads > 0 ? request.threads : default_thread_count();
-  DepthMap map = capture_depth(geometry.truth, stimulus.condition.depth_width_px,
-                               stimulus.condition.yaw_texels, threads);
+  DepthMap map = capture_depth(geometry.truth, stimulus.depth.width_px, stimulus.depth.yaw_texels, threads);
   const int spp = request.spp.value_or(study.samples_per_pixel);
   return {.study = std::move(study),
           .stimulus = stimulus,
@@ -72,7 +71,7 @@ DepthMesh subject_mesh(const ConvergenceSubject& subject, const DepthMap& map, M
                        double tolerance) {
   return build_depth_mesh(map, {.density = density,
                                 .tolerance = tolerance,
-                                .yaw_texels = subject.stimulus.condition.yaw_texels,
+                                .yaw_texels = subject.stimulus.depth.yaw_texels,
                                 .threads = subject.threads});
 }
 

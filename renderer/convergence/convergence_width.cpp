@@ -25,15 +25,16 @@ std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const Tru
   const Image reference = reference_image(truth);
   std::vector<WidthRow> rows;
   Progress progress(stimulus_id(subject.stimulus) + " width",
-                    static_cast<double>(subject.study.depth_width_px.size()));
-  for (const int width_px : subject.study.depth_width_px) {
+                    static_cast<double>(depth_widths_px(subject.study).size()));
+  for (const int width_px : depth_widths_px(subject.study)) {
     WidthRow row{.width_px = width_px, .texels_per_pixel = texels_per_pixel(subject.scene.camera, width_px)};
     const Stopwatch capture_watch;
-    const DepthMap map = capture_depth(subject.geometry.truth, width_px,
-                                       subject.stimulus.condition.yaw_texels, subject.threads);
+    const DepthMap map =
+        capture_depth(subject.geometry.truth, width_px, subject.stimulus.depth.yaw_texels, subject.threads);
     row.capture_seconds = capture_watch.seconds();
     const Stopwatch mesh_watch;
-    const DepthMesh mesh = subject_mesh(subject, map, subject.study.mesh, subject.study.mesh_tolerance);
+    const DepthMesh mesh =
+        subject_mesh(subject, map, subject.study.depth.mesh, subject.study.depth.mesh_tolerance);
     const Geometry geometry = subject_geometry(subject, mesh);
     row.mesh_seconds = mesh_watch.seconds();
     row.triangles = static_cast<std::int64_t>(mesh.triangles.size());

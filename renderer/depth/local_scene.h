@@ -12,17 +12,15 @@ struct LocalScene {
   MeshRecord mesh;
 };
 
-/// How the mesh of every local scene of a set is made; its texels' yaw is the condition's.
-struct LocalSceneSettings {
-  MeshDensity density = MeshDensity::adaptive;
-  double tolerance = 1e-4;  ///< see MeshOptions
+/// What a local scene is made for.
+struct LocalSceneUse {
   double albedo = 0.5;      ///< of the whole mesh
   bool traces_rays = true;  ///< false: only from the panorama's centre, which needs no good tree
   int threads = 1;
 };
 
 /// Captures a depth map of `truth` from the panorama's centre and rebuilds the scene from it.
-[[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const Condition& condition,
-                                          const LocalSceneSettings& settings);
+[[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings,
+                                          const LocalSceneUse& use);
 
 }  // namespace seamline::renderer

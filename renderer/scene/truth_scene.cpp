@@ -93,9 +93,10 @@ Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
     return light;
   }
   if (definition.sun) {
+    const double radius_deg = definition.sun_radius_deg.value_or(definition.sun->angular_radius_deg);
     light.suns.push_back({definition.sun->to_sun.cast<float>().normalized(),
                           rgb(definition.sun->irradiance_w_m2),
-                          static_cast<float>(definition.sun->angular_radius_deg * radians_per_degree)});
+                          static_cast<float>(radius_deg * radians_per_degree)});
     return light;
   }
   if (!file.other_lights.empty())
@@ -103,7 +104,13 @@ Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
                        .wanted = "directional lights only (or a [scene.sun] in the study file)",
                        .found = file.other_lights.front()});
   for (const FileSun& sun : file.suns)
-    light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2, 0.0F});
+    light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2,
+                          static_cast<float>(definition.sun_radius_deg.value_or(0) * radians_per_degree)});
+  if (definition.sun_radius_deg && light.suns.empty())
+    throw input_error({.file = definition.path.string(),
+                       .field = "sun_radius_deg of the scene \"" + definition.name + "\"",
+                       .wanted = "a sun in the scene file, or a [scene.sun] in the study file",
+                       .found = "none"});
   return light;
 }
 

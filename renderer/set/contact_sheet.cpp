@@ -143,7 +143,7 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
       return read_manifest_picture(set_folder, stimulus_picture(manifest, record));
     };
     const ByteImage reference = read_manifest_picture(
-        set_folder, reference_picture(manifest, reference_of(set_folder, manifest, coarsest.stimulus.scene)));
+        set_folder, reference_picture(manifest, reference_of(set_folder, manifest, coarsest.stimulus)));
     const Box window = artifact_window(picture_of(coarsest), reference);
     column = 0;
     for (const int width_px : widths) {
@@ -165,8 +165,7 @@ void write_contact_sheets(const std::filesystem::path& set_folder) {
     std::map<std::pair<std::string, int>, Row> rows;
     for (const ManifestStimulus& record : manifest.stimuli)
       if (record.stimulus.artifact == artifact)
-        rows[{record.stimulus.scene, record.stimulus.object_index}]
-            [record.stimulus.condition.depth_width_px] = &record;
+        rows[{record.stimulus.scene, record.stimulus.object_index}][record.stimulus.depth.width_px] = &record;
     if (!rows.empty())
       write_png(set_folder / ("contact-" + std::string(word(artifact)) + ".png"),
                 sheet_of(set_folder, manifest, rows));

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "renderer/scene/truth_scene.h"
+#include "renderer/set/set_work.h"
 
 namespace seamline::renderer {
 namespace {
@@ -23,12 +25,20 @@ class ScenePlanner {
  public:
   ScenePlanner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
                const RenderSettings& settings)
-      : study_(study), scene_(scene), light_(light), settings_(settings) {
-    plan_ = {.scene = scene.name, .light = light};
+      : scene_(scene), light_(light), settings_(settings) {
+    plan_ = {.scene = truth_of(scene), .light = light};
     plan_.choices = estimator_choices(settings.estimator, light, scene.exposure_ev,
                                       estimate_options(study, scene, settings, 1));
-    for (const Artifact artifact : scene.artifacts)
-      plan_.answers.push_back({artifact, recipe(artifact, study.isolation)});
+    std::set<std::pair<std::size_t, Isolation>> asking;
+    for (const Stimulus& stimulus : list_stimuli(study))
+      if (truth_of(stimulus) == truth_of(scene)) {
+        ++stimuli_;
+        const auto place = std::find(scene.artifacts.begin(), scene.artifacts.end(), stimulus.artifact);
+        asking.insert({static_cast<std::size_t>(place - scene.artifacts.begin()), stimulus.isolation});
+        meshes_.insert({stimulus.object_index, stimulus.depth});
+      }
+    for (const auto& [artifact, isolation] : asking)
+      plan_.answers.push_back({scene.artifacts[artifact], recipe(scene.artifacts[artifact], isolation)});
   }
 
   ScenePlan plan() {
@@ -46,7 +56,7 @@ class ScenePlanner {
 
  private:
   void always(const char* name, std::string why, std::string saves) {
-    plan_.omissions.push_back({name, scene_.name, std::move(why), std::move(saves), no_change, true});
+    plan_.omissions.push_back({name, scene_.truth, std::move(why), std::move(saves), no_change, true});
   }
 
   /// An omission with a switch, which the choices make or not; `needed_because` says why not, when it is for
@@ -56,7 +66,7 @@ class ScenePlanner {
       plan_.not_omitted.push_back({what.name, "the path estimator leaves nothing out"});
     } else if (made) {
       plan_.omissions.push_back(what);
-      plan_.omissions.back().where = scene_.name;
+      plan_.omissions.back().where = scene_.truth;
     } else {
       plan_.not_omitted.push_back({what.name, needed_because.empty() ? "turned off" : needed_because});
     }
@@ -71,8 +81,7 @@ class ScenePlanner {
   [[nodiscard]] bool bounces() const { return choices().bounces > 0 || light_.emits; }
 
   void shared_truth() {
-    const std::size_t stimuli =
-        scene_.objects.size() * study_.depth_width_px.size() * scene_.artifacts.size();
+    const std::size_t stimuli = stimuli_;
     const std::size_t done = settings_.estimator == Estimator::fast ? 1 : scene_.objects.size() + 1;
     if (stimuli + 1 > done)
       always("shared_truth",
@@ -85,7 +94,7 @@ class ScenePlanner {
   }
 
   void one_mesh() {
-    const std::size_t widths = scene_.objects.size() * study_.depth_width_px.size();
+    const std::size_t widths = meshes_.size();
     const auto asking = static_cast<std::size_t>(
         std::count_if(plan_.answers.begin(), plan_.answers.end(),
                       [](const PlannedAnswers& one) { return one.recipe.answers.needs_depth(); }));
@@ -179,10 +188,11 @@ class ScenePlanner {
          light_.sky_is_dark ? "" : "the sky shines");
   }
 
-  const StudyDefinition& study_;
   const SceneDefinition& scene_;
   const LightFacts& light_;
   const RenderSettings& settings_;
+  std::size_t stimuli_ = 0;
+  std::set<std::pair<int, DepthSettings>> meshes_;  ///< of each object
   ScenePlan plan_;
 };
 
@@ -190,7 +200,7 @@ class ScenePlanner {
 
 EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& scene,
                                  const RenderSettings& settings, int threads) {
-  const Answers asked = asked_by_any(scene.artifacts, study.isolation);
+  const Answers asked = asked_of_depth(study, scene);
   return {.spp = settings.spp,
           .error = settings.error,
           .seed = settings.seed,
@@ -203,16 +213,16 @@ EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefini
 RenderPlan render_plan(const StudyDefinition& study, const std::map<std::string, LightFacts>& lights,
                        const RenderSettings& settings) {
   RenderPlan plan{.settings = settings, .isolation = study.isolation, .scenes = {}};
-  for (const SceneDefinition& scene : study.scenes)
-    if (const auto light = lights.find(scene.name); light != lights.end())
+  for (const SceneDefinition& scene : list_truths(study))
+    if (const auto light = lights.find(scene.truth); light != lights.end())
       plan.scenes.push_back(ScenePlanner(study, scene, light->second, settings).plan());
   return plan;
 }
 
 std::map<std::string, LightFacts> lights_of(const StudyDefinition& study) {
   std::map<std::string, LightFacts> lights;
-  for (const SceneDefinition& scene : study.scenes)
-    lights.emplace(scene.name, light_facts(load_truth_scene(scene, study.width_px, study.height_px)));
+  for (const SceneDefinition& scene : list_truths(study))
+    lights.emplace(scene.truth, light_facts(load_truth_scene(scene, study.width_px, study.height_px)));
   return lights;
 }
 

@@ -46,12 +46,12 @@ struct RenderPlan {
   std::vector<ScenePlan> scenes = {};
 };
 
-/// What an estimator is asked for in one scene of a study. By all artifacts of the scene, not by those left
-/// to render: a set that was interrupted has the same bytes.
-[[nodiscard]] EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& scene,
+/// What an estimator is asked for in one truth of a study. By all its stimuli, not by those left to render: a set
+/// that was interrupted has the same bytes.
+[[nodiscard]] EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& truth,
                                                const RenderSettings& settings, int threads);
 
-/// The plan for the scenes of a study whose light is given, by name; others are left out. Depends on nothing
+/// The plan for the truths of a study whose light is given, by name; others are left out. Depends on nothing
 /// measured.
 [[nodiscard]] RenderPlan render_plan(const StudyDefinition& study,
                                      const std::map<std::string, LightFacts>& lights,

@@ -45,13 +45,13 @@ class SetRenderer {
     check_existing_set();
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
-    for (const SceneDefinition& scene : study_.scenes) load_and_check(scene);
+    for (const SceneDefinition& truth : truths_) load_and_check(truth);
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
     progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
-    for (const SceneDefinition& scene : study_.scenes) {
-      render_scene(scene);
+    for (const SceneDefinition& truth : truths_) {
+      render_scene(truth);
       give_back_freed_memory();
     }
     progress_.reset();
@@ -106,30 +106,30 @@ class SetRenderer {
 
   /// Every wrong input is found before the first long computation.
   void load_and_check(const SceneDefinition& definition) {
-    if (!work_.selected_scenes.contains(definition.name)) return;
-    if (!work_.is_pending(definition.name) &&
-        records_.finished_reference(definition.name, hashes_.of_reference(definition.name)))
+    if (!work_.selected_truths.contains(definition.truth)) return;
+    if (!work_.is_pending(definition.truth) &&
+        records_.finished_reference(definition.truth, hashes_.of_reference(definition.truth)))
       return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
     require_visible_objects(study_, scene);
-    lights_.emplace(definition.name, light_facts(scene));
-    scenes_.emplace(definition.name, std::move(scene));
+    lights_.emplace(definition.truth, light_facts(scene));
+    scenes_.emplace(definition.truth, std::move(scene));
   }
 
   void render_scene(const SceneDefinition& definition) {
-    const auto found = scenes_.find(definition.name);
+    const auto found = scenes_.find(definition.truth);
     if (found == scenes_.end()) return;
     const TruthScene& scene = found->second;
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
     finish_reference(scene, *estimator);
     give_back_freed_memory();
     for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
-    summary_.savings.emplace_back(definition.name, estimator->savings());
+    summary_.savings.emplace_back(definition.truth, estimator->savings());
     scenes_.erase(found);
   }
 
   void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
-    const std::string& name = scene.definition.name;
+    const std::string& name = scene.definition.truth;
     const std::string inputs = hashes_.of_reference(name);
     if (records_.finished_reference(name, inputs)) return;
     const Stopwatch watch;
@@ -140,48 +140,44 @@ class SetRenderer {
   }
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
-    std::map<int, std::vector<PendingStimulus>> by_width;
+    std::map<DepthSettings, std::vector<PendingStimulus>> by_mesh;
     for (const PendingStimulus& work : work_.pending)
-      if (work.stimulus.scene == scene.definition.name && work.stimulus.object_index == object_index)
-        by_width[work.stimulus.condition.depth_width_px].push_back(work);
-    if (by_width.empty()) return;
-    const std::string what = scene.definition.name + " " +
+      if (truth_of(work.stimulus) == scene.definition.truth && work.stimulus.object_index == object_index)
+        by_mesh[work.stimulus.depth].push_back(work);
+    if (by_mesh.empty()) return;
+    const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     const Stopwatch watch;
     estimator.take_object(object_index, report(weights_.truth, what));
-    timings_.add("truth-" + scene.definition.name + "-" + std::to_string(object_index), watch.seconds(),
+    timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
-    for (const auto& [ignored, works] : by_width) render_width(scene, estimator, works);
+    for (const auto& [depth, works] : by_mesh) render_mesh(scene, estimator, depth, works);
     give_back_freed_memory();
   }
 
-  /// All artifacts of one depth map share its mesh.
-  void render_width(const TruthScene& scene, SceneEstimator& estimator,
-                    const std::vector<PendingStimulus>& works) {
-    const Condition& condition = works.front().stimulus.condition;
+  /// All stimuli of one depth map share its mesh.
+  void render_mesh(const TruthScene& scene, SceneEstimator& estimator, DepthSettings settings,
+                   const std::vector<PendingStimulus>& works) {
+    settings.mesh = settings_.mesh.value_or(settings.mesh);
     const Stopwatch watch;
     std::optional<LocalScene> depth;
     bool needed = request_.layers;
     for (const PendingStimulus& work : works)
-      needed = needed || recipe(work.stimulus.artifact, study_.isolation).answers.needs_depth();
+      needed = needed || recipe(work.stimulus.artifact, work.stimulus.isolation).answers.needs_depth();
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
-    const bool traces_rays = asked_by_any(scene.definition.artifacts, study_.isolation).traces_depth();
+    const Answers asked = asked_of_depth(study_, scene.definition);
     if (needed)
-      depth.emplace(make_local_scene(estimator.geometry().truth, condition,
-                                     {.density = settings_.mesh,
-                                      .tolerance = study_.mesh_tolerance,
-                                      .albedo = scene.definition.albedo,
-                                      .traces_rays = traces_rays,
-                                      .threads = threads_}));
+      depth.emplace(make_local_scene(
+          estimator.geometry().truth, settings,
+          {.albedo = scene.definition.albedo, .traces_rays = asked.traces_depth(), .threads = threads_}));
     progress_->advance(weights_.mesh, "depth mesh");
-    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.name, works.front().stimulus.object,
-                             condition.depth_width_px),
+    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
+                             settings.width_px),
                  watch.seconds(), 0);
     for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
     // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
-    if (asked_by_any(scene.definition.artifacts, study_.isolation).bounce == Who::depth)
-      give_back_freed_memory();
+    if (asked.bounce == Who::depth) give_back_freed_memory();
   }
 
   /// `depth` is null when no stimulus of its width asks it anything.
@@ -189,13 +185,12 @@ class SetRenderer {
                   const PendingStimulus& work) {
     const Stopwatch watch;
     const std::string id = stimulus_id(work.stimulus);
-    const Recipe how = recipe(work.stimulus.artifact, study_.isolation);
+    const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
     const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
     const EstimatedStimulus made = estimator.stimulus(how, geometry, report(weights_.stimulus, id));
     const Composite composite = compose(made.layers, Compositing::ratio, threads_);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
-    record.isolation = study_.isolation;
     if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
     if (request_.layers)
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
@@ -208,6 +203,7 @@ class SetRenderer {
   [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }
 
   const StudyDefinition& study_;
+  const std::vector<SceneDefinition> truths_ = list_truths(study_);
   const RenderRequest& request_;
   RenderSettings settings_;
   InputHashes hashes_;
@@ -226,9 +222,17 @@ class SetRenderer {
 }  // namespace
 
 RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
+  bool sets_mesh = study.level.quantity == Quantity::mesh_tolerance;
+  for (const ConditionDefinition& condition : study.conditions)
+    sets_mesh = sets_mesh || condition.depth.mesh != study.depth.mesh ||
+                condition.depth.mesh_tolerance != study.depth.mesh_tolerance;
+  if (request.mesh && sets_mesh)
+    throw input_error({.field = "--mesh",
+                       .wanted = "a study whose conditions and levels leave the mesh to the command line",
+                       .found = study.file.string() + ", which varies it"});
   return {.spp = request.spp.value_or(study.samples_per_pixel),
           .seed = study.seed,
-          .mesh = request.mesh.value_or(study.mesh),
+          .mesh = request.mesh,
           .estimator = request.estimator,
           .error = request.error,
           .omit = request.omit};

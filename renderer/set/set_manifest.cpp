@@ -14,12 +14,12 @@ namespace {
 RenderPlan plan_of(const std::set<std::string>& scenes, const SetState& set,
                    std::map<std::string, LightFacts>& lights) {
   std::map<std::string, LightFacts> of_set;
-  for (const SceneDefinition& scene : set.study.scenes) {
-    if (!scenes.contains(scene.name)) continue;
-    if (!lights.contains(scene.name))
-      lights.emplace(scene.name,
+  for (const SceneDefinition& scene : list_truths(set.study)) {
+    if (!scenes.contains(scene.truth)) continue;
+    if (!lights.contains(scene.truth))
+      lights.emplace(scene.truth,
                      light_facts(load_truth_scene(scene, set.study.width_px, set.study.height_px)));
-    of_set.emplace(scene.name, lights.at(scene.name));
+    of_set.emplace(scene.truth, lights.at(scene.truth));
   }
   return render_plan(set.study, of_set, set.settings);
 }
@@ -38,12 +38,12 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
   for (const Stimulus& stimulus : list_stimuli(set.study))
     if (const auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
       out.stimuli.push_back(*record);
-      scenes.insert(stimulus.scene);
+      scenes.insert(stimulus.truth);
     }
-  for (const SceneDefinition& scene : set.study.scenes)
+  for (const SceneDefinition& scene : list_truths(set.study))
     if (const auto reference =
-            set.records.finished_reference(scene.name, set.hashes.of_reference(scene.name));
-        reference && scenes.contains(scene.name))
+            set.records.finished_reference(scene.truth, set.hashes.of_reference(scene.truth));
+        reference && scenes.contains(scene.truth))
       out.references.push_back(*reference);
   out.left_out = sentences(plan_of(scenes, set, lights));
   return out;

@@ -8,11 +8,11 @@ namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
-std::string reference_picture(const std::string& scene) {
-  return "references/" + scene + ".png";
+std::string reference_picture(const std::string& truth) {
+  return "references/" + truth + ".png";
 }
-std::string click_map_picture(const std::string& scene) {
-  return "references/" + scene + "-ids.png";
+std::string click_map_picture(const std::string& truth) {
+  return "references/" + truth + "-ids.png";
 }
 
 }  // namespace
@@ -23,10 +23,10 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
   const StimulusLayers& layers = picture.made.layers;
   ManifestStimulus record{.id = stimulus_id(stimulus),
                           .stimulus = stimulus,
-                          .isolation = {},
+                          .isolation = stimulus.isolation,
                           .image = "stimuli/" + stimulus_id(stimulus) + ".png",
-                          .object_ids = click_map_picture(stimulus.scene),
-                          .reference = reference_picture(stimulus.scene),
+                          .object_ids = click_map_picture(truth_of(stimulus)),
+                          .reference = reference_picture(truth_of(stimulus)),
                           .spp = layers.spp,
                           .rays = layers.rays,
                           .rmse = picture.made.rmse,
@@ -39,12 +39,12 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
   return record;
 }
 
-ManifestReference write_reference(const fs::path& set_folder, const std::string& scene,
+ManifestReference write_reference(const fs::path& set_folder, const std::string& truth,
                                   const SceneReference& reference, double exposure_ev) {
-  require_numbers(reference.radiance, "scene \"" + scene + "\"");
-  ManifestReference record{.scene = scene,
-                           .image = reference_picture(scene),
-                           .object_ids = click_map_picture(scene),
+  require_numbers(reference.radiance, "scene \"" + truth + "\"");
+  ManifestReference record{.truth = truth,
+                           .image = reference_picture(truth),
+                           .object_ids = click_map_picture(truth),
                            .image_sha256 = {},
                            .object_ids_sha256 = {}};
   write_png(set_folder / record.image, display_image(reference.radiance, exposure_ev));

@@ -22,7 +22,7 @@ struct StimulusPicture {
 
 /// Writes a scene's reference and its click map.
 [[nodiscard]] ManifestReference write_reference(const std::filesystem::path& set_folder,
-                                                const std::string& scene, const SceneReference& reference,
+                                                const std::string& truth, const SceneReference& reference,
                                                 double exposure_ev);
 
 }  // namespace seamline::renderer

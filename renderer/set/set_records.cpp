@@ -106,23 +106,29 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
     : common_(fmt::format("seamline {} {} {} image {} {} {} seed {}", program_version(), program_hash(),
                           RayDevice::instruction_set(), study.width_px, study.height_px,
                           amount_of_work(settings), settings.seed)),
-      isolation_and_mesh_(
-          fmt::format("{} {} {}", word(study.isolation), word(settings.mesh), study.mesh_tolerance)) {
-  for (const SceneDefinition& scene : study.scenes) scenes_[scene.name] = scene_inputs(scene);
+      mesh_(settings.mesh) {
+  for (const SceneDefinition& truth : list_truths(study)) truths_[truth.truth] = scene_inputs(truth);
+  for (const Stimulus& stimulus : list_stimuli(study)) settings_.insert(isolation_and_mesh(stimulus));
+}
+
+std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
+  return fmt::format("{} {} {}", word(stimulus.isolation), word(mesh_.value_or(stimulus.depth.mesh)),
+                     stimulus.depth.mesh_tolerance);
 }
 
 std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {
-  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh_, stimulus_id(stimulus),
-                            scenes_.at(stimulus.scene)));
+  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh(stimulus), stimulus_id(stimulus),
+                            truths_.at(truth_of(stimulus))));
 }
 
-std::string InputHashes::of_reference(const std::string& scene) const {
-  return sha256(fmt::format("{} reference {}", common_, scenes_.at(scene)));
+std::string InputHashes::of_reference(const std::string& truth) const {
+  return sha256(fmt::format("{} reference {}", common_, truths_.at(truth)));
 }
 
 std::string InputHashes::of_set() const {
-  std::string text = common_ + " " + isolation_and_mesh_;
-  for (const auto& [name, inputs] : scenes_) text += " " + name + " " + inputs;
+  std::string text = common_;
+  for (const std::string& settings : settings_) text += " " + settings;
+  for (const auto& [name, inputs] : truths_) text += " " + name + " " + inputs;
   return sha256(text);
 }
 
@@ -146,13 +152,13 @@ void SetRecords::finish(const ManifestStimulus& record, const std::string& input
                Json::parse(stimulus_record_text(record)));
 }
 
-std::optional<ManifestReference> SetRecords::finished_reference(const std::string& scene,
+std::optional<ManifestReference> SetRecords::finished_reference(const std::string& truth,
                                                                 const std::string& inputs) const {
   const std::optional<Json> json =
-      read_record(set_folder_ / "records" / ("reference-" + scene + ".json"), inputs);
+      read_record(set_folder_ / "records" / ("reference-" + truth + ".json"), inputs);
   if (!json) return std::nullopt;
   ManifestReference reference{
-      .scene = scene, .image = {}, .object_ids = {}, .image_sha256 = {}, .object_ids_sha256 = {}};
+      .truth = truth, .image = {}, .object_ids = {}, .image_sha256 = {}, .object_ids_sha256 = {}};
   try {
     reference.image = json->at("image").get<std::string>();
     reference.object_ids = json->at("object_ids").get<std::string>();
@@ -167,7 +173,7 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
 }
 
 void SetRecords::finish_reference(const ManifestReference& reference, const std::string& inputs) const {
-  write_record(set_folder_ / "records" / ("reference-" + reference.scene + ".json"), inputs,
+  write_record(set_folder_ / "records" / ("reference-" + reference.truth + ".json"), inputs,
                {{"image", reference.image},
                 {"object_ids", reference.object_ids},
                 {"image_sha256", reference.image_sha256},

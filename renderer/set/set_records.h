@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "renderer/transport/omissions.h"
@@ -13,7 +14,7 @@ namespace seamline::renderer {
 struct RenderSettings {
   int spp = 64;
   std::uint64_t seed = 1;
-  MeshDensity mesh = MeshDensity::adaptive;
+  std::optional<MeshDensity> mesh = {};  ///< in place of each stimulus' own
   Estimator estimator = Estimator::fast;
   std::optional<double> error = {};  ///< display units; instead of a number of samples
   Omissions omit = {};
@@ -25,13 +26,16 @@ class InputHashes {
  public:
   InputHashes(const StudyDefinition& study, const RenderSettings& settings);
   [[nodiscard]] std::string of_stimulus(const Stimulus& stimulus) const;
-  [[nodiscard]] std::string of_reference(const std::string& scene) const;
+  [[nodiscard]] std::string of_reference(const std::string& truth) const;
   [[nodiscard]] std::string of_set() const;  ///< over everything that any of its pictures depends on
 
  private:
   std::string common_;
-  std::string isolation_and_mesh_;
-  std::map<std::string, std::string> scenes_;
+  [[nodiscard]] std::string isolation_and_mesh(const Stimulus& stimulus) const;
+
+  std::optional<MeshDensity> mesh_;
+  std::set<std::string> settings_;             ///< isolations and meshes of the study
+  std::map<std::string, std::string> truths_;  ///< scenes and their files, by truth
 };
 
 /// Finished pieces of a set, one small file each in `SET/records/`: what lets an interrupted job continue.
@@ -45,7 +49,7 @@ class SetRecords {
                                                          const std::string& inputs) const;
   void finish(const ManifestStimulus& record, const std::string& inputs) const;
 
-  [[nodiscard]] std::optional<ManifestReference> finished_reference(const std::string& scene,
+  [[nodiscard]] std::optional<ManifestReference> finished_reference(const std::string& truth,
                                                                     const std::string& inputs) const;
   void finish_reference(const ManifestReference& reference, const std::string& inputs) const;
 

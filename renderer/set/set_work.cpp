@@ -1,7 +1,5 @@
 #include "renderer/set/set_work.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 
@@ -10,9 +8,9 @@
 
 namespace seamline::renderer {
 
-bool SetWork::is_pending(const std::string& scene) const {
+bool SetWork::is_pending(const std::string& truth) const {
   return std::any_of(pending.begin(), pending.end(),
-                     [&](const PendingStimulus& work) { return work.stimulus.scene == scene; });
+                     [&](const PendingStimulus& work) { return truth_of(work.stimulus) == truth; });
 }
 
 SetWork find_work(const StudyDefinition& study, const RenderRequest& request, const InputHashes& hashes,
@@ -21,9 +19,9 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
   std::map<std::string, int> objects;  // in study order, for sharing out
   for (const Stimulus& stimulus : list_stimuli(study)) {
     if (!matches_pattern(stimulus_id(stimulus), request.only)) continue;
-    work.selected_scenes.insert(stimulus.scene);
+    work.selected_truths.insert(truth_of(stimulus));
     const auto [object, added] =
-        objects.emplace(stimulus.scene + "/" + stimulus.object, static_cast<int>(objects.size()));
+        objects.emplace(truth_of(stimulus) + "/" + stimulus.object, static_cast<int>(objects.size()));
     if (object->second % request.shard_count != request.shard - 1) continue;
     const std::string inputs = hashes.of_stimulus(stimulus);
     if (records.finished(stimulus_id(stimulus), inputs) &&
@@ -32,12 +30,21 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
     else
       work.pending.push_back({stimulus, inputs});
   }
-  if (work.selected_scenes.empty())
+  if (work.selected_truths.empty())
     throw input_error({.file = study.file.string(),
                        .field = "--only",
                        .wanted = "a pattern that matches a stimulus id",
                        .found = "\"" + request.only + "\""});
   return work;
+}
+
+Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth) {
+  std::set<std::pair<Artifact, Isolation>> asking;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (truth_of(stimulus) == truth_of(truth)) asking.insert({stimulus.artifact, stimulus.isolation});
+  std::vector<Recipe> recipes;
+  for (const auto& [artifact, isolation] : asking) recipes.push_back(recipe(artifact, isolation));
+  return asked_by_any(recipes);
 }
 
 WorkWeights work_weights(Estimator estimator) {
@@ -51,16 +58,17 @@ WorkWeights work_weights(Estimator estimator) {
 }
 
 double total_weight(const SetWork& work, const WorkWeights& weights) {
-  std::set<std::string> scenes, objects, widths;
+  std::set<std::string> truths, objects;
+  std::set<std::pair<std::string, DepthSettings>> meshes;
   for (const PendingStimulus& pending : work.pending) {
     const Stimulus& stimulus = pending.stimulus;
-    scenes.insert(stimulus.scene);
-    objects.insert(stimulus.scene + stimulus.object);
-    widths.insert(fmt::format("{}{}{}", stimulus.scene, stimulus.object, stimulus.condition.depth_width_px));
+    truths.insert(truth_of(stimulus));
+    objects.insert(truth_of(stimulus) + "/" + stimulus.object);
+    meshes.insert({truth_of(stimulus) + "/" + stimulus.object, stimulus.depth});
   }
-  return static_cast<double>(scenes.size()) * weights.reference +
+  return static_cast<double>(truths.size()) * weights.reference +
          static_cast<double>(objects.size()) * weights.truth +
-         static_cast<double>(widths.size()) * weights.mesh +
+         static_cast<double>(meshes.size()) * weights.mesh +
          static_cast<double>(work.pending.size()) * weights.stimulus;
 }
 

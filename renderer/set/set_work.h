@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/set/render_set.h"
+#include "renderer/transport/answers.h"
 
 namespace seamline::renderer {
 
@@ -16,10 +17,10 @@ struct PendingStimulus {
 /// What a render job has to do.
 struct SetWork {
   std::vector<PendingStimulus> pending;
-  std::set<std::string> selected_scenes;  ///< that some stimulus asked for belongs to
+  std::set<std::string> selected_truths;  ///< that some stimulus asked for belongs to
   int already_finished = 0;
 
-  [[nodiscard]] bool is_pending(const std::string& scene) const;
+  [[nodiscard]] bool is_pending(const std::string& truth) const;
 };
 
 /// Stimuli that match `--only`, belong to this shard and are not finished. Shards share out the virtual
@@ -27,6 +28,10 @@ struct SetWork {
 /// matches none.
 [[nodiscard]] SetWork find_work(const StudyDefinition& study, const RenderRequest& request,
                                 const InputHashes& hashes, const SetRecords& records);
+
+/// What any stimulus of a truth asks of the depth mesh, whichever are left to render: a set that was
+/// interrupted has the same bytes.
+[[nodiscard]] Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth);
 
 /// Weights of the progress bar, about seconds: the fast estimator does most of its work once a scene.
 struct WorkWeights {

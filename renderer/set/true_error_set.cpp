@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t reference_seed_offset = 1000;  // the reference shares no sample with the picture
 
 /// What shares a scene, a truth pass and a depth mesh comes together.
-using Key = std::tuple<std::string, int, int>;  // scene, object, width
+using Key = std::tuple<std::string, int, DepthSettings>;  // truth, object, mesh
 using Groups = std::map<Key, std::vector<ManifestStimulus>>;
 
 Groups unmeasured(const Manifest& manifest, const TrueErrorRequest& request, const TrueErrors& known) {
@@ -34,8 +34,8 @@ Groups unmeasured(const Manifest& manifest, const TrueErrorRequest& request, con
     if (found != known.end() && found->second.picture_sha256 == record.sha256 &&
         found->second.reference_spp == request.spp)
       continue;
-    groups[{record.stimulus.scene, record.stimulus.object_index, record.stimulus.condition.depth_width_px}]
-        .push_back(record);
+    groups[{truth_of(record.stimulus), record.stimulus.object_index, record.stimulus.depth}].push_back(
+        record);
   }
   if (!any)
     throw input_error({.file = request.set_folder.string(),
@@ -60,7 +60,7 @@ class Measuring {
     double work = 0;
     for (const auto& [key, records] : groups) work += 1 + static_cast<double>(records.size());
     progress_.emplace("true errors of " + study_.name, work);
-    for (const SceneDefinition& scene : study_.scenes) measure_scene(scene, groups);
+    for (const SceneDefinition& scene : list_truths(study_)) measure_scene(scene, groups);
     progress_.reset();
     write_true_errors(request_.set_folder, errors_);
   }
@@ -81,8 +81,8 @@ class Measuring {
     std::unique_ptr<SceneEstimator> estimator;
     int object_taken = 0;
     for (const auto& [key, records] : groups) {
-      const auto& [name, object_index, width_px] = key;
-      if (name != definition.name) continue;
+      const auto& [name, object_index, depth] = key;
+      if (name != definition.truth) continue;
       if (!scene) {
         scene = load_truth_scene(definition, study_.width_px, study_.height_px);
         estimator = make_path_estimator(
@@ -93,22 +93,19 @@ class Measuring {
       else
         progress_->advance(1, name);
       object_taken = object_index;
-      measure_width(*scene, *estimator, records);
+      measure_mesh(*scene, *estimator, depth, records);
     }
   }
 
-  void measure_width(const TruthScene& scene, SceneEstimator& estimator,
-                     const std::vector<ManifestStimulus>& records) {
-    const Condition& condition = records.front().stimulus.condition;
+  void measure_mesh(const TruthScene& scene, SceneEstimator& estimator, DepthSettings settings,
+                    const std::vector<ManifestStimulus>& records) {
+    settings.mesh = request_.mesh.value_or(settings.mesh);
     std::optional<LocalScene> depth;
     for (const ManifestStimulus& record : records) {
-      const Recipe how = recipe(record.stimulus.artifact, study_.isolation);
+      const Recipe how = recipe(record.stimulus.artifact, record.stimulus.isolation);
       if (how.answers.needs_depth() && !depth)
-        depth.emplace(make_local_scene(estimator.geometry().truth, condition,
-                                       {.density = request_.mesh.value_or(study_.mesh),
-                                        .tolerance = study_.mesh_tolerance,
-                                        .albedo = scene.definition.albedo,
-                                        .threads = threads_}));
+        depth.emplace(make_local_scene(estimator.geometry().truth, settings,
+                                       {.albedo = scene.definition.albedo, .threads = threads_}));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
       measure(record, scene.definition.exposure_ev, made.layers);

@@ -54,14 +54,12 @@ Recipe recipe(Artifact artifact, Isolation isolation) {
   return {};
 }
 
-Answers asked_by_any(std::span<const Artifact> artifacts, Isolation isolation) {
+Answers asked_by_any(std::span<const Recipe> recipes) {
   Answers all;
-  for (const Artifact artifact : artifacts) {
-    const Answers answers = recipe(artifact, isolation).answers;
+  for (const Recipe& one : recipes)
     for (Who Answers::*question : {&Answers::receiver, &Answers::real_lit, &Answers::object_lit,
                                    &Answers::occlusion, &Answers::bounce})
-      if (answers.*question == Who::depth) all.*question = Who::depth;
-  }
+      if (one.answers.*question == Who::depth) all.*question = Who::depth;
   return all;
 }
 

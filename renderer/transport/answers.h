@@ -55,7 +55,7 @@ struct Recipe {
 /// `query`.
 [[nodiscard]] Recipe recipe(Artifact artifact, Isolation isolation);
 
-/// What any of the artifacts asks of the depth mesh.
-[[nodiscard]] Answers asked_by_any(std::span<const Artifact> artifacts, Isolation isolation);
+/// What any of the recipes asks of the depth mesh.
+[[nodiscard]] Answers asked_by_any(std::span<const Recipe> recipes);
 
 }  // namespace seamline::renderer

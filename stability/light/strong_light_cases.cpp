@@ -169,8 +169,8 @@ Finding try_strongest_light(Estimator estimator, int threads) {
       make_estimator(estimator, scene, {.spp = 4, .threads = threads, .depth_bounces = true});
   const SceneReference reference = estimating->reference({});
   estimating->take_object(1, {});
-  const LocalScene depth = make_local_scene(estimating->geometry().truth, {.depth_width_px = 64},
-                                            {.albedo = 1, .threads = threads});
+  const LocalScene depth =
+      make_local_scene(estimating->geometry().truth, {.width_px = 64}, {.albedo = 1, .threads = threads});
   int wrong = 0, values = 0;
   const auto count = [&](const Image& picture) {
     for (const float value : picture.values) wrong += std::isfinite(value) && value >= 0 ? 0 : 1;

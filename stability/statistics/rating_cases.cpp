@@ -52,7 +52,7 @@ ArtifactScores simulated_scores(int people, std::uint64_t seed) {
         Stimulus stimulus;
         stimulus.artifact = Artifact::receiver;
         stimulus.object_index = object;
-        stimulus.condition.depth_width_px = widths_px[w];
+        stimulus.depth.width_px = widths_px[w];
         const Response response = respond(observer, stimulus, random);
         sum += response.chosen_index == object ? response.rating : 0;
       }

@@ -1,4 +1,5 @@
 #pragma once
+#include <string_view>
 
 namespace seamline::inline stimuli {
 
@@ -7,5 +8,10 @@ enum class Axis { linear, log2 };
 
 /// Whether the probability of a response rises or falls with the level.
 enum class Direction { increasing, decreasing };
+
+/// "rises" or "falls", as in study files.
+[[nodiscard]] constexpr std::string_view noticeability_word(Direction direction) {
+  return direction == Direction::increasing ? "rises" : "falls";
+}
 
 }  // namespace seamline::inline stimuli

@@ -2,26 +2,133 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
 namespace seamline::inline stimuli {
+namespace {
+
+DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
+  switch (quantity) {
+    case Quantity::depth_width_px:
+      depth.width_px = static_cast<int>(level);
+      break;
+    case Quantity::texels_per_degree:
+      depth.width_px = static_cast<int>(std::lround(level * 360));
+      break;
+    case Quantity::mesh_tolerance:
+      depth.mesh_tolerance = level;
+      if (level == 0) depth.mesh = MeshDensity::full;
+      break;
+    case Quantity::sun_radius_deg:
+      break;
+  }
+  return depth;
+}
+
+SceneDefinition scene_at(SceneDefinition scene, Quantity quantity, double level) {
+  if (quantity == Quantity::sun_radius_deg) scene.sun_radius_deg = level;
+  return scene;
+}
+
+/// The truths of one scene of a study: what each condition and level is compared with, each once.
+class TruthsOfScene {
+ public:
+  TruthsOfScene(const StudyDefinition& study, std::size_t scene)
+      : quantity_(study.level.quantity), levels_(study.level.values) {
+    const std::vector<ConditionDefinition> conditions = list_conditions(study);
+    const std::size_t levels = facts(quantity_).changes_truth ? levels_.size() : 1;
+    for (const ConditionDefinition& condition : conditions)
+      for (std::size_t level = 0; level < levels; ++level) {
+        SceneDefinition truth = scene_at(condition.scenes.at(scene), quantity_, levels_.at(level));
+        truth.truth.clear();
+        const std::string meaning = canonical_text(truth);
+        auto [found, added] = names_.emplace(meaning, std::string());
+        if (added) {
+          found->second = name_of(truth.name, condition.name, level, conditions.size() > 1, levels > 1);
+          scenes_.push_back(truth);
+        }
+        by_place_[{condition.name, level}] = meaning;
+      }
+    // One light for everything: the scene's name alone, as in studies without conditions.
+    if (scenes_.size() == 1) names_.begin()->second = scenes_.front().name;
+    for (SceneDefinition& truth : scenes_) truth.truth = names_.at(canonical_text(truth));
+  }
+
+  [[nodiscard]] const std::vector<SceneDefinition>& scenes() const { return scenes_; }
+  [[nodiscard]] const std::string& name(const std::string& condition, std::size_t level) const {
+    return names_.at(by_place_.at({condition, facts(quantity_).changes_truth ? level : 0}));
+  }
+
+ private:
+  [[nodiscard]] std::string name_of(const std::string& scene, const std::string& condition, std::size_t level,
+                                    bool many_conditions, bool many_levels) const {
+    std::string name = scene;
+    if (many_conditions) name += "-" + condition;
+    if (many_levels) name += "-" + level_in_id(quantity_, levels_[level]);
+    return name;
+  }
+
+  Quantity quantity_;
+  const std::vector<double>& levels_;
+  std::vector<SceneDefinition> scenes_;
+  std::map<std::string, std::string> names_;                             ///< by meaning
+  std::map<std::pair<std::string, std::size_t>, std::string> by_place_;  ///< meaning of a condition and level
+};
+
+}  // namespace
 
 std::string stimulus_id(const Stimulus& stimulus) {
-  const std::string id = fmt::format("{}-{}-{}-{:04}", stimulus.scene, word(stimulus.artifact),
-                                     stimulus.object, stimulus.condition.depth_width_px);
-  return stimulus.condition.yaw_texels == 0 ? id : fmt::format("{}-yaw{}", id, stimulus.condition.yaw_texels);
+  std::string id = fmt::format("{}-{}-{}", stimulus.scene, word(stimulus.artifact), stimulus.object);
+  if (!stimulus.condition.empty()) id += "-" + stimulus.condition;
+  id += "-" + level_in_id(stimulus.quantity, stimulus.level);
+  return stimulus.depth.yaw_texels == 0 ? id : fmt::format("{}-yaw{}", id, stimulus.depth.yaw_texels);
 }
 
 std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {
+  const std::vector<ConditionDefinition> conditions = list_conditions(study);
   std::vector<Stimulus> stimuli;
-  for (const SceneDefinition& scene : study.scenes)
+  for (std::size_t s = 0; s < study.scenes.size(); ++s) {
+    const SceneDefinition& scene = study.scenes[s];
+    const TruthsOfScene truths(study, s);
     for (const Artifact artifact : scene.artifacts)
       for (std::size_t object = 0; object < scene.objects.size(); ++object)
-        for (const int width_px : study.depth_width_px)
-          stimuli.push_back({.scene = scene.name,
-                             .artifact = artifact,
-                             .object = scene.objects[object].name,
-                             .object_index = static_cast<int>(object) + 1,
-                             .condition = {.depth_width_px = width_px, .yaw_texels = study.yaw_texels}});
+        for (const ConditionDefinition& condition : conditions)
+          for (std::size_t level = 0; level < study.level.values.size(); ++level)
+            stimuli.push_back(
+                {.scene = scene.name,
+                 .artifact = artifact,
+                 .object = scene.objects[object].name,
+                 .object_index = static_cast<int>(object) + 1,
+                 .condition = conditions.size() > 1 ? condition.name : std::string(),
+                 .quantity = study.level.quantity,
+                 .level = study.level.values[level],
+                 .depth = depth_at(condition.depth, study.level.quantity, study.level.values[level]),
+                 .isolation = condition.isolation,
+                 .truth = truths.name(condition.name, level)});
+  }
   return stimuli;
+}
+
+std::vector<SceneDefinition> list_truths(const StudyDefinition& study) {
+  std::vector<SceneDefinition> truths;
+  for (std::size_t s = 0; s < study.scenes.size(); ++s) {
+    const TruthsOfScene of_scene(study, s);
+    truths.insert(truths.end(), of_scene.scenes().begin(), of_scene.scenes().end());
+  }
+  return truths;
+}
+
+std::vector<int> depth_widths_px(const StudyDefinition& study) {
+  std::set<int> widths;
+  for (const ConditionDefinition& condition : list_conditions(study))
+    for (const double level : study.level.values)
+      widths.insert(depth_at(condition.depth, study.level.quantity, level).width_px);
+  return {widths.begin(), widths.end()};
 }
 
 bool matches_pattern(std::string_view id, std::string_view pattern) {

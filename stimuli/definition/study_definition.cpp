@@ -24,8 +24,11 @@ std::string session_text(const SessionDefinition& session, const ObserverDefinit
                                 session.break_every_trials);
   for (const std::string& label : session.rating_labels) out += "label " + label + "\n";
   out += fmt::format("observer {} {}\n", observer.scale_octaves, observer.people_sd_octaves);
-  for (const auto& [artifact, width_px] : observer.midpoint_width_px)
-    out += fmt::format("midpoint {} {}\n", word(artifact), width_px);
+  for (const auto& [artifact, level] : observer.midpoint)
+    out += fmt::format("midpoint {} {}\n", word(artifact), level);
+  for (const auto& [condition, midpoint] : observer.condition_midpoint)
+    for (const auto& [artifact, level] : midpoint)
+      out += fmt::format("midpoint {} {} {}\n", condition, word(artifact), level);
   // Only where they differ, so that studies that were rendered before keep their hash.
   if (observer.image_gain) out += fmt::format("image gain {}\n", *observer.image_gain);
   if (observer.direction == Direction::increasing) out += "noticeability rises\n";
@@ -50,6 +53,25 @@ std::string shown_text(const StudyDefinition& study) {
   if (study.session.inter_trial_s != usual.inter_trial_s)
     out += fmt::format("inter-trial {}\n", study.session.inter_trial_s);
   if (study.session.orders != usual.orders) out += fmt::format("orders {}\n", study.session.orders);
+  return out;
+}
+
+/// Levels that are no widths, and conditions; nothing for studies without, which keep their hash.
+std::string varied_text(const StudyDefinition& study) {
+  std::string out;
+  if (study.level.quantity != Quantity::depth_width_px && study.depth.width_px != 0)
+    out += fmt::format("depth width {}\n", study.depth.width_px);
+  if (study.level.axis() == Axis::linear)
+    out += fmt::format("observer on the level's axis {} {}\n", study.observer.scale_linear,
+                       study.observer.people_sd_linear);
+  if (study.level.noticeability != facts(study.level.quantity).noticeability)
+    out += fmt::format("level {}\n", noticeability_word(study.level.noticeability));
+  for (const ConditionDefinition& condition : study.conditions) {
+    out += fmt::format("condition {} {} {} {} {} {}\n", condition.name, word(condition.isolation),
+                       condition.depth.width_px, condition.depth.yaw_texels, word(condition.depth.mesh),
+                       condition.depth.mesh_tolerance);
+    for (const SceneDefinition& scene : condition.scenes) out += canonical_text(scene);
+  }
   return out;
 }
 
@@ -86,21 +108,28 @@ std::string canonical_text(const SceneDefinition& scene) {
   if (scene.camera)
     out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
                        scene.camera->horizontal_fov_deg);
+  if (scene.sun_radius_deg) out += fmt::format("sun radius {}\n", *scene.sun_radius_deg);
   return out;
+}
+
+std::vector<ConditionDefinition> list_conditions(const StudyDefinition& study) {
+  if (!study.conditions.empty()) return study.conditions;
+  return {{.name = "", .isolation = study.isolation, .depth = study.depth, .scenes = study.scenes}};
 }
 
 std::string canonical_text(const StudyDefinition& study) {
   std::string out =
       fmt::format("seamline study 1\nname {}\nisolation {}\nimage {} {} spp {} seed {} mesh {} {} yaw {}\n",
                   study.name, word(study.isolation), study.width_px, study.height_px, study.samples_per_pixel,
-                  study.seed, word(study.mesh), study.mesh_tolerance, study.yaw_texels);
-  for (const int width_px : study.depth_width_px) out += fmt::format("depth_width_px {}\n", width_px);
+                  study.seed, word(study.depth.mesh), study.depth.mesh_tolerance, study.depth.yaw_texels);
+  for (const double value : study.level.values)
+    out += fmt::format("{} {}\n", facts(study.level.quantity).key, value);
   for (const SceneDefinition& scene : study.scenes) {
     out += canonical_text(scene);
     for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
   }
   return out + session_text(study.session, study.observer) + canonical_text(study.procedure) +
-         shown_text(study);
+         shown_text(study) + varied_text(study);
 }
 
 std::string study_hash(const StudyDefinition& study) {

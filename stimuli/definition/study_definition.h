@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -15,6 +16,7 @@
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/procedure_definition.h"
+#include "stimuli/definition/quantity.h"
 #include "stimuli/definition/session_definition.h"
 
 namespace seamline::inline stimuli {
@@ -29,6 +31,19 @@ struct ObjectDefinition {
   Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< pitch about X, yaw about Y, roll about Z
   double scale = 1.0;
   bool exempt_from_shape_rules = false;  ///< `check` leaves out area and silhouette rules (paper: the teapot)
+};
+
+enum class MeshDensity { adaptive, full };
+
+/// How the depth map of a stimulus is captured, and the mesh rebuilt from it.
+struct DepthSettings {
+  int width_px = 0;    ///< W of the panorama; its height is W / 2
+  int yaw_texels = 0;  ///< phase of the sampling grid: the panorama is turned by this many of its own texels
+  MeshDensity mesh = MeshDensity::adaptive;
+  double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
+
+  [[nodiscard]] int height_px() const { return width_px / 2; }
+  auto operator<=>(const DepthSettings&) const = default;
 };
 
 /// The sun, when the study file overrides what the scene file holds (KHR_lights_punctual, directional).
@@ -61,6 +76,11 @@ struct SceneDefinition {
   int bounces = 4;           ///< further diffuse scatterings after the first
   double albedo = 0.5;       ///< of the depth mesh, and of meshes without a material
   double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
+  /// Of every sun of the scene, in place of its own; none: its own (0 for those of a scene file).
+  std::optional<double> sun_radius_deg = {};
+  /// Names the scene with this light among the truths of a study (`list_truths`): the scene's name, followed
+  /// by condition and level where these change the light. Empty in a study's own list of scenes.
+  std::string truth = {};
 };
 
 /// A picture shown pixel for pixel on a full-HD screen 0.531 m wide (24 inches) from 0.6 m, rounded.
@@ -68,15 +88,21 @@ inline constexpr double default_pixels_per_degree = 38;
 
 /// What the simulated observers `threshold` and `image` are made of. The planted widths are not the paper's.
 struct ObserverDefinition {
-  std::map<Artifact, double> midpoint_width_px = {{Artifact::receiver, 300},  {Artifact::shadow, 180},
-                                                  {Artifact::occlusion, 620}, {Artifact::overlap, 900},
-                                                  {Artifact::bounce, 150},    {Artifact::all, 900},
-                                                  {Artifact::none, 1}};
-  double scale_octaves = 0.5;  ///< P(seen) = 1 / (1 + exp((log2 W - log2 midpoint - shift) / scale))
-  /// `increasing`: the `threshold` observer sees with 1 / (1 + exp(-(log2 W - log2 midpoint - shift) /
-  /// scale)).
+  /// In the level's unit. An artifact without one cannot be simulated.
+  std::map<Artifact, double> midpoint = {{Artifact::receiver, 300},  {Artifact::shadow, 180},
+                                         {Artifact::occlusion, 620}, {Artifact::overlap, 900},
+                                         {Artifact::bounce, 150},    {Artifact::all, 900},
+                                         {Artifact::none, 1}};
+  /// Of conditions that have midpoints of their own, whole.
+  std::map<std::string, std::map<Artifact, double>> condition_midpoint = {};
+  /// P(seen) = 1 / (1 + exp((x - m - shift) / scale)), where x and m are level and midpoint on the level's
+  /// axis.
+  double scale_octaves = 0.5;
+  double scale_linear = 1;  ///< the same on linear axes, in the level's unit
+  /// `increasing`: the `threshold` observer sees with 1 / (1 + exp(-(x - m - shift) / scale)).
   Direction direction = Direction::decreasing;
   double people_sd_octaves = 0.5;  ///< standard deviation of a person's shift
+  double people_sd_linear = 1;     ///< the same on linear axes, in the level's unit
   /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
   /// stimulus and reference (stimuli/pictures/visible_difference.h); 1 / gain is what is seen half of the
   /// time. None: `seamline predict` fixes it on the receiver artifact (documentation/predict_and_plan.md).
@@ -84,11 +110,26 @@ struct ObserverDefinition {
   double pixels_per_degree = default_pixels_per_degree;  ///< at which people see the pictures
 };
 
-enum class MeshDensity { adaptive, full };
-
 /// How light is computed: `path` traces every path to its end and is the reference; `fast` shares between
 /// stimuli and filters bounce light, with its bias in the reported error.
 enum class Estimator { fast, path };
+
+/// What the curves of a study run over.
+struct LevelDefinition {
+  Quantity quantity = Quantity::depth_width_px;
+  std::vector<double> values;                       ///< rising, each once
+  Direction noticeability = Direction::decreasing;  ///< as the level grows
+
+  [[nodiscard]] Axis axis() const { return facts(quantity).axis; }
+};
+
+/// A named set of settings. Everything else is the study's own, or the level's.
+struct ConditionDefinition {
+  std::string name;  ///< unique; lower-case letters, digits and _
+  Isolation isolation = Isolation::query;
+  DepthSettings depth;
+  std::vector<SceneDefinition> scenes;  ///< the study's, with this condition's light
+};
 
 /// A whole study: everything that decides what people are shown. Defaults are those of DESIGN section 6.
 struct StudyDefinition {
@@ -99,11 +140,10 @@ struct StudyDefinition {
   int height_px = 540;
   int samples_per_pixel = 64;
   std::uint64_t seed = 1;
-  MeshDensity mesh = MeshDensity::adaptive;
-  double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
-  std::vector<int> depth_width_px;
-  int yaw_texels = 0;
+  DepthSettings depth;  ///< the width is 0 where it is the level
+  LevelDefinition level;
   std::vector<SceneDefinition> scenes;
+  std::vector<ConditionDefinition> conditions;  ///< none: the study's own settings alone
   SessionDefinition session;
   ProcedureDefinition procedure;
   ObserverDefinition observer;
@@ -117,6 +157,9 @@ struct StudyDefinition {
 
 [[nodiscard]] std::string_view word(MeshDensity density);
 [[nodiscard]] std::string_view word(Estimator estimator);
+
+/// The conditions of a study: those it names, or its own settings as one without a name.
+[[nodiscard]] std::vector<ConditionDefinition> list_conditions(const StudyDefinition& study);
 
 /// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its
 /// hash is over.

@@ -38,6 +38,14 @@ class JsonFields {
                       std::to_string(value));
     return value;
   }
+  [[nodiscard]] double real(const char* key, double least, double most) const {
+    const auto value = get<double>(key);
+    if (!(value >= least && value <= most))
+      throw complaint(key, "a number from " + std::to_string(least) + " to " + std::to_string(most),
+                      std::to_string(value));
+    return value;
+  }
+  [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
   /// A file of the set; may be empty.
   [[nodiscard]] std::string file_below(const char* key) const {
     const auto name = get<std::string>(key);

@@ -1,5 +1,6 @@
 #include "stimuli/set/manifest.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -14,6 +15,12 @@ namespace {
 
 constexpr int widest_depth_px = 16384;  ///< as in study files
 
+/// Whether it says more than a depth width: sets of the first kind keep their bytes.
+bool is_varied(const Stimulus& stimulus) {
+  return stimulus.quantity != Quantity::depth_width_px || !stimulus.condition.empty() ||
+         truth_of(stimulus) != stimulus.scene;
+}
+
 Json to_json(const ManifestStimulus& record) {
   const Stimulus& stimulus = record.stimulus;
   Json json;
@@ -22,9 +29,16 @@ Json to_json(const ManifestStimulus& record) {
   json["artifact"] = word(stimulus.artifact);
   json["object"] = stimulus.object;
   json["object_index"] = stimulus.object_index;
-  json["condition"] = {{"depth_width_px", stimulus.condition.depth_width_px},
-                       {"depth_height_px", stimulus.condition.depth_height_px()},
-                       {"yaw_texels", stimulus.condition.yaw_texels}};
+  json["condition"] = {{"depth_width_px", stimulus.depth.width_px},
+                       {"depth_height_px", stimulus.depth.height_px()},
+                       {"yaw_texels", stimulus.depth.yaw_texels}};
+  if (is_varied(stimulus)) {
+    json["condition"]["name"] = stimulus.condition;
+    json["condition"]["mesh"] = word(stimulus.depth.mesh);
+    json["condition"]["mesh_tolerance"] = stimulus.depth.mesh_tolerance;
+    json["level"] = {{"quantity", facts(stimulus.quantity).key}, {"value", stimulus.level}};
+    json["truth"] = truth_of(stimulus);
+  }
   json["isolation"] = word(record.isolation);
   json["image"] = record.image;
   json["object_ids"] = record.object_ids;
@@ -51,10 +65,10 @@ Artifact read_artifact(const JsonFields& fields) {
 }
 
 /// A scene or an object, as study files name them: it stands in logs, reports and figures.
-std::string read_name(const JsonFields& fields, const char* key) {
+std::string read_name(const JsonFields& fields, const char* key, bool may_be_empty = false) {
   const auto name = fields.get<std::string>(key);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_";
-  if (name.empty() || name.find_first_not_of(letters) != std::string::npos)
+  if ((name.empty() && !may_be_empty) || name.find_first_not_of(letters) != std::string::npos)
     throw fields.complaint(key, "lower-case letters, digits and _", "another name");
   return name;
 }
@@ -66,15 +80,45 @@ int read_depth_width(const JsonFields& condition) {
   return width_px;
 }
 
+/// A scene's name, and what condition and level add to it; part of file names.
+std::string read_truth(const JsonFields& fields, const char* key) {
+  const auto truth = fields.get<std::string>(key);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_-";
+  if (truth.empty() || truth.size() > 200 || truth.find_first_not_of(letters) != std::string::npos)
+    throw fields.complaint(key, "lower-case letters, digits, dashes and _", "another name");
+  return truth;
+}
+
+/// What only sets with conditions or with other levels than widths say.
+void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus& stimulus) {
+  stimulus.condition = read_name(condition, "name", true);
+  const auto mesh = condition.get<std::string>("mesh");
+  if (mesh != word(MeshDensity::full) && mesh != word(MeshDensity::adaptive))
+    throw condition.complaint("mesh", "adaptive or full", "\"" + mesh + "\"");
+  stimulus.depth.mesh = mesh == word(MeshDensity::full) ? MeshDensity::full : MeshDensity::adaptive;
+  stimulus.depth.mesh_tolerance = condition.real("mesh_tolerance", 0, 1);
+  const JsonFields level = fields.object("level");
+  const auto quantity = quantity_from_key(level.get<std::string>("quantity"));
+  if (!quantity)
+    throw level.complaint("quantity", "a known quantity", "\"" + level.get<std::string>("quantity") + "\"");
+  stimulus.quantity = *quantity;
+  stimulus.level = level.real("value", facts(*quantity).least, facts(*quantity).most);
+  stimulus.truth = read_truth(fields, "truth");
+}
+
 Stimulus read_stimulus(const JsonFields& fields) {
   const JsonFields condition = fields.object("condition");
+  const int width_px = read_depth_width(condition);
   Stimulus stimulus{
       .scene = read_name(fields, "scene"),
       .artifact = read_artifact(fields),
       .object = read_name(fields, "object"),
       .object_index = fields.number("object_index", 1, 3),
-      .condition = {.depth_width_px = read_depth_width(condition),
-                    .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
+      .level = static_cast<double>(width_px),
+      .depth = {.width_px = width_px,
+                .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
+  stimulus.truth = stimulus.scene;
+  if (fields.has("level")) read_varied(fields, condition, stimulus);
   return stimulus;
 }
 
@@ -95,6 +139,7 @@ ManifestStimulus read_record(const JsonFields& fields) {
   const auto isolation = isolation_from_word(fields.get<std::string>("isolation"));
   if (!isolation) throw fields.complaint("isolation", "query or mask", fields.get<std::string>("isolation"));
   record.isolation = *isolation;
+  record.stimulus.isolation = *isolation;
   record.image = fields.file_below("image");
   record.object_ids = fields.file_below("object_ids");
   record.reference = fields.file_below("reference");
@@ -115,7 +160,7 @@ ManifestStimulus read_record(const JsonFields& fields) {
 
 Json to_json(const ManifestReference& reference) {
   Json json;
-  json["scene"] = reference.scene;
+  json["scene"] = reference.truth;
   json["image"] = reference.image;
   json["object_ids"] = reference.object_ids;
   json["image_sha256"] = reference.image_sha256;
@@ -140,7 +185,7 @@ void check_version(const JsonFields& fields) {
   if (format != manifest_format)
     throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
   const int version = fields.get<int>("version");
-  if (version != manifest_version)
+  if (version != manifest_version && version != manifest_version_with_conditions)
     throw fields.complaint(
         "version",
         "version " + std::to_string(manifest_version) + " (render the set again with this program)",
@@ -176,7 +221,7 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
     const JsonFields reference(item, path.string(),
                                "references[" + std::to_string(manifest.references.size()) + "].");
     manifest.references.push_back(
-        {read_name(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
+        {read_truth(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
          reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256")});
   }
   std::set<std::string> ids;
@@ -185,6 +230,10 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
     manifest.stimuli.push_back(read_record(record));
     if (!ids.insert(manifest.stimuli.back().id).second)
       throw record.complaint("id", "an id that no other stimulus has", manifest.stimuli.back().id);
+    if (manifest.stimuli.back().stimulus.quantity != level_quantity(manifest))
+      throw record.complaint("level.quantity",
+                             std::string(facts(level_quantity(manifest)).key) + ", as before",
+                             std::string(facts(manifest.stimuli.back().stimulus.quantity).key));
   }
   return manifest;
 }
@@ -192,7 +241,9 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
 void write_manifest(const std::filesystem::path& set_folder, const Manifest& manifest) {
   Json json;
   json["format"] = manifest_format;
-  json["version"] = manifest_version;
+  const bool varied = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                                  [](const ManifestStimulus& one) { return is_varied(one.stimulus); });
+  json["version"] = varied ? manifest_version_with_conditions : manifest_version;
   json["study"] = {
       {"name", manifest.study_name}, {"sha256", manifest.study_hash}, {"file", manifest.study_file}};
   json["program"] = {{"version", manifest.program_version}, {"instruction_set", manifest.instruction_set}};
@@ -205,6 +256,10 @@ void write_manifest(const std::filesystem::path& set_folder, const Manifest& man
   json["stimuli"] = Json::array();
   for (const ManifestStimulus& record : manifest.stimuli) json["stimuli"].push_back(to_json(record));
   write_file_atomically(manifest_path(set_folder), json.dump(1) + "\n");
+}
+
+Quantity level_quantity(const Manifest& manifest) {
+  return manifest.stimuli.empty() ? Quantity::depth_width_px : manifest.stimuli.front().stimulus.quantity;
 }
 
 std::string stimulus_record_text(const ManifestStimulus& record) {

@@ -11,6 +11,9 @@ namespace seamline::inline stimuli {
 
 inline constexpr const char* manifest_format = "seamline set";
 inline constexpr int manifest_version = 1;
+/// Of a set whose levels are no widths, or that has conditions: an older program would take it for one of the
+/// first kind.
+inline constexpr int manifest_version_with_conditions = 2;
 
 struct TinyDenominators {
   std::int64_t floored_pixels = 0;  ///< ratio taken as 1, because S_no was under 1e-6 of the frame's median
@@ -42,9 +45,9 @@ struct ManifestStimulus {
   std::string sha256;        ///< of the image file
 };
 
-/// A reference picture and its click map: one for each scene.
+/// A reference picture and its click map: one for each truth, which is a scene with one light.
 struct ManifestReference {
-  std::string scene;
+  std::string truth;  ///< as stimuli name it; the scene's name where the scene has one light
   std::string image, object_ids;
   std::string image_sha256, object_ids_sha256;
 };
@@ -61,6 +64,9 @@ struct Manifest {
   std::vector<ManifestReference> references;
   std::vector<ManifestStimulus> stimuli;
 };
+
+/// The quantity of a set's levels; all its stimuli have one.
+[[nodiscard]] Quantity level_quantity(const Manifest& manifest);
 
 /// Throws InputError when there is no manifest, it is of another format or version, or a field is missing or
 /// wrong.

@@ -46,7 +46,7 @@ void check_shape(const fs::path& path, const ManifestPicture& wanted, const Pict
 void check_references(const fs::path& set_folder, const Manifest& manifest) {
   for (std::size_t i = 0; i < manifest.stimuli.size(); ++i) {
     const ManifestStimulus& stimulus = manifest.stimuli[i];
-    const ManifestReference& reference = reference_of(set_folder, manifest, stimulus.stimulus.scene);
+    const ManifestReference& reference = reference_of(set_folder, manifest, stimulus.stimulus);
     const auto check = [&](const char* key, const std::string& wanted, const std::string& found) {
       if (found != wanted)
         throw input_error({.file = (set_folder / "manifest.json").string(),
@@ -74,12 +74,12 @@ ManifestPicture click_map_picture(const Manifest& manifest, const ManifestRefere
 }
 
 const ManifestReference& reference_of(const fs::path& set_folder, const Manifest& manifest,
-                                      const std::string& scene) {
+                                      const Stimulus& stimulus) {
   for (const ManifestReference& reference : manifest.references)
-    if (reference.scene == scene) return reference;
+    if (reference.truth == truth_of(stimulus)) return reference;
   throw input_error({.file = (set_folder / "manifest.json").string(),
                      .field = "references",
-                     .wanted = "a reference of the scene " + scene,
+                     .wanted = "a reference of the scene " + truth_of(stimulus),
                      .found = "none"});
 }
 

@@ -22,10 +22,10 @@ struct ManifestPicture {
 [[nodiscard]] ManifestPicture reference_picture(const Manifest& manifest, const ManifestReference& reference);
 [[nodiscard]] ManifestPicture click_map_picture(const Manifest& manifest, const ManifestReference& reference);
 
-/// The reference of a stimulus' scene. Throws InputError naming the manifest of `set_folder` when there is
-/// none.
+/// The reference of a stimulus: its scene in the light of its condition. Throws InputError naming the
+/// manifest of `set_folder` when there is none.
 [[nodiscard]] const ManifestReference& reference_of(const std::filesystem::path& set_folder,
-                                                    const Manifest& manifest, const std::string& scene);
+                                                    const Manifest& manifest, const Stimulus& stimulus);
 
 /// Every picture of a set: references, their click maps, stimuli; each once.
 [[nodiscard]] std::vector<ManifestPicture> manifest_pictures(const Manifest& manifest);

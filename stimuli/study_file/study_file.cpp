@@ -4,6 +4,7 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
+#include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_people.h"
 #include "stimuli/study_file/study_file_procedure.h"
 #include "stimuli/study_file/study_file_scene.h"
@@ -24,48 +25,90 @@ void check_format(const TomlTable& table) {
     throw table.complaint("format", std::string("\"") + study_format + "\"", "\"" + format + "\"");
 }
 
-Isolation read_isolation(const TomlTable& table) {
-  const std::string text = table.text("isolation", "query");
-  const std::optional<Isolation> isolation = isolation_from_word(text);
-  if (!isolation) throw table.complaint("isolation", "\"query\" or \"mask\"", "\"" + text + "\"");
-  return *isolation;
+/// Where people see half of what there is to see, for each artifact, in the level's unit.
+void read_midpoints(const TomlTable& table, std::map<Artifact, double>& midpoint,
+                    const LevelDefinition& level) {
+  const QuantityFacts& about = facts(level.quantity);
+  const Range range{level.quantity == Quantity::depth_width_px ? 1e-3
+                    : level.axis() == Axis::log2               ? 1e-12
+                                                               : -1e9,
+                    1e9, about.unit};
+  for (const Artifact artifact : every_artifact) {
+    const std::string key(word(artifact));
+    if (table.has(key)) midpoint[artifact] = table.number(key, 0, range);
+  }
+  table.finish();
 }
 
-MeshDensity read_mesh(const TomlTable& table) {
-  const std::string text = table.text("mesh", "adaptive");
-  for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full})
-    if (word(density) == text) return density;
-  throw table.complaint("mesh", "\"adaptive\" or \"full\"", "\"" + text + "\"");
+std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
+  std::map<Artifact, double> midpoint;
+  switch (level.quantity) {
+    case Quantity::depth_width_px:
+      return ObserverDefinition{}.midpoint;
+    case Quantity::texels_per_degree:
+      for (const auto& [artifact, width_px] : ObserverDefinition{}.midpoint)
+        midpoint[artifact] = width_px / 360;
+      return midpoint;
+    case Quantity::mesh_tolerance:
+    case Quantity::sun_radius_deg:
+      return midpoint;  // nobody knows
+  }
+  return midpoint;
 }
 
-std::vector<int> read_widths(const TomlTable& table) {
-  std::vector<int> widths = table.integers("depth_width_px", {2, 16384, "px"});
-  for (const int width : widths)
-    if (width % 2 != 0) throw table.complaint("depth_width_px", "even widths", std::to_string(width));
-  if (std::set<int>(widths.begin(), widths.end()).size() != widths.size())
-    throw table.complaint("depth_width_px", "widths that differ", "a width given twice");
-  std::sort(widths.begin(), widths.end());
-  return widths;
+void read_linear_scales(const TomlTable& table, const LevelDefinition& level, ObserverDefinition& observer) {
+  const QuantityFacts& about = facts(level.quantity);
+  const double span = level.values.back() - level.values.front();
+  const double usual = span > 0 ? span / 12 : 1;  // as half an octave is of the paper's six
+  const std::string unit(about.unit_key);
+  observer.scale_linear = table.number("scale_" + unit, usual, {1e-9, 1e9, about.unit});
+  observer.people_sd_linear = table.number("people_sd_" + unit, usual, {0, 1e9, about.unit});
 }
 
-ObserverDefinition read_observer(const TomlTable& table) {
+ObserverDefinition read_observer(const TomlTable& table, const LevelDefinition& level,
+                                 const std::vector<ConditionDefinition>& conditions) {
   ObserverDefinition observer;
+  observer.midpoint = usual_midpoints(level);
   observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
-  observer.direction = read_direction(table);
+  observer.direction = read_direction(table, level.noticeability);
   if (table.has("image_gain")) observer.image_gain = table.number("image_gain", 1, {1e-9, 1e9});
   observer.pixels_per_degree =
       table.number("pixels_per_degree", observer.pixels_per_degree, {1, 1000, "pixels per degree"});
   observer.people_sd_octaves =
       table.number("people_sd_octaves", observer.people_sd_octaves, {0, 100, "octaves"});
-  if (const auto midpoints = table.table("midpoint_width_px")) {
-    for (const Artifact artifact : every_artifact) {
-      double& width_px = observer.midpoint_width_px[artifact];
-      width_px = midpoints->number(std::string(word(artifact)), width_px, {1e-3, 1e9, "px"});
-    }
-    midpoints->finish();
+  if (level.axis() == Axis::linear) read_linear_scales(table, level, observer);
+  const bool widths = level.quantity == Quantity::depth_width_px;
+  if (const auto midpoints = table.table(widths ? "midpoint_width_px" : "midpoint"))
+    read_midpoints(*midpoints, observer.midpoint, level);
+  if (const auto by_condition = table.table("condition_midpoint")) {
+    for (const ConditionDefinition& condition : conditions)
+      if (const auto midpoints = by_condition->table(condition.name)) {
+        observer.condition_midpoint[condition.name] = observer.midpoint;
+        read_midpoints(*midpoints, observer.condition_midpoint[condition.name], level);
+      }
+    by_condition->finish();
   }
   table.finish();
   return observer;
+}
+
+ObserverDefinition usual_observer(const LevelDefinition& level) {
+  ObserverDefinition observer;
+  observer.midpoint = usual_midpoints(level);
+  observer.direction = level.noticeability;
+  if (level.axis() == Axis::linear && level.values.back() > level.values.front())
+    observer.scale_linear = observer.people_sd_linear = (level.values.back() - level.values.front()) / 12;
+  return observer;
+}
+
+/// A level that changes nothing in a scene would be asked about in vain.
+void check_level_is_seen(const TomlTable& table, const StudyDefinition& study) {
+  if (study.level.quantity != Quantity::sun_radius_deg) return;
+  for (const ConditionDefinition& condition : list_conditions(study))
+    for (const SceneDefinition& scene : condition.scenes)
+      if (scene.ambient_occlusion)
+        throw table.complaint("level.quantity", "a sun in every scene",
+                              "ambient_occlusion in the scene \"" + scene.name + "\"");
 }
 
 StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
@@ -74,18 +117,15 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   StudyDefinition study;
   study.file = path;
   study.name = table.text("name");
-  study.isolation = read_isolation(table);
+  study.isolation = read_isolation(table, study.isolation);
   study.width_px = table.integer("width_px", study.width_px, {8, 16384, "px"});
   study.height_px = table.integer("height_px", study.height_px, {8, 16384, "px"});
   study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
   study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 2147483647}));
-  study.mesh = read_mesh(table);
-  study.mesh_tolerance = table.number("mesh_tolerance", study.mesh_tolerance, {1e-9, 1});
-  study.depth_width_px = read_widths(table);
-  study.yaw_texels = table.integer("yaw_texels", 0, {-16384, 16384, "texels"});
+  study.level = read_level(table);
+  study.depth = read_depth(table, study.level);
   if (const auto session = table.table("session")) study.session = read_session(*session);
-  study.procedure = read_procedure(table, study.depth_width_px);
-  if (const auto observer = table.table("observer")) study.observer = read_observer(*observer);
+  study.procedure = read_procedure(table, study.level);
   if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
   read_people(table, study);
   std::set<std::string> names;
@@ -94,6 +134,11 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
+  study.conditions = read_conditions(table, study);
+  check_level_is_seen(table, study);
+  const auto observer = table.table("observer");
+  study.observer =
+      observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);
   table.finish();
   const std::filesystem::path folder = path.parent_path();
   check_carried_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);

@@ -13,20 +13,26 @@ namespace {
 
 constexpr std::int64_t most_points = 1000000;  // of the whole grid
 
-/// The axis of a study, and how its keys end: lengths on the log2 axis are octaves, on the linear one px.
+/// The axis of a study, and how its keys end: lengths on the log2 axis are octaves, on the linear one the
+/// level's unit.
 struct AxisWords {
   bool linear = false;
-  const char* unit = "octaves";
+  const QuantityFacts& level;
 
-  [[nodiscard]] std::string key(const std::string& name) const {
-    return name + (linear ? "_px" : "_octaves");
+  [[nodiscard]] std::string in_unit(const std::string& name) const {
+    return level.unit_key.empty() ? name : fmt::format("{}_{}", name, level.unit_key);
   }
-  [[nodiscard]] Range bounds() const { return {1e-3, linear ? 1e9 : 100, unit}; }
+  [[nodiscard]] std::string key(const std::string& name) const {
+    return linear ? in_unit(name) : name + "_octaves";
+  }
+  [[nodiscard]] Range bounds() const {
+    return linear ? Range{1e-9, 1e9, level.unit} : Range{1e-3, 100, "octaves"};
+  }
 };
 
 /// The key of a length on the axis. Throws InputError when the table has that of the other axis.
 std::string length_key(const TomlTable& table, const std::string& name, const AxisWords& axis) {
-  const std::string other = AxisWords{.linear = !axis.linear}.key(name);
+  const std::string other = AxisWords{.linear = !axis.linear, .level = axis.level}.key(name);
   if (table.has(other))
     throw table.complaint(
         other, fmt::format("{} where axis = \"{}\"", axis.key(name), axis.linear ? "linear" : "log2"), other);
@@ -73,22 +79,31 @@ void read_stops(const TomlTable& table, const AxisWords& axis, QuestPlusDefiniti
 }
 
 /// On the linear axis, what the usual octaves are to the seven widths of the paper, which span six.
-void set_linear_lengths(QuestPlusDefinition& quest, const std::vector<int>& depth_width_px) {
-  const double span_px =
-      depth_width_px.size() > 1 ? depth_width_px.back() - depth_width_px.front() : depth_width_px.back();
+void set_linear_lengths(QuestPlusDefinition& quest, const std::vector<double>& levels) {
+  const double span = levels.size() > 1 ? levels.back() - levels.front() : std::max(levels.back(), 1.0);
   for (ParameterRange* range : {&quest.scale, &quest.rating_step}) {
-    range->least *= span_px / 6;
-    range->most *= span_px / 6;
+    range->least *= span / 6;
+    range->most *= span / 6;
   }
 }
 
-void read_grid(const TomlTable& table, const std::vector<int>& depth_width_px, QuestPlusDefinition& quest) {
+void read_grid(const TomlTable& table, const LevelDefinition& level, QuestPlusDefinition& quest) {
   const bool linear = quest.axis == Axis::linear;
-  const AxisWords axis{.linear = linear, .unit = linear ? "px" : "octaves"};
-  if (linear) set_linear_lengths(quest, depth_width_px);
-  const ParameterRange around{depth_width_px.front() / 2.0, depth_width_px.back() * 2.0, 41};
-  quest.threshold_px =
-      read_range(table, "threshold_px", around, {{1e-3, 1e9, "px"}, linear ? Steps::equal : Steps::ratios});
+  const AxisWords axis{.linear = linear, .level = facts(level.quantity)};
+  if (linear) set_linear_lengths(quest, level.values);
+  if (!linear && stands_apart(Axis::log2, level.values.front()))
+    throw table.complaint("axis", "levels above 0 on the log2 axis, or axis = \"linear\"", "a level of 0");
+  const double span = level.values.back() - level.values.front();
+  // An octave more than the levels each way; on a linear axis that begins at 0, a sixth of its length.
+  const bool from_zero = level.values.front() <= 0;
+  const ParameterRange around{from_zero ? level.values.front() - span / 6 : level.values.front() / 2.0,
+                              from_zero ? level.values.back() + span / 6 : level.values.back() * 2.0, 41};
+  const Range thresholds{linear && from_zero                          ? -1e9
+                         : level.quantity == Quantity::depth_width_px ? 1e-3
+                                                                      : 1e-12,
+                         1e9, axis.level.unit};
+  quest.threshold_px = read_range(table, axis.in_unit("threshold").c_str(), around,
+                                  {thresholds, linear ? Steps::equal : Steps::ratios});
   quest.scale = read_range(table, length_key(table, "scale", axis).c_str(), quest.scale,
                            {axis.bounds(), Steps::ratios});
   quest.lapse = read_range(table, "lapse", quest.lapse, {{0, 0.5}, Steps::equal, true});
@@ -97,7 +112,7 @@ void read_grid(const TomlTable& table, const std::vector<int>& depth_width_px, Q
   read_stops(table, axis, quest);
 }
 
-QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<int>& depth_width_px) {
+QuestPlusDefinition read_quest_plus(const TomlTable& table, const LevelDefinition& level) {
   QuestPlusDefinition quest;
   quest.outcome = one_of<PlacementOutcome>(
       table, "outcome", quest.outcome,
@@ -108,9 +123,9 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<in
   Words<Sigmoid> sigmoids;
   for (const Sigmoid sigmoid : every_sigmoid) sigmoids.emplace_back(word(sigmoid), sigmoid);
   quest.sigmoid = one_of<Sigmoid>(table, "sigmoid", quest.sigmoid, sigmoids);
-  quest.axis = one_of<Axis>(table, "axis", quest.axis, {{"log2", Axis::log2}, {"linear", Axis::linear}});
-  quest.direction = read_direction(table);
-  read_grid(table, depth_width_px, quest);
+  quest.axis = one_of<Axis>(table, "axis", level.axis(), {{"log2", Axis::log2}, {"linear", Axis::linear}});
+  quest.direction = read_direction(table, level.noticeability);
+  read_grid(table, level, quest);
   table.finish();
   check_sizes(table, quest);
   return quest;
@@ -118,7 +133,7 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const std::vector<in
 
 }  // namespace
 
-ProcedureDefinition read_procedure(const TomlTable& study, const std::vector<int>& depth_width_px) {
+ProcedureDefinition read_procedure(const TomlTable& study, const LevelDefinition& level) {
   const bool adaptive = one_of<bool>(study, "procedure", false, {{"constant", false}, {"quest_plus", true}});
   const std::optional<TomlTable> settings = study.table("quest_plus");
   if (settings && !adaptive)
@@ -126,7 +141,7 @@ ProcedureDefinition read_procedure(const TomlTable& study, const std::vector<int
   if (!adaptive) return ConstantDefinition{};
   if (!settings)
     throw study.complaint("quest_plus", "a table [quest_plus] with at least max_shows_per_image", "nothing");
-  return read_quest_plus(*settings, depth_width_px);
+  return read_quest_plus(*settings, level);
 }
 
 }  // namespace seamline::inline stimuli

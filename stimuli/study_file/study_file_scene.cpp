@@ -86,19 +86,33 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 
 }  // namespace
 
+void read_light(const TomlTable& table, SceneDefinition& scene) {
+  scene.environment_radiance = table.triple("environment_radiance", scene.environment_radiance,
+                                            {0, limits::strongest_light, "W/m2/sr"});
+  scene.ambient_occlusion = table.boolean("ambient_occlusion", scene.ambient_occlusion);
+  scene.ao_distance_m = table.number("ao_distance_m", scene.ao_distance_m, {1e-9, unlimited, "m"});
+  scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
+  scene.albedo = table.number("albedo", scene.albedo, {0, 1});
+  scene.exposure_ev = table.number("exposure_ev", scene.exposure_ev, {-60, 60, "stops"});
+  if (table.has("sun_radius_deg")) {
+    scene.sun_radius_deg = table.number("sun_radius_deg", 0, {0, 45, "degrees"});
+    if (scene.ambient_occlusion)
+      throw table.complaint("sun_radius_deg", "a sun: the scene \"" + scene.name + "\" has ambient_occlusion",
+                            "a radius of none");
+  }
+}
+
 SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   SceneDefinition scene;
   scene.name = read_name(table);
   scene.file = table.text("file");
   scene.artifacts = read_artifacts(table);
-  scene.environment_radiance = table.triple("environment_radiance", scene.environment_radiance,
-                                            {0, limits::strongest_light, "W/m2/sr"});
-  scene.ambient_occlusion = table.boolean("ambient_occlusion", false);
-  scene.ao_distance_m = table.number("ao_distance_m", scene.ao_distance_m, {1e-9, unlimited, "m"});
-  scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
-  scene.albedo = table.number("albedo", scene.albedo, {0, 1});
-  scene.exposure_ev = table.number("exposure_ev", 0.0, {-60, 60, "stops"});
-  if (const auto sun = table.table("sun")) scene.sun = read_sun(*sun);
+  read_light(table, scene);
+  if (const auto sun = table.table("sun")) {
+    if (scene.sun_radius_deg && sun->has("angular_radius_deg"))
+      throw table.complaint("sun_radius_deg", "one radius of the sun", "sun.angular_radius_deg beside it");
+    scene.sun = read_sun(*sun);
+  }
   if (const auto camera = table.table("camera")) scene.camera = read_camera(*camera);
   std::set<std::string> names;
   for (const TomlTable& object : table.tables("object")) {

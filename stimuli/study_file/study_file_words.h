@@ -28,10 +28,9 @@ Value one_of(const TomlTable& table, const char* key, Value fallback, const Word
   throw table.complaint(key, wanted, "\"" + text + "\"");
 }
 
-/// `noticeability`: whether it "falls" with the width of the depth map, as it does unless somebody says
-/// otherwise, or "rises".
-inline Direction read_direction(const TomlTable& table) {
-  return one_of<Direction>(table, "noticeability", Direction::decreasing,
+/// `noticeability`: whether it "falls" with the level or "rises".
+inline Direction read_direction(const TomlTable& table, Direction fallback) {
+  return one_of<Direction>(table, "noticeability", fallback,
                            {{"falls", Direction::decreasing}, {"rises", Direction::increasing}});
 }
 

@@ -29,8 +29,8 @@ std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i].stimulus;
     run(insert, static_cast<std::int64_t>(i), stimuli[i].id, stimulus.scene,
-        std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index,
-        stimulus.condition.depth_width_px, stimulus.condition.yaw_texels, stimuli[i].sha256);
+        std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index, stimulus.depth.width_px,
+        stimulus.depth.yaw_texels, stimuli[i].sha256);
     entered += insert.getChanges();
   }
   return entered;
@@ -70,8 +70,8 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
         row.getColumn(3).getString() != word(stimulus.artifact) ||
         row.getColumn(4).getString() != stimulus.object ||
         row.getColumn(5).getInt64() != stimulus.object_index ||
-        row.getColumn(6).getInt64() != stimulus.condition.depth_width_px ||
-        row.getColumn(7).getInt64() != stimulus.condition.yaw_texels ||
+        row.getColumn(6).getInt64() != stimulus.depth.width_px ||
+        row.getColumn(7).getInt64() != stimulus.depth.yaw_texels ||
         row.getColumn(8).getString() != record.sha256)
       break;
     ++same;

@@ -15,8 +15,8 @@ namespace seamline::study {
 namespace {
 
 double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact) {
-  const auto found = definition.midpoint_width_px.find(artifact);
-  if (found == definition.midpoint_width_px.end())
+  const auto found = definition.midpoint.find(artifact);
+  if (found == definition.midpoint.end())
     throw input_error({.field = "observer.midpoint_width_px",
                        .wanted = "a width for the artifact " + std::string(word(artifact)),
                        .found = "none"});
@@ -52,7 +52,7 @@ Response seeing_response(double seen, const Stimulus& stimulus, Random& random) 
 Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus, Random& random) {
   PsychometricFunction person = average_person(observer.definition, stimulus.artifact);
   person.threshold *= std::exp2(observer.shift_octaves);
-  return seeing_response(response_probability(person, stimulus.condition.depth_width_px), stimulus, random);
+  return seeing_response(response_probability(person, stimulus.depth.width_px), stimulus, random);
 }
 
 Response image_response(const ImageObserver& observer, const Stimulus& stimulus, Random& random) {

@@ -32,7 +32,7 @@ void find_tracks(QuestPlusDesign& design, const std::vector<Stimulus>& stimuli) 
 void find_widths(QuestPlusDesign& design, const std::vector<Stimulus>& stimuli) {
   std::vector<std::map<int, std::vector<int>>> images(design.tracks.size());  // of each track, by width
   for (std::size_t i = 0; i < stimuli.size(); ++i)
-    images[static_cast<std::size_t>(design.places[i].track)][stimuli[i].condition.depth_width_px].push_back(
+    images[static_cast<std::size_t>(design.places[i].track)][stimuli[i].depth.width_px].push_back(
         static_cast<int>(i));
   for (std::size_t t = 0; t < images.size(); ++t)
     for (auto& [width_px, at_width] : images[t]) {

@@ -29,7 +29,7 @@ std::vector<std::vector<int>> coarsest_first(const RenderedSet& set) {
       const auto rank = [&](int index) {
         const int turn = stimulus(index).object_index + 2 * objects_per_stimulus - 1 -
                          static_cast<int>(a % objects_per_stimulus);
-        return std::pair(stimulus(index).condition.depth_width_px, turn % objects_per_stimulus);
+        return std::pair(stimulus(index).depth.width_px, turn % objects_per_stimulus);
       };
       return rank(one) < rank(other);
     });

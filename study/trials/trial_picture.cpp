@@ -11,7 +11,7 @@ const ManifestStimulus& record_of(const RenderedSet& set, const PlannedTrial& tr
 }
 
 const ManifestReference& scene_reference(const RenderedSet& set, const PlannedTrial& trial) {
-  return reference_of(set.folder, set.manifest, record_of(set, trial).stimulus.scene);
+  return reference_of(set.folder, set.manifest, record_of(set, trial).stimulus);
 }
 
 ByteImage load_reference(const RenderedSet& set, const PlannedTrial& trial) {

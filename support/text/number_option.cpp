@@ -37,7 +37,7 @@ bool is_decimal_inside(const std::string& text, NumberRange range) {
 }
 
 std::string range_words(NumberRange range) {
-  return fmt::format("{} to {}{}{}", range.least, range.most, *range.unit == '\0' ? "" : " ", range.unit);
+  return fmt::format("{} to {}{}{}", range.least, range.most, range.unit.empty() ? "" : " ", range.unit);
 }
 
 std::string field_of(const CLI::Option& option) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 namespace seamline {
 
@@ -8,7 +9,7 @@ namespace seamline {
 struct NumberRange {
   double least;
   double most;
-  const char* unit = "";
+  std::string_view unit = {};
 };
 
 /// Only for numbers: NaN is never inside.

@@ -109,7 +109,7 @@ TEST(Coverage, OfOtherSeeds) {
 /// Thresholds elsewhere, steeper, and ratings that begin further from where people see.
 TEST(Coverage, OfAnotherPopulation) {
   Population other = people_who_differ();
-  for (auto& [artifact, midpoint_px] : other.observer.midpoint_width_px) midpoint_px *= 0.7;
+  for (auto& [artifact, midpoint_px] : other.observer.midpoint) midpoint_px *= 0.7;
   other.observer.scale_octaves = 0.35;
   other.rating_sd_octaves = 0.8;
   measure_tests("other", other);

@@ -195,7 +195,7 @@ TEST(GuessCorrection, WithoutAWrongChoiceIsTheUncorrectedCurveAndSaysSo) {
 
 TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
   GuessingStudy study;
-  for (auto& [artifact, midpoint_px] : study.population.observer.midpoint_width_px) midpoint_px = 0.01;
+  for (auto& [artifact, midpoint_px] : study.population.observer.midpoint) midpoint_px = 0.01;
   const GuessCorrection correction = corrected(simulate_guessing(study, 7), {.replicates = 300});
   for (const CorrectedCurve& curve : correction.curves) {
     EXPECT_FALSE(curve.above_chance) << word(curve.artifact);

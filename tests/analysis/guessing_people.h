@@ -54,7 +54,7 @@ inline GuessingLog simulate_guessing(const GuessingStudy& study, std::uint64_t s
       for (int object = 1; object <= 3; ++object)
         for (int width_px : paper_widths_px) {
           const double midpoint_px =
-              observer.midpoint_width_px.at(artifact) * std::exp2((object - 2) * study.object_shift_octaves);
+              observer.midpoint.at(artifact) * std::exp2((object - 2) * study.object_shift_octaves);
           const double see = detail::seeing(width_px, midpoint_px, shift, observer.scale_octaves);
           const double rate =
               detail::seeing(width_px, midpoint_px, shift + rating_shift, observer.scale_octaves);
@@ -77,7 +77,7 @@ inline GuessingLog simulate_guessing(const GuessingStudy& study, std::uint64_t s
 /// over people.
 inline double true_noticeability(const Population& population, Artifact artifact, double width_px) {
   const ObserverDefinition& observer = population.observer;
-  const double midpoint_px = observer.midpoint_width_px.at(artifact);
+  const double midpoint_px = observer.midpoint.at(artifact);
   double sum = 0, weights = 0;
   for (double z = -6; z <= 6; z += 0.1)
     for (double v = -6; v <= 6; v += 0.1) {

@@ -64,7 +64,7 @@ TEST_F(PlanStudy, WidthSetsAreTheStudysEverySecondAndDenser) {
   const StudyDefinition study = read_study(request(paper_widths).study_file, AssetCheck::not_needed);
   const std::vector<WidthSet> sets = width_sets_to_try(study);
   ASSERT_EQ(sets.size(), 3U);
-  EXPECT_EQ(sets[0].width_px, study.depth_width_px);
+  EXPECT_EQ(sets[0].width_px, depth_widths_px(study));
   EXPECT_EQ(sets[1].width_px, (std::vector<int>{64, 256, 1024, 4096}));
   EXPECT_EQ(sets[2].width_px.front(), 64);
   EXPECT_EQ(sets[2].width_px.back(), 4096);

@@ -69,7 +69,7 @@ TEST(Predict, ThresholdsAreThoseOfTheThresholdObserverWithTheSameCurve) {
   study.add(Artifact::receiver, "left", 30);
   const ObserverDefinition image{.image_gain = 10};
   ObserverDefinition threshold;
-  threshold.midpoint_width_px[Artifact::receiver] = 300;
+  threshold.midpoint[Artifact::receiver] = 300;
   std::vector<double> log2_px, means;
   for (const int width_px : widths_px) {
     log2_px.push_back(std::log2(width_px));

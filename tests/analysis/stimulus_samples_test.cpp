@@ -40,7 +40,7 @@ class StimulusSamplesTest : public testing::Test {
 
   ManifestStimulus& left_at(int width_px) {
     for (ManifestStimulus& stimulus : set_.manifest.stimuli)
-      if (stimulus.stimulus.object_index == 1 && stimulus.stimulus.condition.depth_width_px == width_px)
+      if (stimulus.stimulus.object_index == 1 && stimulus.stimulus.depth.width_px == width_px)
         return stimulus;
     throw std::logic_error("no such stimulus");
   }

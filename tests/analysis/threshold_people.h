@@ -36,7 +36,7 @@ inline int noticeability(double see, double rate, Random& random) {
 inline double expected(const Population& population, Artifact artifact, double width_px) {
   const ObserverDefinition& observer = population.observer;
   if (population.rating_sd_octaves == 0) return expected_noticeability(observer, artifact, width_px);
-  const double midpoint_px = observer.midpoint_width_px.at(artifact);
+  const double midpoint_px = observer.midpoint.at(artifact);
   double sum = 0, weights = 0;
   for (double z = -6; z <= 6; z += 0.1)
     for (double v = -6; v <= 6; v += 0.1) {
@@ -66,7 +66,7 @@ inline ArtifactScores simulate_scores(const Population& population, Artifact art
     const double shift = observer.people_sd_octaves * random.normal();
     const double rating_shift = population.rating_sd_octaves * random.normal();
     for (std::size_t w = 0; w < paper_widths_px.size(); ++w) {
-      const double midpoint_px = observer.midpoint_width_px.at(artifact);
+      const double midpoint_px = observer.midpoint.at(artifact);
       const double see = detail::seeing(paper_widths_px[w], midpoint_px, shift, observer.scale_octaves);
       const double rate =
           detail::seeing(paper_widths_px[w], midpoint_px, shift + rating_shift, observer.scale_octaves);
@@ -134,7 +134,7 @@ inline LogContents simulate_log(int people, std::uint64_t seed) {
           Stimulus stimulus;
           stimulus.artifact = artifact;
           stimulus.object_index = object;
-          stimulus.condition.depth_width_px = width_px;
+          stimulus.depth.width_px = width_px;
           const Response response = respond(observer, stimulus, random);
           log.answers.push_back(answer(code, width_px, object, response.chosen_index, response.rating));
           log.answers.back().artifact = artifact;

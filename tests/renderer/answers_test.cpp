@@ -8,8 +8,9 @@ namespace seamline::renderer {
 namespace {
 
 TEST(Answers, OfSeveralArtifactsAreTheDepthMeshsWhereAnyOfThemAsksIt) {
-  const std::array artifacts = {Artifact::receiver, Artifact::occlusion};
-  const Answers asked = asked_by_any(artifacts, Isolation::query);
+  const std::array recipes = {recipe(Artifact::receiver, Isolation::query),
+                              recipe(Artifact::occlusion, Isolation::query)};
+  const Answers asked = asked_by_any(recipes);
   EXPECT_EQ(asked.receiver, Who::depth);
   EXPECT_EQ(asked.occlusion, Who::depth);
   EXPECT_EQ(asked.real_lit, Who::truth);
@@ -31,7 +32,7 @@ TEST(Answers, AnOcclusionAsksTheDepthMeshButNotForLight) {
   EXPECT_TRUE(of_occlusion.needs_depth());
   EXPECT_FALSE(of_occlusion.asks_depth_for_light());
   EXPECT_TRUE(recipe(Artifact::occlusion, Isolation::mask).answers.asks_depth_for_light());
-  EXPECT_FALSE(asked_by_any(std::span<const Artifact>{}, Isolation::mask).needs_depth());
+  EXPECT_FALSE(asked_by_any({}).needs_depth());
 }
 
 }  // namespace

@@ -139,7 +139,8 @@ TEST_F(Limits, ManifestsHoldWholeNumbersOfTheirKindAndFilesOfTheirSet) {
                      .artifact = Artifact::shadow,
                      .object = "a",
                      .object_index = 1,
-                     .condition = {.depth_width_px = 64}};
+                     .level = 1.0 * 64,
+                     .depth = {.width_px = 64}};
   record.image = "stimuli/a.png";
   const std::string good = stimulus_record_text(record);
   const auto with = [&](const std::string& from, const std::string& to) {

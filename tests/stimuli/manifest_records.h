@@ -13,7 +13,8 @@ inline ManifestStimulus record_of(Artifact artifact, const std::string& object, 
                      .artifact = artifact,
                      .object = object,
                      .object_index = 1,
-                     .condition = {.depth_width_px = width_px}};
+                     .level = 1.0 * width_px,
+                     .depth = {.width_px = width_px}};
   record.id = stimulus_id(record.stimulus);
   return record;
 }

@@ -27,7 +27,8 @@ Manifest example() {
                        .artifact = Artifact::overlap,
                        .object = "a",
                        .object_index = 2,
-                       .condition = {.depth_width_px = 512}};
+                       .level = 1.0 * 512,
+                       .depth = {.width_px = 512}};
   stimulus.id = stimulus_id(stimulus.stimulus);
   stimulus.image = "stimuli/a.png";
   stimulus.spp = 16;
@@ -37,7 +38,8 @@ Manifest example() {
   stimulus.tiny_denominators = {3, 4};
   stimulus.sha256 = "3";
   manifest.stimuli = {stimulus, stimulus};
-  manifest.stimuli[1].stimulus.condition.depth_width_px = 1024;
+  manifest.stimuli[1].stimulus.depth.width_px = 1024;
+  manifest.stimuli[1].stimulus.level = 1024;
   manifest.stimuli[1].id = stimulus_id(manifest.stimuli[1].stimulus);
   manifest.stimuli[1].rmse.reset();
   return manifest;

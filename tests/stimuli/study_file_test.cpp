@@ -65,7 +65,7 @@ TEST_F(StudyFile, DefaultsAreTheDesigns) {
   EXPECT_EQ(study.scenes[0].bounces, 4);
   EXPECT_EQ(study.scenes[0].albedo, 0.5);
   EXPECT_EQ(study.scenes[0].ao_distance_m, 2.0);
-  EXPECT_EQ(study.depth_width_px, (std::vector<int>{64, 512}));
+  EXPECT_EQ(study.level.values, (std::vector<double>{64, 512}));
   EXPECT_EQ(study.scenes[0].objects[2].position_m, Eigen::Vector3d(1, 2, 3));
 }
 

@@ -19,7 +19,8 @@ std::vector<Stimulus> small_set() {
                        .artifact = Artifact::receiver,
                        .object = "object" + std::to_string(object),
                        .object_index = object,
-                       .condition = {.depth_width_px = width_px}});
+                       .level = 1.0 * width_px,
+                       .depth = {.width_px = width_px}});
   return set;
 }
 

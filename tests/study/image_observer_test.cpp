@@ -26,7 +26,8 @@ Stimulus stimulus_of_width(int width_px) {
           .artifact = Artifact::receiver,
           .object = "thing",
           .object_index = 2,
-          .condition = {.depth_width_px = width_px}};
+          .level = 1.0 * width_px,
+          .depth = {.width_px = width_px}};
 }
 
 TEST(ImageObserver, MeansAreTheExpectedNoticeability) {
@@ -78,7 +79,7 @@ RenderedSet write_pictures(const std::filesystem::path& folder) {
   write_png(folder / "reference.png", plain);
   for (ManifestStimulus& record : manifest.stimuli) {
     record.reference = "reference.png";
-    write_png(folder / record.image, record.stimulus.condition.depth_width_px == 64 ? seam : plain);
+    write_png(folder / record.image, record.stimulus.depth.width_px == 64 ? seam : plain);
   }
   write_manifest(folder, manifest);
   return load_rendered_set(folder);

@@ -56,7 +56,7 @@ TEST_F(LogTest, ReadsBackWhatWasWritten) {
     EXPECT_EQ(found.artifact, record.stimulus.artifact);
     EXPECT_EQ(found.object, record.stimulus.object);
     EXPECT_EQ(found.object_index, record.stimulus.object_index);
-    EXPECT_EQ(found.depth_width_px, record.stimulus.condition.depth_width_px);
+    EXPECT_EQ(found.depth_width_px, record.stimulus.depth.width_px);
     EXPECT_EQ(found.chosen_index, wanted.chosen_index);
     EXPECT_EQ(found.rating, wanted.rating);
     EXPECT_EQ(found.choice_ns, wanted.choice_ns);

@@ -14,7 +14,8 @@ Stimulus stimulus_of(Artifact artifact, int width_px, int object_index = 2) {
           .artifact = artifact,
           .object = "thing",
           .object_index = object_index,
-          .condition = {.depth_width_px = width_px}};
+          .level = 1.0 * width_px,
+          .depth = {.width_px = width_px}};
 }
 
 int score(const Stimulus& stimulus, const Response& response) {
@@ -43,7 +44,7 @@ Mean mean_score(ObserverKind kind, const ObserverDefinition& definition, const S
 /// The mean over people by brute force: Simpson's rule on a fine grid over +-9 sd, in the plain words of the
 /// definition.
 double noticeability_by_simpson(const ObserverDefinition& definition, Artifact artifact, double width_px) {
-  const double midpoint = definition.midpoint_width_px.at(artifact), sd = definition.people_sd_octaves;
+  const double midpoint = definition.midpoint.at(artifact), sd = definition.people_sd_octaves;
   constexpr int intervals = 100000;
   const double step = 18.0 / intervals;
   double sum = 0;
@@ -102,7 +103,7 @@ TEST(Observer, NoticeabilityMayRise) {
   rising.direction = Direction::increasing;
   for (const Artifact artifact : paper_artifacts)
     for (const int width_px : {64, 256, 1024, 4096}) {
-      const double midpoint = falling.midpoint_width_px.at(artifact);
+      const double midpoint = falling.midpoint.at(artifact);
       const double expected = expected_noticeability(rising, artifact, width_px);
       EXPECT_NEAR(expected, expected_noticeability(falling, artifact, midpoint * midpoint / width_px), 1e-12);
       const Mean mean = mean_score(ObserverKind::threshold, rising, stimulus_of(artifact, width_px), 20000);
@@ -154,7 +155,7 @@ TEST(Observer, PeopleDifferByTheStatedSd) {
 
 TEST(Observer, AnArtifactWithoutAMidpointIsWrongInput) {
   ObserverDefinition definition;
-  definition.midpoint_width_px.erase(Artifact::shadow);
+  definition.midpoint.erase(Artifact::shadow);
   EXPECT_THROW((void)expected_noticeability(definition, Artifact::shadow, 64), InputError);
 }
 

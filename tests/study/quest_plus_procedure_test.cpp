@@ -25,7 +25,8 @@ std::vector<Stimulus> rendered() {
                            .artifact = artifact,
                            .object = std::string(1, static_cast<char>('a' + object)),
                            .object_index = object,
-                           .condition = {.depth_width_px = width_px}});
+                           .level = 1.0 * width_px,
+                           .depth = {.width_px = width_px}});
       }
   return stimuli;
 }
@@ -97,7 +98,7 @@ TEST_F(QuestPlusProcedureTest, TracksHoldWhatIsRendered) {
       const QuestPlusDesign::Place& place = design->places[i];
       const TrackDesign& track = design->tracks[static_cast<std::size_t>(place.track)];
       EXPECT_EQ(track.artifact, stimuli[i].artifact);
-      EXPECT_EQ(track.width_px[static_cast<std::size_t>(place.width)], stimuli[i].condition.depth_width_px);
+      EXPECT_EQ(track.width_px[static_cast<std::size_t>(place.width)], stimuli[i].depth.width_px);
       EXPECT_EQ(place.object_index, stimuli[i].object_index);
     }
 }

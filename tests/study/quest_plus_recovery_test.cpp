@@ -24,11 +24,11 @@ constexpr double planted_width_px = 620;
 /// The simulated observer that studies use.
 int answer_of_observer(const Task& task, double shift_octaves, int width_px, Random& random) {
   const ThresholdObserver person{.definition = {}, .shift_octaves = shift_octaves};
-  EXPECT_EQ(person.definition.midpoint_width_px.at(Artifact::occlusion), planted_width_px);
+  EXPECT_EQ(person.definition.midpoint.at(Artifact::occlusion), planted_width_px);
   Stimulus stimulus;
   stimulus.artifact = Artifact::occlusion;
   stimulus.object_index = 2;
-  stimulus.condition.depth_width_px = width_px;
+  stimulus.depth.width_px = width_px;
   const Response response = respond(person, stimulus, random);
   return outcome_of(task.definition, {.chosen_index = response.chosen_index, .rating = response.rating}, 2);
 }

@@ -133,7 +133,7 @@ TEST_F(QuestPlusStudyTest, TheLogGivesBackThePlantedThresholds) {
   }
   const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
   for (const auto& [artifact, log2_px] : mean)  // standard error of 30 people about 0.1 octave
-    EXPECT_NEAR(log2_px, std::log2(observer.midpoint_width_px.at(artifact)), 0.4) << word(artifact);
+    EXPECT_NEAR(log2_px, std::log2(observer.midpoint.at(artifact)), 0.4) << word(artifact);
   EXPECT_THAT(tracks_text(estimates), testing::HasSubstr("sim-0030     overlap"));
 }
 
@@ -159,7 +159,7 @@ TEST_F(QuestPlusStudyTest, TheLogGivesBackPlantedThresholdsOfNoticeabilityThatRi
   }
   const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
   for (const auto& [artifact, log2_px] : mean)
-    EXPECT_NEAR(log2_px, std::log2(observer.midpoint_width_px.at(artifact)), 0.4) << word(artifact);
+    EXPECT_NEAR(log2_px, std::log2(observer.midpoint.at(artifact)), 0.4) << word(artifact);
   EXPECT_THAT(tracks_text(estimates), testing::StartsWith("Noticeability rises"));
 }
 

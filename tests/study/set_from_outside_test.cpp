@@ -76,10 +76,10 @@ TEST_F(SetFromOutside, AnIdTwiceAndAnOddWidthAreRefused) {
   EXPECT_THAT(tried(read_file(set_ / "manifest.json")),
               HasSubstr("stimuli[1].id: wanted an id that no other"));
   Manifest odd = sound;
-  odd.stimuli[1].stimulus.condition.depth_width_px = 65;
+  odd.stimuli[1].stimulus.depth.width_px = 65;
   write_manifest(set_, odd);
   EXPECT_THAT(tried(read_file(set_ / "manifest.json")),
-              HasSubstr("stimuli[1].condition.depth_width_px: wanted an even number, found 65"));
+              HasSubstr("stimuli[1].depth.width_px: wanted an even number, found 65"));
 }
 
 }  // namespace

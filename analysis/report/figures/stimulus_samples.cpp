@@ -78,18 +78,17 @@ SampleRow sample_row(const std::filesystem::path& set, const Manifest& manifest,
                      std::vector<const ManifestStimulus*> stimuli, const std::filesystem::path& scratch) {
   Scissors scissors(set, scratch / fmt::format("sample-{}.png", word(stimuli.front()->stimulus.artifact)));
   std::sort(stimuli.begin(), stimuli.end(), [](const ManifestStimulus* a, const ManifestStimulus* b) {
-    return a->stimulus.condition.depth_width_px > b->stimulus.condition.depth_width_px;
+    return a->stimulus.depth.width_px > b->stimulus.depth.width_px;
   });
   const Stimulus& first = stimuli.front()->stimulus;
-  const ManifestReference& reference = reference_of(set, manifest, first.scene);
+  const ManifestReference& reference = reference_of(set, manifest, first);
   SampleRow row{
       .artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}, .trouble = {}};
   if (!scissors.look_at(click_map_picture(manifest, reference), first.object_index, row.trouble)) return row;
   row.images.push_back(scissors.sample(reference_picture(manifest, reference), "reference", ""));
   for (const ManifestStimulus* stimulus : stimuli)
     row.images.push_back(scissors.sample(stimulus_picture(manifest, *stimulus),
-                                         std::to_string(stimulus->stimulus.condition.depth_width_px),
-                                         stimulus->id));
+                                         std::to_string(stimulus->stimulus.depth.width_px), stimulus->id));
   return row;
 }
 

@@ -1,0 +1,93 @@
+#include "stimuli/definition/quantity.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace seamline::inline stimuli {
+namespace {
+
+/// In the order of the enumeration.
+constexpr std::array<QuantityFacts, every_quantity.size()> table = {{
+    {.key = "depth_width_px",
+     .name = "depth map width",
+     .unit = "px",
+     .unit_key = "px",
+     .axis = Axis::log2,
+     .noticeability = Direction::decreasing,
+     .changes_truth = false,
+     .least = 2,
+     .most = 16384,
+     .whole = true,
+     .digits = 4,
+     .decimals = 0},
+    {.key = "texels_per_degree",
+     .name = "texels per degree",
+     .unit = "texels per degree",
+     .unit_key = "texels_per_degree",
+     .axis = Axis::log2,
+     .noticeability = Direction::decreasing,
+     .changes_truth = false,
+     .least = 2.0 / 360,
+     .most = 16384.0 / 360,
+     .whole = false,
+     .digits = 2,
+     .decimals = 4},
+    {.key = "mesh_tolerance",
+     .name = "mesh tolerance",
+     .unit = "",
+     .unit_key = "",
+     .axis = Axis::log2,
+     .noticeability = Direction::increasing,
+     .changes_truth = false,
+     .least = 0,
+     .most = 1,
+     .whole = false,
+     .digits = 1,
+     .decimals = 9},
+    {.key = "sun_radius_deg",
+     .name = "angular radius of the sun",
+     .unit = "degrees",
+     .unit_key = "deg",
+     .axis = Axis::linear,
+     .noticeability = Direction::decreasing,
+     .changes_truth = true,
+     .least = 0,
+     .most = 45,
+     .whole = false,
+     .digits = 2,
+     .decimals = 3},
+}};
+
+}  // namespace
+
+const QuantityFacts& facts(Quantity quantity) {
+  return table.at(static_cast<std::size_t>(quantity));
+}
+
+std::optional<Quantity> quantity_from_key(std::string_view key) {
+  for (const Quantity quantity : every_quantity)
+    if (facts(quantity).key == key) return quantity;
+  return std::nullopt;
+}
+
+bool stands_apart(Axis axis, double level) {
+  return axis == Axis::log2 && level == 0;
+}
+
+std::string level_in_id(Quantity quantity, double level) {
+  const QuantityFacts& about = facts(quantity);
+  const int length = about.digits + (about.decimals > 0 ? 1 + about.decimals : 0);
+  std::string text = fmt::format("{:0{}.{}f}", level, length, about.decimals);
+  std::replace(text.begin(), text.end(), '.', 'p');
+  return text;
+}
+
+std::string level_text(Quantity quantity, double level) {
+  const QuantityFacts& about = facts(quantity);
+  if (stands_apart(about.axis, level)) return "none";
+  return about.unit.empty() ? fmt::format("{}", level) : fmt::format("{} {}", level, about.unit);
+}
+
+}  // namespace seamline::inline stimuli

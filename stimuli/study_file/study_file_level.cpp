@@ -1,0 +1,216 @@
+#include "stimuli/study_file/study_file_level.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "stimuli/study_file/study_file_scene.h"
+#include "stimuli/study_file/study_file_words.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr Range width_range{2, 16384, "px"};
+constexpr std::size_t most_levels = 10000, most_conditions = 100;
+
+Quantity read_quantity(const TomlTable& table) {
+  const std::string text = table.text("quantity");
+  if (const auto quantity = quantity_from_key(text)) return *quantity;
+  std::string wanted;
+  for (const Quantity quantity : every_quantity)
+    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", facts(quantity).key);
+  throw table.complaint("quantity", wanted, "\"" + text + "\"");
+}
+
+/// The depth maps of such a study have whole, even widths.
+void check_texels(const TomlTable& table, double texels_per_degree) {
+  const double width_px = 360 * texels_per_degree;
+  const double whole_px = 2 * std::round(width_px / 2);
+  if (std::abs(width_px - whole_px) > 0.02)
+    throw table.complaint("values",
+                          "360 times a value to be an even number of texels, such as " +
+                              fmt::format("{:.4f} ({:.0f} texels)", whole_px / 360, whole_px),
+                          fmt::format("{} ({:.2f} texels)", texels_per_degree, width_px));
+}
+
+void check_level(const TomlTable& table, const char* key, Quantity quantity, double level) {
+  if (facts(quantity).whole && level != std::floor(level))
+    throw table.complaint(key, "whole numbers", fmt::format("{}", level));
+  switch (quantity) {
+    case Quantity::depth_width_px:
+      if (std::fmod(level, 2) != 0) throw table.complaint(key, "even widths", fmt::format("{}", level));
+      break;
+    case Quantity::texels_per_degree:
+      check_texels(table, level);
+      break;
+    case Quantity::mesh_tolerance:
+      if (level != 0 && level < 1e-9)
+        throw table.complaint(key, "0 or at least 1e-09", fmt::format("{}", level));
+      break;
+    case Quantity::sun_radius_deg:
+      break;
+  }
+}
+
+/// Sorts levels, and finds those that are or would be named alike.
+std::vector<double> sorted_levels(const TomlTable& table, const char* key, Quantity quantity,
+                                  std::vector<double> levels) {
+  const bool widths = quantity == Quantity::depth_width_px;
+  if (levels.size() > most_levels)
+    throw table.complaint(key, fmt::format("at most {} levels", most_levels),
+                          fmt::format("{}", levels.size()));
+  for (const double level : levels) check_level(table, key, quantity, level);
+  std::sort(levels.begin(), levels.end());
+  std::map<std::string, double> named;
+  for (const double level : levels) {
+    const auto [before, added] = named.emplace(level_in_id(quantity, level), level);
+    if (!added && before->second == level)
+      throw table.complaint(key, widths ? "widths that differ" : "levels that differ",
+                            widths ? "a width given twice" : fmt::format("{} twice", level));
+    if (!added)
+      throw table.complaint(key, fmt::format("levels that differ in {} decimals", facts(quantity).decimals),
+                            fmt::format("{} and {}", before->second, level));
+  }
+  return levels;
+}
+
+MeshDensity read_mesh(const TomlTable& table, MeshDensity fallback) {
+  return one_of<MeshDensity>(table, "mesh", fallback,
+                             {{"adaptive", MeshDensity::adaptive}, {"full", MeshDensity::full}});
+}
+
+bool width_is_level(Quantity quantity) {
+  return quantity == Quantity::depth_width_px || quantity == Quantity::texels_per_degree;
+}
+
+int read_width(const TomlTable& table, int fallback) {
+  const int width_px = table.integer("depth_width_px", fallback, width_range);
+  if (width_px % 2 != 0) throw table.complaint("depth_width_px", "an even width", std::to_string(width_px));
+  return width_px;
+}
+
+void refuse_level_key(const TomlTable& table, const char* key, const LevelDefinition& level) {
+  if (table.has(key))
+    throw table.complaint(key, fmt::format("nothing, because {} is the level", facts(level.quantity).key),
+                          "a setting of its own");
+}
+
+void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
+  switch (level.quantity) {
+    case Quantity::depth_width_px:
+    case Quantity::texels_per_degree:
+      return refuse_level_key(table, "depth_width_px", level);
+    case Quantity::mesh_tolerance:
+      refuse_level_key(table, "mesh", level);
+      return refuse_level_key(table, "mesh_tolerance", level);
+    case Quantity::sun_radius_deg:
+      return refuse_level_key(table, "sun_radius_deg", level);
+  }
+}
+
+void read_depth_keys(const TomlTable& table, const LevelDefinition& level, DepthSettings& depth) {
+  if (level.quantity != Quantity::mesh_tolerance) {
+    depth.mesh = read_mesh(table, depth.mesh);
+    depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
+  }
+  if (!width_is_level(level.quantity)) depth.width_px = read_width(table, depth.width_px);
+  depth.yaw_texels = table.integer("yaw_texels", depth.yaw_texels, {-16384, 16384, "texels"});
+}
+
+std::string read_condition_name(const TomlTable& table) {
+  std::string name = table.text("name");
+  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos ||
+      name.size() > 60)
+    throw table.complaint("name",
+                          "at most 60 lower-case letters, digits and _ (it becomes part of file names)",
+                          "\"" + name + "\"");
+  return name;
+}
+
+/// Two conditions of one meaning would be asked about twice.
+std::string meaning(const ConditionDefinition& condition) {
+  std::string text =
+      fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
+                  condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance);
+  for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
+  return text;
+}
+
+ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study) {
+  ConditionDefinition condition{.name = read_condition_name(table),
+                                .isolation = read_isolation(table, study.isolation),
+                                .depth = study.depth,
+                                .scenes = study.scenes};
+  refuse_level_keys(table, study.level);
+  read_depth_keys(table, study.level, condition.depth);
+  if (condition.depth.mesh == MeshDensity::full && table.has("mesh_tolerance"))
+    throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
+                          "mesh = \"full\"");
+  for (SceneDefinition& scene : condition.scenes) read_light(table, scene);
+  table.finish();
+  return condition;
+}
+
+}  // namespace
+
+LevelDefinition read_level(const TomlTable& study) {
+  const std::optional<TomlTable> table = study.table("level");
+  LevelDefinition level;
+  if (!table) {
+    std::vector<double> widths;
+    for (const int width_px : study.integers("depth_width_px", width_range)) widths.push_back(width_px);
+    level.values = sorted_levels(study, "depth_width_px", level.quantity, std::move(widths));
+    return level;
+  }
+  level.quantity = read_quantity(*table);
+  const QuantityFacts& about = facts(level.quantity);
+  level.values = sorted_levels(*table, "values", level.quantity,
+                               table->numbers("values", {about.least, about.most, about.unit}));
+  level.noticeability = read_direction(*table, about.noticeability);
+  table->finish();
+  refuse_level_keys(study, level);
+  return level;
+}
+
+Isolation read_isolation(const TomlTable& table, Isolation fallback) {
+  const std::string text = table.text("isolation", std::string(word(fallback)));
+  const std::optional<Isolation> isolation = isolation_from_word(text);
+  if (!isolation) throw table.complaint("isolation", "\"query\" or \"mask\"", "\"" + text + "\"");
+  return *isolation;
+}
+
+DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level) {
+  DepthSettings depth;
+  if (!width_is_level(level.quantity) && !study.has("depth_width_px"))
+    throw study.complaint(
+        "depth_width_px",
+        fmt::format("the width of all depth maps, because the level is {}", facts(level.quantity).key),
+        "nothing");
+  read_depth_keys(study, level, depth);
+  return depth;
+}
+
+std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const StudyDefinition& study) {
+  std::vector<ConditionDefinition> conditions;
+  std::map<std::string, std::string> names;  // by meaning
+  std::set<std::string> used;
+  for (const TomlTable& one : table.tables("condition")) {
+    conditions.push_back(read_condition(one, study));
+    const ConditionDefinition& condition = conditions.back();
+    if (!used.insert(condition.name).second)
+      throw one.complaint("name", "a name that no other condition has", "\"" + condition.name + "\"");
+    const auto [twin, added] = names.emplace(meaning(condition), condition.name);
+    if (!added)
+      throw one.complaint("name", "settings that no other condition has",
+                          "those of \"" + twin->second + "\" under the name \"" + condition.name + "\"");
+  }
+  if (conditions.size() > most_conditions)
+    throw table.complaint("condition", fmt::format("at most {} conditions", most_conditions),
+                          fmt::format("{}", conditions.size()));
+  return conditions;
+}
+
+}  // namespace seamline::inline stimuli

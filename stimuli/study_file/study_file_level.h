@@ -1,0 +1,23 @@
+#pragma once
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/study_file/toml_table.h"
+
+namespace seamline::inline stimuli {
+
+/// What the study's curves run over: `[level]`, or `depth_width_px = [...]` as the short form of the
+/// commonest one.
+[[nodiscard]] LevelDefinition read_level(const TomlTable& study);
+
+/// `isolation`, where the table has it.
+[[nodiscard]] Isolation read_isolation(const TomlTable& table, Isolation fallback);
+
+/// The depth settings of the study itself, besides what is the level.
+[[nodiscard]] DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level);
+
+/// Every `[[condition]]`, over the study's own settings and scenes, which must have been read. Throws
+/// InputError where a condition sets what is the level, sets what another of its settings makes void, or is
+/// another one under a second name.
+[[nodiscard]] std::vector<ConditionDefinition> read_conditions(const TomlTable& table,
+                                                               const StudyDefinition& study);
+
+}  // namespace seamline::inline stimuli

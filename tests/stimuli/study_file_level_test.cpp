@@ -1,0 +1,163 @@
+// `[level]` and `[[condition]]` of a study file: what a study varies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/text/error.h"
+#include "tests/complaint.h"
+
+namespace seamline {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A study whose files are not there, with one scene of the given artifact.
+StudyDefinition study_with(const std::string& varied, const std::string& light = "") {
+  std::string text = "format = \"seamline study 1\"\nname = \"small\"\n" + varied +
+                     "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n" +
+                     light;
+  for (const char* object : {"a", "b", "c"})
+    text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
+  return read_study_text(text, "study.toml");
+}
+
+std::string complaint(const std::string& varied, const std::string& light = "") {
+  return test::complaint_of([&] { (void)study_with(varied, light); });
+}
+
+std::vector<std::string> ids_of_first_object(const StudyDefinition& study) {
+  std::vector<std::string> ids;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (stimulus.object_index == 1) ids.push_back(stimulus_id(stimulus));
+  return ids;
+}
+
+TEST(StudyFileLevel, WidthsInATableAreTheShortFormsStudy) {
+  const StudyDefinition brief = study_with("depth_width_px = [512, 64]");
+  const StudyDefinition table = study_with("[level]\nquantity = \"depth_width_px\"\nvalues = [64, 512]");
+  EXPECT_EQ(study_hash(brief), study_hash(table));
+  EXPECT_EQ(ids_of_first_object(brief), ids_of_first_object(table));
+  EXPECT_THAT(ids_of_first_object(table), ElementsAre("room-receiver-a-0064", "room-receiver-a-0512"));
+  EXPECT_EQ(list_stimuli(table)[0].truth, "room");
+}
+
+TEST(StudyFileLevel, TolerancesHaveSortableIdsAndNoneIsTheFullMesh) {
+  const StudyDefinition study =
+      study_with("depth_width_px = 1024\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0.01, 0, 1e-4]");
+  EXPECT_THAT(ids_of_first_object(study),
+              ElementsAre("room-receiver-a-0p000000000", "room-receiver-a-0p000100000",
+                          "room-receiver-a-0p010000000"));
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  EXPECT_EQ(stimuli[0].depth.mesh, MeshDensity::full);
+  EXPECT_EQ(stimuli[1].depth.mesh, MeshDensity::adaptive);
+  EXPECT_EQ(stimuli[1].depth.mesh_tolerance, 1e-4);
+  EXPECT_EQ(stimuli[2].depth.width_px, 1024);
+  EXPECT_EQ(study.level.noticeability, Direction::increasing);
+  EXPECT_EQ(list_truths(study).size(), 1U);
+}
+
+TEST(StudyFileLevel, TexelsPerDegreeAreWidths) {
+  const StudyDefinition study =
+      study_with("[level]\nquantity = \"texels_per_degree\"\nvalues = [0.1778, 1.4222, 11.3778]");
+  EXPECT_EQ(depth_widths_px(study), (std::vector<int>{64, 512, 4096}));
+  EXPECT_THAT(complaint("[level]\nquantity = \"texels_per_degree\"\nvalues = [0.5, 1.001]"),
+              HasSubstr("level.values: wanted 360 times a value to be an even number of texels"));
+}
+
+TEST(StudyFileLevel, ConditionsOfOneLightShareATruthAndOthersDoNot) {
+  const StudyDefinition study = study_with(
+      "depth_width_px = [64, 512]\n[[condition]]\nname = \"hard\"\n[[condition]]\nname = "
+      "\"turned\"\nyaw_texels = 3\n"
+      "[[condition]]\nname = \"soft\"\nsun_radius_deg = 2\n");
+  EXPECT_THAT(ids_of_first_object(study),
+              ElementsAre("room-receiver-a-hard-0064", "room-receiver-a-hard-0512",
+                          "room-receiver-a-turned-0064-yaw3", "room-receiver-a-turned-0512-yaw3",
+                          "room-receiver-a-soft-0064", "room-receiver-a-soft-0512"));
+  std::set<std::string> truths;
+  for (const Stimulus& stimulus : list_stimuli(study)) truths.insert(stimulus.truth);
+  EXPECT_EQ(truths, (std::set<std::string>{"room-hard", "room-soft"}));
+  const std::vector<SceneDefinition> scenes = list_truths(study);
+  ASSERT_EQ(scenes.size(), 2U);
+  EXPECT_FALSE(scenes[0].sun_radius_deg);
+  EXPECT_EQ(scenes[1].sun_radius_deg, 2);
+}
+
+TEST(StudyFileLevel, ALevelThatChangesTheLightHasATruthForEachValue) {
+  const StudyDefinition study =
+      study_with("depth_width_px = 512\n[level]\nquantity = \"sun_radius_deg\"\nvalues = [0, 0.5]");
+  EXPECT_THAT(ids_of_first_object(study), ElementsAre("room-receiver-a-00p000", "room-receiver-a-00p500"));
+  const std::vector<SceneDefinition> scenes = list_truths(study);
+  ASSERT_EQ(scenes.size(), 2U);
+  EXPECT_EQ(scenes[1].truth, "room-00p500");
+  EXPECT_EQ(list_stimuli(study)[1].truth, "room-00p500");
+}
+
+TEST(StudyFileLevel, EverySettingOfAConditionChangesTheStudysHash) {
+  const std::string base =
+      "depth_width_px = [64, 512]\n[[condition]]\nname = \"plain\"\n[[condition]]\nname = \"x\"\n";
+  std::set<std::string> hashes = {study_hash(study_with("depth_width_px = [64, 512]"))};
+  std::size_t tried = 1;
+  for (const char* setting :
+       {"isolation = \"mask\"", "mesh = \"full\"", "mesh_tolerance = 1e-3", "yaw_texels = 1",
+        "sun_radius_deg = 1", "albedo = 0.4", "bounces = 2", "environment_radiance = [1, 2, 3]",
+        "exposure_ev = 1", "ambient_occlusion = true", "ao_distance_m = 3"}) {
+    hashes.insert(study_hash(study_with(base + setting)));
+    ++tried;
+  }
+  EXPECT_EQ(hashes.size(), tried);
+}
+
+TEST(StudyFileLevel, AnObserverMayHaveMidpointsInACondition) {
+  const StudyDefinition study = study_with(
+      "depth_width_px = [64, 512]\n[[condition]]\nname = \"hard\"\n[[condition]]\nname = "
+      "\"soft\"\nsun_radius_deg = 2\n"
+      "[observer.condition_midpoint.soft]\nreceiver = 120\n");
+  EXPECT_EQ(study.observer.midpoint.at(Artifact::receiver), 300);
+  EXPECT_EQ(study.observer.condition_midpoint.at("soft").at(Artifact::receiver), 120);
+  EXPECT_EQ(study.observer.condition_midpoint.at("soft").at(Artifact::overlap), 900);
+  EXPECT_FALSE(study.observer.condition_midpoint.contains("hard"));
+}
+
+TEST(StudyFileLevel, RefusesWhatWouldBeIgnoredOrMeanTwoThings) {
+  const std::string widths = "depth_width_px = [64, 512]\n";
+  EXPECT_THAT(complaint("depth_width_px = [64]\n[level]\nquantity = \"depth_width_px\"\nvalues = [64]"),
+              HasSubstr("depth_width_px: wanted nothing, because depth_width_px is the level"));
+  EXPECT_THAT(complaint("[level]\nquantity = \"mesh_tolerance\"\nvalues = [1e-3]"),
+              HasSubstr("depth_width_px: wanted the width of all depth maps"));
+  EXPECT_THAT(
+      complaint(
+          "depth_width_px = 64\nmesh = \"full\"\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [1e-3]"),
+      HasSubstr("mesh: wanted nothing, because mesh_tolerance is the level"));
+  EXPECT_THAT(complaint("[level]\nquantity = \"width\"\nvalues = [1]"), HasSubstr("level.quantity"));
+  EXPECT_THAT(complaint("[level]\nquantity = \"depth_width_px\"\nvalues = [64.5]"),
+              HasSubstr("whole numbers"));
+  EXPECT_THAT(complaint("[level]\nquantity = \"depth_width_px\"\nvalues = [0, 64]"),
+              HasSubstr("from 2 to 16384 px"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\ndepth_width_px = 64"),
+              HasSubstr("condition[0].depth_width_px: wanted nothing"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\n[[condition]]\nname = \"a\"\nyaw_texels = 1"),
+              HasSubstr("a name that no other condition has"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\n[[condition]]\nname = \"b\""),
+              HasSubstr("settings that no other condition has"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"A b\""), HasSubstr("lower-case letters"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\nsun_radius = 1"), HasSubstr("sun_radius_deg"));
+  EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\nmesh = \"full\"\nmesh_tolerance = 0.1"),
+              HasSubstr("the full mesh has no tolerance"));
+  EXPECT_THAT(
+      complaint(widths + "[[condition]]\nname = \"a\"\nsun_radius_deg = 1", "ambient_occlusion = true\n"),
+      HasSubstr("has ambient_occlusion"));
+  EXPECT_THAT(complaint("depth_width_px = 64\n[level]\nquantity = \"sun_radius_deg\"\nvalues = [0, 1]",
+                        "ambient_occlusion = true\n"),
+              HasSubstr("a sun in every scene"));
+  EXPECT_THAT(
+      complaint("procedure = \"quest_plus\"\ndepth_width_px = 64\n[level]\nquantity = \"mesh_tolerance\"\n"
+                "values = [0, 1e-3]\n[quest_plus]\nmax_shows_per_image = 1"),
+      HasSubstr("levels above 0 on the log2 axis"));
+}
+
+}  // namespace
+}  // namespace seamline
