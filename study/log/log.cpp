@@ -99,6 +99,7 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                        .object = values.text(5),
                        .object_index = values.number(6, 1, 3),
                        .depth_width_px = values.number(7, 2),
+                       .level = static_cast<double>(values.number(7, 2)),  // the schema knows no other
                        .chosen_index = values.number(8, 1, 3),
                        .rating = values.number(9, 1, 4),
                        .choice_ns = values.time(10),

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "stimuli/definition/artifact.h"
+#include "stimuli/definition/axis.h"
 #include "stimuli/definition/form_definition.h"
+#include "stimuli/definition/quantity.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {
@@ -21,6 +23,8 @@ struct Answer {
   std::string object;
   int object_index = 0;  ///< the right choice: 1 left, 2 middle, 3 right
   int depth_width_px = 0;
+  std::string condition = {};  ///< its name; empty where the study has one condition
+  double level = 0;            ///< of the log's quantity
   int chosen_index = 0;        ///< 1..3
   int rating = 0;              ///< 1..4, asked on every trial
   std::int64_t choice_ns = 0;  ///< monotonic, from the image's onset to the choice; 0 for simulated people
@@ -68,7 +72,9 @@ struct ParticipantRecord {
 struct LogContents {
   std::filesystem::path file;
   std::string study_name, study_hash, set_hash;
-  std::filesystem::path set_folder;             ///< where the set was; it may be gone
+  Quantity quantity = Quantity::depth_width_px;     ///< what the levels of the stimuli are values of
+  Direction noticeability = Direction::decreasing;  ///< as the level grows
+  std::filesystem::path set_folder;                 ///< where the set was; it may be gone
   std::string study_text;                       ///< the study file's text at the time of the first session
   std::vector<ParticipantRecord> participants;  ///< in order of arrival
   std::vector<Answer> answers;                  ///< to stimuli, ordered by participant, then trial

@@ -35,6 +35,8 @@ TEST_F(LogTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(log.set_hash, set.set_hash);
   EXPECT_EQ(log.set_folder, set.folder);
   EXPECT_EQ(log.study_text, study_text("tiny", "64, 512"));
+  EXPECT_EQ(log.quantity, set.study.level.quantity);
+  EXPECT_EQ(log.noticeability, set.study.level.noticeability);
   ASSERT_EQ(log.participants.size(), 3U);
   const ParticipantRecord& person = log.participants[0];
   EXPECT_TRUE(person.code == "P-01" && person.completed && !person.pilot && !person.simulated &&
@@ -57,6 +59,8 @@ TEST_F(LogTest, ReadsBackWhatWasWritten) {
     EXPECT_EQ(found.object, record.stimulus.object);
     EXPECT_EQ(found.object_index, record.stimulus.object_index);
     EXPECT_EQ(found.depth_width_px, record.stimulus.depth.width_px);
+    EXPECT_EQ(found.condition, record.stimulus.condition);
+    EXPECT_EQ(found.level, record.stimulus.level);
     EXPECT_EQ(found.chosen_index, wanted.chosen_index);
     EXPECT_EQ(found.rating, wanted.rating);
     EXPECT_EQ(found.choice_ns, wanted.choice_ns);
