@@ -84,15 +84,15 @@ void rays_from_centre(benchmark::State& state) {
 BENCHMARK(rays_from_centre);
 
 void ratio_of_pixels(benchmark::State& state) {
-  StimulusLayers layers{.width_px = 128, .height_px = 128, .spp = 2};
-  StimulusSums sums;
+  StimulusSums sums{.width_px = 128, .height_px = 128, .spp = 2};
+  StimulusPixel sums;
   sums.background = Rgb::Constant(0.5F);
-  sums.no = Rgb::Constant(0.4F);
-  sums.with = Rgb::Constant(0.3F);
-  sums.rest = 1;
-  for (auto& half : layers.halves) half.assign(128 * 128, sums);
-  layers.guides.resize(128 * 128);
-  for (auto _ : state) benchmark::DoNotOptimize(compose(layers));
+  sums.without_object = Rgb::Constant(0.4F);
+  sums.with_object = Rgb::Constant(0.3F);
+  sums.uncovered_surfaces = 1;
+  for (auto& half : sums.halves) half.assign(128 * 128, sums);
+  sums.guides.resize(128 * 128);
+  for (auto _ : state) benchmark::DoNotOptimize(compose(sums));
   state.SetItemsProcessed(state.iterations() * 128 * 128);
 }
 BENCHMARK(ratio_of_pixels);

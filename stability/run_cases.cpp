@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "renderer/tracing/geometry.h"
+#include "renderer/tracing/ray_device.h"
 #include "stability/common/namespaces.h"
 #include "support/files/assets.h"
 #include "support/files/markdown_table.h"

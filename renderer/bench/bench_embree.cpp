@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "renderer/tracing/embree_handles.h"
+#include "renderer/tracing/ray_device.h"
 
 namespace seamline::renderer {
 namespace {
@@ -116,8 +116,8 @@ void trace(RTCScene scene, bool nearest, int packet_size, Coherence coherence, s
 
 }  // namespace
 
-BareScene::BareScene(std::span<const std::shared_ptr<const Part>> parts, Edges edges) {
-  const RTCDevice device = embree_device();
+BareScene::BareScene(std::span<const std::shared_ptr<const SurfaceMesh>> parts, Edges edges) {
+  const auto device = static_cast<RTCDevice>(RayDevice::instance().handle());
   RTCScene scene = rtcNewScene(device);
   if (edges == Edges::tight) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
@@ -139,17 +139,17 @@ BareScene::BareScene(std::span<const std::shared_ptr<const Part>> parts, Edges e
 }
 
 BareScene::~BareScene() {
-  rtcReleaseScene(as_scene(scene_));
+  rtcReleaseScene(static_cast<RTCScene>(scene_));
 }
 
 void BareScene::nearest(int packet_size, Coherence coherence, std::span<const Ray> rays,
                         std::span<float> distance_m) const {
-  trace(as_scene(scene_), true, packet_size, coherence, rays, distance_m);
+  trace(static_cast<RTCScene>(scene_), true, packet_size, coherence, rays, distance_m);
 }
 
 void BareScene::occluded(int packet_size, Coherence coherence, std::span<const Ray> rays,
                          std::span<float> distance_m) const {
-  trace(as_scene(scene_), false, packet_size, coherence, rays, distance_m);
+  trace(static_cast<RTCScene>(scene_), false, packet_size, coherence, rays, distance_m);
 }
 
 }  // namespace seamline::renderer

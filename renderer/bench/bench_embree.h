@@ -11,7 +11,7 @@ namespace seamline::renderer {
 /// Geometry, rays copied into packets and traced, distances copied out.
 class BareScene {
  public:
-  BareScene(std::span<const std::shared_ptr<const Part>> parts, Edges edges);
+  BareScene(std::span<const std::shared_ptr<const SurfaceMesh>> parts, Edges edges);
   ~BareScene();
   BareScene(const BareScene&) = delete;
   BareScene& operator=(const BareScene&) = delete;

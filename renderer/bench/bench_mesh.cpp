@@ -8,8 +8,9 @@
 #include "renderer/bench/bench_timing.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "renderer/picture/composite.h"
+#include "renderer/tracing/ray_device.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
 
@@ -118,7 +119,7 @@ std::vector<Measurement> measure_picture(const std::string& name, const Subject&
   // quarter of the pixel.
   const int spp = read_study(builtin_study("depth_resolution_isolated")).samples_per_pixel;
   const PassOptions pass{.spp = options.quick ? 1 : spp, .seed = 1, .threads = options.threads};
-  const TruthLayers truth = render_truth(scene, geometry, pass);
+  const TruthSums truth = render_truth(scene, geometry, pass);
   std::array<ByteImage, 2> pictures;
   for (std::size_t i = 0; i < 2; ++i)
     pictures[i] = display_image(compose(render_stimulus(scene, geometry, depths[i], truth,

@@ -8,7 +8,7 @@
 #include "renderer/common/stopwatch.h"
 #include "renderer/convergence/convergence_runs.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
-#include "renderer/estimators/fast/scene_pass.h"
+#include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/picture/true_error.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
@@ -20,7 +20,7 @@ constexpr double wanted_relative_rmse = 0.034;  // of the background's mean radi
 
 /// What pictures are measured against, and where.
 struct GivenBackground {
-  StimulusLayers layers;               ///< of the reference; its background is the one given
+  StimulusSums sums;                   ///< of the reference; its background is the one given
   ReferenceHalves halves;              ///< the composite from each half of the samples, on that background
   Image mask;                          ///< lit pixels off the object
   int first_spp = 16, most_spp = 256;  ///< where looking for the wanted error begins and ends
@@ -29,11 +29,13 @@ struct GivenBackground {
   double mean_radiance = 0;  ///< of the background there
 
   [[nodiscard]] Rgb radiance(std::size_t pixel) const {
-    const StimulusSums &a = layers.halves[0][pixel], &b = layers.halves[1][pixel];
-    return a.rest + b.rest > 0 ? Rgb((a.background + b.background) / (a.rest + b.rest)) : Rgb::Zero();
+    const StimulusPixel &a = sums.halves[0][pixel], &b = sums.halves[1][pixel];
+    return a.uncovered_surfaces + b.uncovered_surfaces > 0
+               ? Rgb((a.background + b.background) / (a.uncovered_surfaces + b.uncovered_surfaces))
+               : Rgb::Zero();
   }
-  [[nodiscard]] double relative_rmse(const StimulusLayers& trial) const {
-    const Image picture = compose(onto_given_background(trial, layers)).picture;
+  [[nodiscard]] double relative_rmse(const StimulusSums& trial) const {
+    const Image picture = compose(onto_given_background(trial, sums)).picture;
     return true_linear_error(picture, halves, mask).rmse() / mean_radiance;
   }
 };
@@ -43,7 +45,7 @@ struct GivenBackground {
 GivenBackground given_background(PathRun reference) {
   GivenBackground given;
   given.mask = off_object_mask(reference);
-  given.layers = std::move(reference.layers);
+  given.sums = std::move(reference.sums);
   const auto mean = [&] {
     double sum = 0, pixels = 0;
     for (std::size_t i = 0; i < given.mask.values.size(); ++i)
@@ -58,7 +60,7 @@ GivenBackground given_background(PathRun reference) {
     if (given.radiance(i).mean() <= lit) given.mask.values[i] = 0;
   given.mean_radiance = mean();
   for (std::size_t half = 0; half < 2; ++half)
-    given.halves[half] = compose(onto_given_background(half_of(given.layers, half), given.layers)).picture;
+    given.halves[half] = compose(onto_given_background(half_of(given.sums, half), given.sums)).picture;
   return given;
 }
 
@@ -75,16 +77,16 @@ struct Reached {
 };
 
 /// Renders, and says how long the part took that a composite costs when its background is given.
-using Render = std::function<StimulusLayers(double& seconds)>;
+using Render = std::function<StimulusSums(double& seconds)>;
 
 /// Says to standard error what was found: each attempt takes as long as all before it.
 Reached attempt(const GivenBackground& given, std::string how, const Render& render) {
   Reached reached{.how = std::move(how)};
-  const StimulusLayers layers = render(reached.seconds);
+  const StimulusSums sums = render(reached.seconds);
   const Stopwatch watch;
-  static_cast<void>(compose(layers, Compositing::ratio, given.threads));
+  static_cast<void>(compose(sums, Compositing::ratio, given.threads));
   reached.seconds += watch.seconds();
-  reached.relative_rmse = given.relative_rmse(layers);
+  reached.relative_rmse = given.relative_rmse(sums);
   fmt::print(stderr, "  {}, {:.2f} s\n", reached.text(), reached.seconds);
   return reached;
 }
@@ -104,25 +106,25 @@ struct GivenTruth {
   }
 
   GivenTruth(const ConvergenceSubject& subject, const GivenBackground& given)
-      : scene(lit(subject.scene)), sums(empty_sums(scene.camera)) {
+      : scene(lit(subject.scene)), scene_sums(empty_sums(scene.camera)) {
     constexpr int spp = 4;
-    add_samples(scene, SceneGeometry(scene), std::vector<int>(sums.spp.size(), spp),
+    add_samples(scene, SceneGeometry(scene), std::vector<int>(scene_sums.spp.size(), spp),
                 {.seed = subject.study.seed,
                  .threads = subject.threads,
                  .who_is_in_front = subject.recipe.answers.occlusion == Who::depth},
-                sums);
-    layers = truth_layers(sums, scene.camera, scene.light.environment_radiance, subject.stimulus.object_index,
-                          {.filter = {}, .threads = subject.threads});
-    for (auto& half : layers.halves)
+                scene_sums);
+    truth = truth_sums(scene_sums, scene.camera, scene.light.environment_radiance,
+                       subject.stimulus.object_index, {.filter = {}, .threads = subject.threads});
+    for (auto& half : truth.halves)
       for (std::size_t i = 0; i < half.size(); ++i)
-        half[i].no = {given.radiance(i) * half[i].rest, Rgb::Zero()};
-    no_error.tiles.resize(static_cast<std::size_t>(sums.grid.count()));
-    no_error.blocks.resize(static_cast<std::size_t>(sums.blocks().count()));
+        half[i].without_object = {given.radiance(i) * half[i].uncovered_surfaces, Rgb::Zero()};
+    no_error.tiles.resize(static_cast<std::size_t>(scene_sums.grid.count()));
+    no_error.blocks.resize(static_cast<std::size_t>(scene_sums.blocks().count()));
   }
 
   TruthScene scene;
-  SceneSums sums;
-  TruthLayers layers;
+  SceneSums scene_sums;
+  TruthSums truth;
   ErrorEstimate no_error;
 };
 
@@ -130,8 +132,8 @@ struct GivenTruth {
 /// lets the filter reach far.
 Reached reach_fast(const ConvergenceSubject& subject, const Geometry& depth, const GivenBackground& given) {
   const GivenTruth begin(subject, given);
-  const ObjectTruth truth{begin.scene,  begin.sums,    subject.geometry, subject.stimulus.object_index,
-                          begin.layers, begin.no_error};
+  const ObjectTruth truth{begin.scene, begin.scene_sums, subject.geometry, subject.stimulus.object_index,
+                          begin.truth, begin.no_error};
   Reached reached;
   for (double error = 0.05; error > given.least_error && !reached.wanted(); error /= 1.1)
     reached = attempt(given, fmt::format("fast, estimated error {:.3f}", error), [&](double& seconds) {
@@ -145,9 +147,9 @@ Reached reach_fast(const ConvergenceSubject& subject, const Geometry& depth, con
                             {.error = options.target->rmse});
       choices.ratio_filter = {4, 1.0F};
       const Stopwatch watch;
-      StimulusLayers layers = render_fast_stimulus(truth, &depth, subject.recipe, choices, options).layers;
+      StimulusSums sums = render_fast_stimulus(truth, &depth, subject.recipe, choices, options).sums;
       seconds = watch.seconds();
-      return layers;
+      return sums;
     });
   return reached;
 }
@@ -159,7 +161,7 @@ Reached reach_path(const ConvergenceSubject& subject, const Geometry& depth, con
       PathRun run = render_path(subject, subject.recipe, subject.geometry, depth,
                                 subject.pass(spp, subject.study.seed));
       seconds = run.stimulus_seconds;
-      return std::move(run.layers);
+      return std::move(run.sums);
     });
   return reached;
 }

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {

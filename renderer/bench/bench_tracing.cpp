@@ -125,7 +125,7 @@ std::vector<Measurement> bench_capture(const BenchOptions& options) {
   std::vector<Measurement> measurements;
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
-    const BareScene bare(loaded.geometry.truth.parts(), Edges::tight);
+    const BareScene bare(loaded.geometry.truth.meshes(), Edges::tight);
     const int width_px = options.quick ? 256 : 1024;
     measurements.push_back(beside_best_loop(
         fmt::format("{}, W = {}", name, width_px), panorama_rays(width_px), bare, true,
@@ -139,8 +139,8 @@ std::vector<Measurement> bench_tracer(const BenchOptions& options) {
   std::vector<Measurement> measurements;
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
-    const Geometry truth(loaded.geometry.truth.parts(), Edges::loose);  // as the joint pass asks
-    const BareScene bare(truth.parts(), Edges::loose);
+    const Geometry truth(loaded.geometry.truth.meshes(), Edges::loose);  // as the joint pass asks
+    const BareScene bare(truth.meshes(), Edges::loose);
     const RecordedRays rays = record_rays(loaded.scene, truth, tile_row_step(options));
     const auto measure = [&](const std::string& what, std::span<const Ray> some, Question question,
                              const std::function<void()>& ours,
@@ -173,7 +173,7 @@ std::vector<Measurement> bench_local_scene(const BenchOptions& options) {
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
     const Geometry& truth = loaded.geometry.truth;
-    const Geometry loose_truth(truth.parts(), Edges::loose);
+    const Geometry loose_truth(truth.meshes(), Edges::loose);
     const RecordedRays truth_rays = record_rays(loaded.scene, truth, tile_row_step(options));
     for (const int width_px : widths_px) {
       const DepthMap map = capture_depth(truth, width_px, 0, options.threads);

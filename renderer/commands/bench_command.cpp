@@ -7,7 +7,7 @@
 
 #include "renderer/bench/bench.h"
 #include "renderer/common/parallel.h"
-#include "renderer/tracing/geometry.h"
+#include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/text/number_option.h"
 

@@ -56,7 +56,7 @@ void run_capture(const CaptureOptions& options) {
     throw input_error(
         {.file = path.string(), .wanted = "a camera in the scene, or --at X Y Z", .found = "neither"});
   const Eigen::Vector3d centre_m = options.at_given ? vector(options.at) : file.camera->position_m;
-  const Geometry geometry(place_parts(file, Eigen::Affine3d::Identity(), centre_m, 0.5, 0));
+  const Geometry geometry(place_meshes(file, Eigen::Affine3d::Identity(), centre_m, 0.5, 0));
   const DepthMap map = capture_depth(geometry, options.width_px, options.yaw_texels, default_thread_count());
   write_depth_map(options.out, map);
   fmt::print("{}: {} x {} texels, centred on ({:.3f}, {:.3f}, {:.3f}) m\n", options.out, map.width_px,
@@ -161,7 +161,7 @@ void run_composite(const CompositeOptions& options) {
                                    .position_m = vector(options.position_m),
                                    .rotation_deg = vector(options.rotation_deg),
                                    .scale = options.scale};
-  const Geometry object(place_parts(object_file, object_placement(placement), centre_m, options.albedo, 1));
+  const Geometry object(place_meshes(object_file, object_placement(placement), centre_m, options.albedo, 1));
   if (!covers_a_pixel(camera, object))
     throw input_error({.file = options.object,
                        .field = "--position",
@@ -175,7 +175,7 @@ void run_composite(const CompositeOptions& options) {
                            progress.advance(share - last, "");
                            last = share;
                          }};
-  const StimulusLayers layers =
+  const StimulusSums layers =
       render_onto_photograph(photograph, depth, object, camera, scene_light(scene, object_file), pass);
   const Composite composite = compose(layers, options.additive ? Compositing::additive : Compositing::ratio);
   if (std::filesystem::path(options.out).extension() == ".exr")

@@ -71,7 +71,7 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   if (wanted(ConvergencePart::samples))
     writer.add(ConvergencePart::samples, measure_samples(subject, request.seconds));
   if (wanted(ConvergencePart::mesh) || wanted(ConvergencePart::width)) {
-    const TruthLayers truth =
+    const TruthSums truth =
         render_truth(subject.scene, subject.geometry, subject.pass(subject.spp, subject.study.seed));
     if (wanted(ConvergencePart::mesh))
       writer.add(ConvergencePart::mesh, measure_mesh(subject, truth, request.tolerances));

@@ -68,16 +68,15 @@ void count_clipped(const Image& picture, const Image& off_object, double exposur
 CompositingRow compare(const ConvergenceSubject& subject, const Runs& runs, Compositing compositing,
                        bool independent) {
   const auto picture = [&](std::size_t no, std::size_t with) {
-    const StimulusLayers layers = independent
-                                      ? join_independent(runs.seeds[no].layers, runs.seeds[with].layers)
-                                      : runs.seeds[with].layers;
-    return compose(onto_given_background(layers, runs.photograph.layers), compositing).picture;
+    const StimulusSums sums =
+        independent ? join_independent(runs.seeds[no].sums, runs.seeds[with].sums) : runs.seeds[with].sums;
+    return compose(onto_given_background(sums, runs.photograph.sums), compositing).picture;
   };
   const double exposure_ev = subject.exposure_ev();
   const Image one = picture(0, 1), another = picture(2, 3);
   CompositingRow row{.compositing = compositing,
                      .renders = independent ? "independent" : "coupled",
-                     .spp = runs.seeds[0].layers.spp,
+                     .spp = runs.seeds[0].sums.spp,
                      .seconds = runs.seeds[1].stimulus_seconds + (independent ? runs.without_seconds : 0)};
   row.noise = display_rmse(one, another, exposure_ev, &runs.off_object) / std::numbers::sqrt2;
   row.rmse = display_rmse(one, runs.photograph.reference, exposure_ev, &runs.off_object);

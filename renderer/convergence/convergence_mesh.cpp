@@ -8,6 +8,7 @@
 #include "renderer/common/stopwatch.h"
 #include "renderer/picture/composite.h"
 #include "renderer/tracing/geometry.h"
+#include "renderer/tracing/ray_device.h"
 #include "stimuli/pictures/difference.h"
 #include "support/running/progress.h"
 
@@ -96,7 +97,7 @@ bool keeps_rule(const MeshRow& row) {
   return row.changed_share <= allowed_changed_share && row.largest_change_steps <= allowed_change_steps;
 }
 
-MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& truth,
+MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthSums& truth,
                         const std::vector<double>& tolerances) {
   MeshResult result{.default_tolerance = subject.study.depth.mesh_tolerance};
   const std::vector<double> tried = tolerances_to_try(tolerances, result.default_tolerance);
@@ -104,11 +105,10 @@ MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& tr
   const auto render = [&](MeshRow& row, double work) {
     const Geometry geometry = build_and_measure(subject, row);
     row.rays_per_second = ray_rate(subject, geometry);
-    const StimulusLayers layers =
-        render_stimulus(subject.scene, subject.geometry, &geometry, truth, subject.recipe,
-                        subject.pass(truth.spp, subject.study.seed));
+    const StimulusSums sums = render_stimulus(subject.scene, subject.geometry, &geometry, truth,
+                                              subject.recipe, subject.pass(truth.spp, subject.study.seed));
     progress.advance(work, row.tolerance ? fmt::format("tolerance {:g}", *row.tolerance) : "full density");
-    return compose(layers).picture;
+    return compose(sums).picture;
   };
   MeshRow full_row;
   const Image full = render(full_row, 2);

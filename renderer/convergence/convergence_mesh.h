@@ -37,7 +37,7 @@ struct MeshResult {
 
 /// Rebuilds the stimulus' depth mesh with these tolerances, the study's and at full density, and renders the
 /// stimulus with each. `truth` is the subject's with its `spp` and the study's seed.
-[[nodiscard]] MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthLayers& truth,
+[[nodiscard]] MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthSums& truth,
                                       const std::vector<double>& tolerances);
 
 }  // namespace seamline::renderer

@@ -4,11 +4,11 @@
 namespace seamline::renderer {
 namespace {
 
-using Pixels = std::vector<StimulusSums>;
+using Pixels = std::vector<StimulusPixel>;
 
-StimulusSums sum_of(const StimulusLayers& layers, std::size_t pixel) {
-  StimulusSums sum = layers.halves[0][pixel];
-  return sum += layers.halves[1][pixel];
+StimulusPixel sum_of(const StimulusSums& sums, std::size_t pixel) {
+  StimulusPixel sum = sums.halves[0][pixel];
+  return sum += sums.halves[1][pixel];
 }
 
 }  // namespace
@@ -17,12 +17,12 @@ PathRun render_path(const ConvergenceSubject& subject, const Recipe& recipe, con
                     const Geometry& depth, const PassOptions& options) {
   PathRun run;
   const Stopwatch truth_watch;
-  const TruthLayers truth = render_truth(subject.scene, geometry, options);
+  const TruthSums truth = render_truth(subject.scene, geometry, options);
   run.truth_seconds = truth_watch.seconds();
   const Stopwatch stimulus_watch;
-  run.layers = render_stimulus(subject.scene, geometry, &depth, truth, recipe, options);
+  run.sums = render_stimulus(subject.scene, geometry, &depth, truth, recipe, options);
   run.stimulus_seconds = stimulus_watch.seconds();
-  run.rays = truth.rays + run.layers.rays;
+  run.rays = truth.rays + run.sums.rays;
   run.reference = reference_image(truth);
   run.matte = matte_image(truth);
   return run;
@@ -54,37 +54,39 @@ const PathRun& PathRuns::find_or_render(const ObjectGeometry& geometry, int spp,
       .first->second;
 }
 
-StimulusLayers join_independent(const StimulusLayers& without, const StimulusLayers& with) {
-  StimulusLayers joined = with;
+StimulusSums join_independent(const StimulusSums& without, const StimulusSums& with) {
+  StimulusSums joined = with;
   joined.halves[1].assign(joined.halves[1].size(), {});
   Pixels& pixels = joined.halves[0];
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     pixels[i] = sum_of(with, i);
-    const StimulusSums other = sum_of(without, i);
+    const StimulusPixel other = sum_of(without, i);
     // Where one of the two sees nothing to divide, the pixel is the second rendering's own.
-    if (!(other.rest > 0) || !(pixels[i].rest > 0)) continue;
-    const float factor = static_cast<float>(pixels[i].rest) / static_cast<float>(other.rest);
-    pixels[i].no = other.no * factor;
+    if (!(other.uncovered_surfaces > 0) || !(pixels[i].uncovered_surfaces > 0)) continue;
+    const float factor =
+        static_cast<float>(pixels[i].uncovered_surfaces) / static_cast<float>(other.uncovered_surfaces);
+    pixels[i].without_object = other.without_object * factor;
     pixels[i].background = other.background * factor;
   }
   return joined;
 }
 
-StimulusLayers onto_given_background(const StimulusLayers& layers, const StimulusLayers& photograph) {
-  StimulusLayers given = layers;
+StimulusSums onto_given_background(const StimulusSums& sums, const StimulusSums& photograph) {
+  StimulusSums given = sums;
   for (std::size_t i = 0; i < photograph.halves[0].size(); ++i) {
-    const StimulusSums known = sum_of(photograph, i);
-    if (!(known.rest > 0)) continue;
-    const Rgb mean = known.background / static_cast<float>(known.rest);
-    for (Pixels& half : given.halves) half[i].background = mean * static_cast<float>(half[i].rest);
+    const StimulusPixel known = sum_of(photograph, i);
+    if (!(known.uncovered_surfaces > 0)) continue;
+    const Rgb mean = known.background / static_cast<float>(known.uncovered_surfaces);
+    for (Pixels& half : given.halves)
+      half[i].background = mean * static_cast<float>(half[i].uncovered_surfaces);
   }
   return given;
 }
 
-StimulusLayers half_of(const StimulusLayers& layers, std::size_t half) {
-  StimulusLayers out = layers;
-  out.spp = (layers.spp + 1 - static_cast<int>(half)) / 2;
-  out.halves[0] = layers.halves[half];
+StimulusSums half_of(const StimulusSums& sums, std::size_t half) {
+  StimulusSums out = sums;
+  out.spp = (sums.spp + 1 - static_cast<int>(half)) / 2;
+  out.halves[0] = sums.halves[half];
   out.halves[1].assign(out.halves[1].size(), {});
   return out;
 }
@@ -92,7 +94,7 @@ StimulusLayers half_of(const StimulusLayers& layers, std::size_t half) {
 Image off_object_mask(const PathRun& run) {
   Image mask(run.matte.width_px, run.matte.height_px, 1);
   for (std::size_t i = 0; i < mask.values.size(); ++i) {
-    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.layers, i).object > 0.0F).any();
+    const bool covered = run.matte.values[i] > 0.0F || (sum_of(run.sums, i).object > 0.0F).any();
     mask.values[i] = covered ? 0.0F : 1.0F;
   }
   return mask;

@@ -8,7 +8,7 @@ namespace seamline::renderer {
 
 /// One rendering of the subject by the `path` estimator, and what it cost.
 struct PathRun {
-  StimulusLayers layers;
+  StimulusSums sums;
   Image reference, matte;  ///< of the truth pass
   double truth_seconds = 0, stimulus_seconds = 0;
   std::int64_t rays = 0;
@@ -49,15 +49,14 @@ class PathRuns {
 /// What two renderings make that share no random numbers: background and light without the object from the
 /// first, coverage, object and light with it from the second, as means over each one's own samples of a
 /// pixel. All samples are in the first half.
-[[nodiscard]] StimulusLayers join_independent(const StimulusLayers& without, const StimulusLayers& with);
+[[nodiscard]] StimulusSums join_independent(const StimulusSums& without, const StimulusSums& with);
 
 /// The same layers on a given photograph: the background's sums become those of a long rendering (means over
 /// its uncovered samples), whose noise both pictures of a comparison then share.
-[[nodiscard]] StimulusLayers onto_given_background(const StimulusLayers& layers,
-                                                   const StimulusLayers& photograph);
+[[nodiscard]] StimulusSums onto_given_background(const StimulusSums& sums, const StimulusSums& photograph);
 
 /// One half of the samples as layers of their own.
-[[nodiscard]] StimulusLayers half_of(const StimulusLayers& layers, std::size_t half);
+[[nodiscard]] StimulusSums half_of(const StimulusSums& sums, std::size_t half);
 
 /// 1 where the object covers no sample of a pixel, else 0.
 [[nodiscard]] Image off_object_mask(const PathRun& run);

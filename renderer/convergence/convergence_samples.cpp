@@ -47,14 +47,14 @@ Reference render_reference_run(const ConvergenceSubject& subject, const Geometry
     last = share;
   };
   PathRun run = render_path(subject, subject.recipe, subject.geometry, depth, options);
-  Image picture = compose(run.layers).picture;
+  Image picture = compose(run.sums).picture;
   Image mask = off_object_mask(run);
   return {.run = std::move(run), .picture = std::move(picture), .off_object = std::move(mask)};
 }
 
 double noise_given(const Reference& reference, double exposure_ev) {
   const auto half = [&](std::size_t i) {
-    return compose(onto_given_background(half_of(reference.run.layers, i), reference.run.layers)).picture;
+    return compose(onto_given_background(half_of(reference.run.sums, i), reference.run.sums)).picture;
   };
   return 0.5 * display_rmse(half(0), half(1), exposure_ev, &reference.off_object);
 }
@@ -63,9 +63,9 @@ SampleRow measure(const ConvergenceSubject& subject, const Series& series, int s
                   const Reference& reference) {
   const Trial trial = series.render(spp);
   const Stopwatch watch;
-  const Image picture = compose(trial.layers).picture;
+  const Image picture = compose(trial.sums).picture;
   const double seconds = trial.seconds + watch.seconds();
-  const Image given = compose(onto_given_background(trial.layers, reference.run.layers)).picture;
+  const Image given = compose(onto_given_background(trial.sums, reference.run.sums)).picture;
   return {.series = series.name,
           .spp = spp,
           .seconds = seconds,
@@ -84,9 +84,9 @@ Trial render_fast(const ConvergenceSubject& subject, const Geometry& depth, int 
                       .threads = subject.threads,
                       .who_is_in_front = subject.recipe.answers.occlusion == Who::depth});
   estimator->take_object(subject.stimulus.object_index, {});
-  Trial trial{.layers = estimator->stimulus(subject.recipe, &depth, {}).layers};
+  Trial trial{.sums = estimator->stimulus(subject.recipe, &depth, {}).sums};
   trial.seconds = watch.seconds();
-  trial.rays = estimator->truth().rays + trial.layers.rays;
+  trial.rays = estimator->truth().rays + trial.sums.rays;
   return trial;
 }
 
@@ -107,7 +107,7 @@ std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geome
        .meaning = "with and without the object are one computation on shared paths",
        .render = [&runs, seed](int spp) -> Trial {
          const PathRun& run = runs.coupled(spp, seed);
-         return {run.layers, run.seconds(), run.rays};
+         return {run.sums, run.seconds(), run.rays};
        }},
       {.name = "path same-seed",
        .meaning = "two renderings, with and without the object, that share their sample points: the same "
@@ -115,17 +115,17 @@ std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geome
        .render = [&runs, seed](int spp) -> Trial {
          const PathRun& with = runs.coupled(spp, seed);
          const PathRun& without = runs.without(spp, seed);
-         return {with.layers, with.seconds() + without.seconds(), with.rays + without.rays};
+         return {with.sums, with.seconds() + without.seconds(), with.rays + without.rays};
        }},
       {.name = "path independent",
        .meaning = "two renderings with different seeds",
        .render = [&runs, seed, other_seed](int spp) -> Trial {
          // The layers without the object come from a run that knows its coverage; the price is that of
          // one that does not know the object.
-         const StimulusLayers& sums_without = runs.coupled(spp, seed).layers;
+         const StimulusSums& sums_without = runs.coupled(spp, seed).sums;
          const PathRun& without = runs.without(spp, seed);
          const PathRun& with = runs.coupled(spp, other_seed);
-         return {join_independent(sums_without, with.layers), with.seconds() + without.seconds(),
+         return {join_independent(sums_without, with.sums), with.seconds() + without.seconds(),
                  with.rays + without.rays};
        }},
       {.name = "fast",
@@ -153,7 +153,7 @@ SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s)
                       .meanings = {},
                       .reference_spp = reference_spp,
                       .reference_seconds = reference.run.seconds(),
-                      .reference_noise = estimated_noise(reference.run.layers, subject.exposure_ev()).value(),
+                      .reference_noise = estimated_noise(reference.run.sums, subject.exposure_ev()).value(),
                       .reference_noise_given = noise_given(reference, subject.exposure_ev())};
   const double longest_s = reference.run.seconds() / reference_to_largest_trial;
   std::vector<Series> open = sample_series(subject, depth, runs);

@@ -10,7 +10,7 @@ namespace seamline::renderer {
 
 /// The stimulus as one estimator renders it at a number of samples a pixel, and what that cost.
 struct Trial {
-  StimulusLayers layers;
+  StimulusSums sums;
   double seconds = 0;
   std::int64_t rays = 0;
 };

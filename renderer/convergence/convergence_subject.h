@@ -6,7 +6,7 @@
 
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "renderer/transport/answers.h"
 #include "stimuli/definition/stimulus.h"
 

@@ -21,7 +21,7 @@ double texels_per_pixel(const Camera& camera, int width_px) {
 
 }  // namespace
 
-std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const TruthLayers& truth) {
+std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const TruthSums& truth) {
   const Image reference = reference_image(truth);
   std::vector<WidthRow> rows;
   Progress progress(stimulus_id(subject.stimulus) + " width",
@@ -39,12 +39,11 @@ std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const Tru
     row.mesh_seconds = mesh_watch.seconds();
     row.triangles = static_cast<std::int64_t>(mesh.triangles.size());
     const Stopwatch stimulus_watch;
-    const StimulusLayers layers =
-        render_stimulus(subject.scene, subject.geometry, &geometry, truth, subject.recipe,
-                        subject.pass(truth.spp, subject.study.seed));
-    const Image picture = compose(layers).picture;
+    const StimulusSums sums = render_stimulus(subject.scene, subject.geometry, &geometry, truth,
+                                              subject.recipe, subject.pass(truth.spp, subject.study.seed));
+    const Image picture = compose(sums).picture;
     row.stimulus_seconds = stimulus_watch.seconds();
-    row.rays = layers.rays;
+    row.rays = sums.rays;
     row.rmse = display_rmse(picture, reference, subject.exposure_ev());
     rows.push_back(row);
     progress.advance(1, fmt::format("W = {}", width_px));

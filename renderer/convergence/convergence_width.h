@@ -15,7 +15,6 @@ struct WidthRow {
 };
 
 /// The stimulus at every width of the study. `truth` is the subject's with its `spp` and the study's seed.
-[[nodiscard]] std::vector<WidthRow> measure_width(const ConvergenceSubject& subject,
-                                                  const TruthLayers& truth);
+[[nodiscard]] std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const TruthSums& truth);
 
 }  // namespace seamline::renderer

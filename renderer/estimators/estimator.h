@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/estimators/estimator_choices.h"
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/picture/composite.h"
 #include "renderer/transport/omissions.h"
 
@@ -12,7 +12,7 @@ namespace seamline::renderer {
 
 /// What an estimator made of one stimulus.
 struct EstimatedStimulus {
-  StimulusLayers layers;
+  StimulusSums sums;
   std::optional<double> rmse;        ///< estimated error, noise and bias, display units; none: not known
   std::optional<double> worst_tile;  ///< the same in the worst 32 x 32 tile
 };
@@ -34,7 +34,7 @@ class SceneEstimator {
   /// Turns to one virtual object (1 to 3): what its stimuli share.
   virtual void take_object(int object_index, const ReportProgress& progress) = 0;
   [[nodiscard]] virtual const ObjectGeometry& geometry() const = 0;
-  [[nodiscard]] virtual const TruthLayers& truth() const = 0;
+  [[nodiscard]] virtual const TruthSums& truth() const = 0;
   /// A stimulus of the object taken. `depth` may be null when the recipe asks nothing of the depth mesh.
   [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                                                    const ReportProgress& progress) = 0;

@@ -30,9 +30,9 @@ EstimatorChoices fast_choices(const LightFacts& light, double exposure_ev, const
 
   choices.first_spp = options.error ? 16 : std::max(2, options.spp / 2 * 2);
   choices.most_spp = options.error ? 1 << 14 : choices.first_spp;
-  // The rest of the error is for the noise of the stimuli. They add next to none, except where bounce light
-  // is traced for each of them. There 0.9 needs the fewest rays for the paper's set (of 0.8, 0.85, 0.9 and
-  // 0.94): a better photograph costs more and saves the stimuli nothing.
+  // What is left of the error is for the noise of the stimuli. They add next to none, except where bounce
+  // light is traced for each of them. There 0.9 needs the fewest rays for the paper's set (of 0.8, 0.85, 0.9
+  // and 0.94): a better photograph costs more and saves the stimuli nothing.
   choices.photograph_share = options.depth_bounces ? 0.9 : 0.985;
   choices.photograph_for_each_object = !options.depth_bounces;
 

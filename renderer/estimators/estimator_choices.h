@@ -4,7 +4,7 @@
 
 #include "renderer/picture/bounce_filter.h"
 #include "renderer/transport/answers.h"
-#include "renderer/transport/needed_light.h"
+#include "renderer/transport/light_facts.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {
@@ -30,7 +30,7 @@ struct EstimatorChoices {
   int bounces = 0;         ///< that are followed
   bool skips_sky = false;  ///< no ray is traced only to reach an environment without light
   int sky_rays = 1;        ///< from the first surface
-  int tail_every = 1;      ///< every how many samples the tail of a path is followed (see PathPlan)
+  int tail_every = 1;      ///< every how many samples the tail of a path is followed (see PathRules)
 
   // Samples of the photograph.
   int first_spp = 64;           ///< a pixel, in the first round

@@ -1,22 +1,22 @@
 #include "renderer/estimators/stimulus_sampler.h"
 
-#include "renderer/tracing/leaving_ray.h"
+#include "renderer/tracing/surface_point.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
-#include "renderer/transport/rest_light.h"
+#include "renderer/transport/uncovered_light.h"
 
 namespace seamline::renderer {
 namespace {
 
-/// Adds light on the rest: its direct part, its bounce part, or both.
-void add_rest(const RadiancePair& pair, bool direct, bool bounce, DepthPart& out) {
+/// Adds light off the object: its direct part, its bounce part, or both.
+void add_uncovered(const RadiancePair& pair, bool direct, bool bounce, DepthLight& out) {
   if (direct) {
-    out.no.direct += pair.no.direct;
-    out.with.direct += pair.with.direct;
+    out.without_object.direct += pair.without_object.direct;
+    out.with_object.direct += pair.with_object.direct;
   }
   if (bounce) {
-    out.no.bounce += pair.no.bounce;
-    out.with.bounce += pair.with.bounce;
+    out.without_object.bounce += pair.without_object.bounce;
+    out.with_object.bounce += pair.with_object.bounce;
   }
 }
 
@@ -68,22 +68,22 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
 StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const {
   using Shows = StimulusSample::Shows;
   const bool covered = covers(sample, answers_.occlusion == Who::depth ? sample.depth : sample.real);
-  // Where the truth shows sky, or the depth mesh does and has to answer for the rest, nothing is
+  // Where the truth shows sky, or the depth mesh does and has to answer off the object, nothing is
   // multiplied.
-  const Shows rest =
-      !sample.real || (asks_depth_for_rest(answers_) && !sample.depth) ? Shows::sky : Shows::rest;
-  // Layers are exchanged sample by sample, so that together they always make one whole picture: a sample
-  // whose coverage truth and depth mesh disagree about would show an occlusion artifact, and comes from the
-  // reference.
+  const Shows uncovered =
+      !sample.real || (asks_depth_off_object(answers_) && !sample.depth) ? Shows::sky : Shows::uncovered;
+  // Object and surroundings are exchanged sample by sample, so that they always make one whole picture: a
+  // sample whose coverage truth and depth mesh disagree about would show an occlusion artifact, and comes
+  // from the reference.
   switch (recipe_.keep) {
     case Keep::everything:
-      return covered ? Shows::object : rest;
-    case Keep::object_layer:
+      return covered ? Shows::object : uncovered;
+    case Keep::object_only:
       return covered && sample.covered_in_truth ? Shows::object : Shows::from_reference;
-    case Keep::rest_layer:
-      return covered || sample.covered_in_truth ? Shows::from_reference : rest;
+    case Keep::all_but_object:
+      return covered || sample.covered_in_truth ? Shows::from_reference : uncovered;
   }
-  return rest;
+  return uncovered;
 }
 
 RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const {
@@ -103,25 +103,25 @@ Split StimulusSampler::object_in_truth(const StimulusSample& sample, SamplingWor
   return object_light(sample, Who::truth, Who::truth, work);
 }
 
-RadiancePair StimulusSampler::rest_in_truth(const StimulusSample& sample, SamplingWork& work) const {
+RadiancePair StimulusSampler::uncovered_in_truth(const StimulusSample& sample, SamplingWork& work) const {
   return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler,
                       &work.counts_);
 }
 
-void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts,
+void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::vector<DepthLight>& lights,
                                 SamplingWork& work) const {
-  parts.assign(samples.size(), {});
-  add_direct_on_object(samples, parts, work);
-  add_direct_on_rest(samples, parts, work);
+  lights.assign(samples.size(), {});
+  add_direct_on_object(samples, lights, work);
+  add_direct_on_uncovered(samples, lights, work);
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].shows == StimulusSample::Shows::rest) parts[i].rest = 1.0F;
+    if (samples[i].shows == StimulusSample::Shows::uncovered) lights[i].uncovered_surfaces = 1.0F;
   if (answers_.bounce == Who::truth) return;  // bounce light of the truth is in the truth's sums already
-  if (sampling_.may_filter) follow_paths(samples, parts, work);
-  for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], parts[i], work);
+  if (sampling_.may_filter) follow_paths(samples, lights, work);
+  for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], lights[i], work);
 }
 
 void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
-                                           std::span<DepthPart> parts, SamplingWork& work) const {
+                                           std::span<DepthLight> lights, SamplingWork& work) const {
   if (!adds_to_object(answers_)) return;  // or it is found with its bounce light
   using Shows = StimulusSample::Shows;
   std::vector<ObjectPoint>& points = work.object_points_;
@@ -135,24 +135,24 @@ void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> sampl
     direct_on_object(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (samples[i].shows == Shows::object && asked(samples[i])) take(parts[i]) = lit[next++];
+      if (samples[i].shows == Shows::object && asked(samples[i])) take(lights[i]) = lit[next++];
   };
   answer(
       Who::depth, [](const StimulusSample&) { return true; },
-      [](DepthPart& part) -> Rgb& { return part.object.direct; });
+      [](DepthLight& light) -> Rgb& { return light.object.direct; });
   answer(
       Who::truth, [](const StimulusSample& sample) { return sample.beside_truth; },
-      [](DepthPart& part) -> Rgb& { return part.object_in_truth; });
+      [](DepthLight& light) -> Rgb& { return light.object_in_truth; });
 }
 
-void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
-                                         SamplingWork& work) const {
-  if (direct_from_truth() || rest_is_one_path()) return;
-  std::vector<RestPoint>& points = work.rest_points_;
-  std::vector<RadiancePair>& lit = work.lit_rest_;
+void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> samples,
+                                              std::span<DepthLight> lights, SamplingWork& work) const {
+  if (direct_from_truth() || uncovered_is_one_path()) return;
+  std::vector<UncoveredPoint>& points = work.uncovered_points_;
+  std::vector<RadiancePair>& lit = work.lit_uncovered_;
   points.clear();
   for (const StimulusSample& sample : samples) {
-    if (sample.shows != StimulusSample::Shows::rest) continue;
+    if (sample.shows != StimulusSample::Shows::uncovered) continue;
     points.push_back({.receiver = answers_.receiver == Who::depth ? &*sample.depth : &*sample.real,
                       .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real},
@@ -161,59 +161,60 @@ void StimulusSampler::add_direct_on_rest(std::span<const StimulusSample> samples
                       .emission = sample.real->emission});
   }
   lit.resize(points.size());
-  direct_on_rest(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
+  direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].shows != StimulusSample::Shows::rest) continue;
+    if (samples[i].shows != StimulusSample::Shows::uncovered) continue;
     RadiancePair& pair = lit[next++];
     if (!sampling_.may_filter)
-      pair = {.no = {pair.no.total(), Rgb::Zero()}, .with = {pair.with.total(), Rgb::Zero()}};
-    add_rest(pair, true, true, parts[i]);
+      pair = {.without_object = {pair.without_object.total(), Rgb::Zero()},
+              .with_object = {pair.with_object.total(), Rgb::Zero()}};
+    add_uncovered(pair, true, true, lights[i]);
   }
 }
 
 bool StimulusSampler::is_batched(const StimulusSample& sample) const {
   if (!sampling_.may_filter) return false;
-  if (sample.shows == StimulusSample::Shows::rest) return true;
+  if (sample.shows == StimulusSample::Shows::uncovered) return true;
   // Every question of such a path is the depth mesh's, asked from the object itself.
   return sample.shows == StimulusSample::Shows::object && answers_.object_lit == Who::depth &&
          ask(Who::depth, sample, *sample.object).start == &*sample.object;
 }
 
-void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                                    SamplingWork& work) const {
-  const bool direct = rest_is_one_path();
+  const bool direct = uncovered_is_one_path();
   PathBatch& paths = work.paths_;
   paths.begin(depth_worlds_, scene_.light);
   for (const StimulusSample& sample : samples) {
     if (!is_batched(sample)) continue;
-    if (sample.shows == StimulusSample::Shows::rest)
+    if (sample.shows == StimulusSample::Shows::uncovered)
       paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
-                 path_plan(sample.sampler, sampling_.tail_every, direct)});
+                 path_rules(sample.sampler, sampling_.tail_every, direct)});
     else
       paths.add(
-          {only_world(0), *sample.object, sample.sampler, path_plan(sample.sampler, sampling_.tail_every)});
+          {only_world(0), *sample.object, sample.sampler, path_rules(sample.sampler, sampling_.tail_every)});
   }
   const std::span<const PathLight> found = paths.trace();
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_batched(samples[i])) continue;
     const PathLight& path = found[next++];
-    if (samples[i].shows == StimulusSample::Shows::rest) {
-      parts[i].reach_m = path.reach_m;
-      add_rest({.no = path.light[1], .with = path.light[0]}, direct, true, parts[i]);
+    if (samples[i].shows == StimulusSample::Shows::uncovered) {
+      lights[i].reach_m = path.reach_m;
+      add_uncovered({.without_object = path.light[1], .with_object = path.light[0]}, direct, true, lights[i]);
     } else {
-      parts[i].object += path.light[0];
+      lights[i].object += path.light[0];
     }
   }
 }
 
-void StimulusSampler::add_one_path(const StimulusSample& sample, DepthPart& out, SamplingWork& work) const {
+void StimulusSampler::add_one_path(const StimulusSample& sample, DepthLight& out, SamplingWork& work) const {
   if (is_batched(sample)) return;
-  if (sample.shows == StimulusSample::Shows::rest)
-    add_rest(
+  if (sample.shows == StimulusSample::Shows::uncovered)
+    add_uncovered(
         leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler, &work.counts_),
-        rest_is_one_path(), true, out);
+        uncovered_is_one_path(), true, out);
   if (sample.shows != StimulusSample::Shows::object) return;
   const Split light = object_light(sample, answers_.object_lit, Who::depth, work);
   if (answers_.object_lit == Who::depth) out.object.direct += light.direct;

@@ -2,11 +2,11 @@
 #include <span>
 #include <vector>
 
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/transport/answers.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
-#include "renderer/transport/rest_light.h"
+#include "renderer/transport/uncovered_light.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {
@@ -19,25 +19,25 @@ struct StimulusSample {
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
   std::optional<SurfacePoint> depth;   ///< x_D
   bool covered_in_truth = false;
-  bool beside_truth = false;  ///< see DepthPart::object_in_truth
-  enum class Shows { object, rest, sky, from_reference } shows = Shows::rest;
+  bool beside_truth = false;  ///< see DepthLight::object_in_truth
+  enum class Shows { object, uncovered, sky, from_reference } shows = Shows::uncovered;
 };
 
-/// How a sampler asks. When bounce light on real surfaces may be filtered, sky light that the depth mesh has
-/// a part in joins it, because it may be filtered with it. `tail_every`: see PathPlan; only then.
+/// How a sampler asks. Where bounce light on real surfaces may be filtered, the depth mesh's sky light joins
+/// it, because it may be filtered too. `tail_every`: see PathRules; used only then.
 struct LightSampling {
   bool may_filter = false;
   int tail_every = 1;
 };
 
 /// Light that the depth mesh has a part in, of one sample.
-struct DepthPart {
-  Split no, with;  ///< on the rest, without and with the object
-  Split object;    ///< on the object
+struct DepthLight {
+  Split without_object, with_object;  ///< off the object, without and with it
+  Split object;                       ///< on the object
   /// With `beside_truth`, the direct part of `object` as the truth answers it for the same sample: for most
   /// it is the same.
   Rgb object_in_truth = Rgb::Zero();
-  float rest = 0;  ///< 1 when `no` and `with` count
+  float uncovered_surfaces = 0;  ///< 1 when these two count
   /// How far the first ray for bounce light got; infinity when it is not known.
   float reach_m = std::numeric_limits<float>::infinity();
 };
@@ -55,8 +55,8 @@ class SamplingWork {
   LightRays light_rays_;
   std::vector<ObjectPoint> object_points_;
   std::vector<Rgb> lit_object_;
-  std::vector<RestPoint> rest_points_;
-  std::vector<RadiancePair> lit_rest_;
+  std::vector<UncoveredPoint> uncovered_points_;
+  std::vector<RadiancePair> lit_uncovered_;
 };
 
 /// Looks at a stimulus sample by sample, and asks what the depth mesh has to answer. Shared by both
@@ -70,22 +70,22 @@ class StimulusSampler {
   /// What the camera rays of samples meet; `out` is as long as `ids`.
   void look(std::span<const SampleId> ids, std::vector<StimulusSample>& out, SamplingWork& work) const;
 
-  /// Everything that some geometry other than the truth alone has to answer: light on the rest and on the
-  /// object. `parts` is as long as `samples`.
-  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthPart>& parts,
+  /// Everything that some geometry other than the truth alone has to answer: light off the object and on
+  /// it. `lights` is as long as `samples`.
+  void ask_depth(std::span<const StimulusSample> samples, std::vector<DepthLight>& lights,
                  SamplingWork& work) const;
 
-  /// Light of a covered sample's object, and of an uncovered sample's rest, as the truth answers.
+  /// Light of a covered sample's object, and of an uncovered sample's surface, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample, SamplingWork& work) const;
-  [[nodiscard]] RadiancePair rest_in_truth(const StimulusSample& sample, SamplingWork& work) const;
+  [[nodiscard]] RadiancePair uncovered_in_truth(const StimulusSample& sample, SamplingWork& work) const;
 
-  /// Whether sun and sky on the rest are the truth's own.
+  /// Whether sun and sky off the object are the truth's own.
   [[nodiscard]] bool direct_from_truth() const {
     return answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
   }
-  /// The surface whose light on the rest is asked for; null when the sample shows none.
+  /// The surface off the object whose light is asked for; null when the sample shows none.
   [[nodiscard]] const SurfacePoint* receiver(const StimulusSample& sample) const {
-    if (sample.shows != StimulusSample::Shows::rest) return nullptr;
+    if (sample.shows != StimulusSample::Shows::uncovered) return nullptr;
     return answers_.receiver == Who::depth || answers_.bounce == Who::depth ? &*sample.depth : &*sample.real;
   }
   [[nodiscard]] const Recipe& recipe() const { return recipe_; }
@@ -97,20 +97,20 @@ class StimulusSampler {
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
   [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce,
                                    SamplingWork& work) const;
-  /// Whether one path through the depth mesh answers everything on the rest.
-  [[nodiscard]] bool rest_is_one_path() const {
+  /// Whether one path through the depth mesh answers everything off the object.
+  [[nodiscard]] bool uncovered_is_one_path() const {
     return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
            answers_.real_lit == Who::depth;
   }
-  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+  void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                             SamplingWork& work) const;
-  void add_direct_on_rest(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
-                          SamplingWork& work) const;
+  void add_direct_on_uncovered(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
+                               SamplingWork& work) const;
   /// Whether the path of a sample through the depth mesh is followed together with others.
   [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
-  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthPart> parts,
+  void follow_paths(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                     SamplingWork& work) const;
-  void add_one_path(const StimulusSample& sample, DepthPart& out, SamplingWork& work) const;
+  void add_one_path(const StimulusSample& sample, DepthLight& out, SamplingWork& work) const;
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "renderer/common/b_spline.h"
 #include "renderer/common/parallel.h"
+#include "renderer/picture/bounce_filter.h"
 
 namespace seamline::renderer {
 namespace {
@@ -103,7 +103,7 @@ void filter_tile(const TileSurfaces& surfaces, const TileGrid& grid, const TileG
 
 }  // namespace
 
-Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y) {
+Surface surface_of(const SeenSurface& sums, float samples, const Camera& camera, int x, int y) {
   if (samples <= 0.0F) return {};
   Surface surface;
   surface.distance_m = sums.distance_m / samples;

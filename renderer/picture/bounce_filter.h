@@ -8,6 +8,9 @@
 
 namespace seamline::renderer {
 
+/// Cubic B-spline at whole steps: the kernel of the a-trous filters.
+inline constexpr std::array<float, 5> b_spline = {1.0F / 16, 4.0F / 16, 6.0F / 16, 4.0F / 16, 1.0F / 16};
+
 /// Bounce light of one pixel without its albedo, in both halves of samples: sums and the number of samples
 /// they are over. Filtering sums and numbers apart lets a pixel count for what it saw. All are one array,
 /// because filtering adds whole texels.
@@ -15,13 +18,13 @@ struct BounceTexel {
   Eigen::Array<float, 16, 1> sums = Eigen::Array<float, 16, 1>::Zero();
 
   /// Without the object,
-  [[nodiscard]] auto no(std::size_t half) { return sums.segment<3>(first(half)); }
-  [[nodiscard]] auto no(std::size_t half) const { return sums.segment<3>(first(half)); }
+  [[nodiscard]] auto without_object(std::size_t half) { return sums.segment<3>(first(half)); }
+  [[nodiscard]] auto without_object(std::size_t half) const { return sums.segment<3>(first(half)); }
   /// and with it, minus without.
   [[nodiscard]] auto change(std::size_t half) { return sums.segment<3>(first(half) + 3); }
   [[nodiscard]] auto change(std::size_t half) const { return sums.segment<3>(first(half) + 3); }
-  [[nodiscard]] float& no_samples(std::size_t half) { return sums[first(half) + 6]; }
-  [[nodiscard]] float no_samples(std::size_t half) const { return sums[first(half) + 6]; }
+  [[nodiscard]] float& without_samples(std::size_t half) { return sums[first(half) + 6]; }
+  [[nodiscard]] float without_samples(std::size_t half) const { return sums[first(half) + 6]; }
   [[nodiscard]] float& change_samples(std::size_t half) { return sums[first(half) + 7]; }
   [[nodiscard]] float change_samples(std::size_t half) const { return sums[first(half) + 7]; }
 
@@ -37,7 +40,7 @@ struct Surface {
   float distance_m = 0;
   float inverse_reach = 0;  ///< 1 / harmonic mean distance to what sends the bounce light, in 1/m
 };
-[[nodiscard]] Surface surface_of(const GuideSums& sums, float samples, const Camera& camera, int x, int y);
+[[nodiscard]] Surface surface_of(const SeenSurface& sums, float samples, const Camera& camera, int x, int y);
 
 /// How far the filter reaches: `levels` a-trous levels (0: nothing is filtered), but never farther than
 /// reach / `reach_divisor`, where reach is how far gather rays get from there (the radius in which bounce

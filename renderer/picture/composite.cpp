@@ -13,10 +13,10 @@ constexpr float floor_share = 1e-6F;  // of the frame's median: below it the rat
 constexpr float sealed_share = 0.1F;  // of the usual S_no for what the photograph shows
 constexpr float largest_ratio = 4.0F;
 
-std::vector<StimulusSums> sum_halves(const StimulusLayers& layers) {
-  std::vector<StimulusSums> sums = layers.halves[0];
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += layers.halves[1][i];
-  return sums;
+std::vector<StimulusPixel> sum_halves(const StimulusSums& sums) {
+  std::vector<StimulusPixel> pixels = sums.halves[0];
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] += sums.halves[1][i];
+  return pixels;
 }
 
 /// Pixels that a median is taken over at least, where there are as many: it only scales thresholds.
@@ -25,12 +25,12 @@ constexpr std::size_t median_pixels = 1 << 15;
 /// Median of a value over the pixels that have a ratio (of large pictures, every few pixels); 0 when none
 /// has.
 template <class Value>
-float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
+float median_of(const std::vector<StimulusPixel>& pixels, const Value& value) {
   std::vector<float> values;
   // An odd step, so that it meets every column of a picture.
-  const std::size_t step = (sums.size() / median_pixels) | 1U;
-  for (std::size_t i = 0; i < sums.size(); i += step)
-    if (sums[i].rest > 0) values.push_back(value(sums[i]));
+  const std::size_t step = (pixels.size() / median_pixels) | 1U;
+  for (std::size_t i = 0; i < pixels.size(); i += step)
+    if (pixels[i].uncovered_surfaces > 0) values.push_back(value(pixels[i]));
   if (values.empty()) return 0.0F;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -38,8 +38,10 @@ float median_of(const std::vector<StimulusSums>& sums, const Value& value) {
 }
 
 /// Of S_no a sample, channels averaged.
-float median_denominator(const std::vector<StimulusSums>& sums) {
-  return median_of(sums, [](const StimulusSums& pixel) { return pixel.no.mean() / pixel.rest; });
+float median_denominator(const std::vector<StimulusPixel>& pixels) {
+  return median_of(pixels, [](const StimulusPixel& pixel) {
+    return pixel.without_object.mean() / pixel.uncovered_surfaces;
+  });
 }
 
 struct RatioOutcome {
@@ -50,11 +52,12 @@ struct RatioOutcome {
 };
 
 /// Pixels whose S_no rests on too few paths for a ratio of their own.
-std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float median, int samples) {
+std::vector<bool> find_pockets(const std::vector<StimulusPixel>& pixels, float median, int samples) {
   const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
-  std::vector<bool> pockets(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    pockets[i] = sums[i].rest > 0 && sums[i].no.mean() < poorly_lit_share * median * sums[i].rest;
+  std::vector<bool> pockets(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pockets[i] = pixels[i].uncovered_surfaces > 0 &&
+                 pixels[i].without_object.mean() < poorly_lit_share * median * pixels[i].uncovered_surfaces;
   return pockets;
 }
 
@@ -62,29 +65,29 @@ std::vector<bool> find_pockets(const std::vector<StimulusSums>& sums, float medi
 /// darker than the photograph there (both against what is usual in this picture): depth sheets have sealed
 /// the surface in a well that only the camera sees into, and whatever stands before the well takes all its
 /// light.
-float belief(const Rgb& no, const Rgb& photograph, float usual_darkness) {
+float belief(const Rgb& without_object, const Rgb& photograph, float usual_darkness) {
   const float sealed = sealed_share * usual_darkness * photograph.mean();
-  return sealed > 0.0F ? std::min(1.0F, no.mean() / sealed) : 1.0F;
+  return sealed > 0.0F ? std::min(1.0F, without_object.mean() / sealed) : 1.0F;
 }
 
 /// Median of S_no over the photograph.
-float usual_darkness(const std::vector<StimulusSums>& sums) {
-  return median_of(sums, [](const StimulusSums& pixel) {
-    return pixel.no.mean() / std::max(pixel.background.mean(), 1e-30F);
+float usual_darkness(const std::vector<StimulusPixel>& pixels) {
+  return median_of(pixels, [](const StimulusPixel& pixel) {
+    return pixel.without_object.mean() / std::max(pixel.background.mean(), 1e-30F);
   });
 }
 
 /// The ratio of light a sample with and without the object.
 RatioOutcome ratio_of(const FilteredLight& light, float median, float believed) {
   RatioOutcome outcome;
-  const Rgb change = light.with - light.no;
+  const Rgb change = light.with_object - light.without_object;
   for (int c = 0; c < 3; ++c) {
     if (change[c] == 0.0F) continue;  // exactly 1: nothing changed
-    if (!(light.no[c] > floor_share * median)) {
+    if (!(light.without_object[c] > floor_share * median)) {
       outcome.floored = true;
       continue;
     }
-    const float ratio = 1.0F + change[c] / light.no[c];
+    const float ratio = 1.0F + change[c] / light.without_object[c];
     const float clamped = std::clamp(ratio, 0.0F, largest_ratio);
     outcome.ratio[c] = believed < 1.0F ? 1.0F + believed * (clamped - 1.0F) : clamped;
     // A fully blocked light ends a rounding error below 0: that is no clamped pixel.
@@ -101,52 +104,54 @@ struct PictureLight {
   std::vector<FilteredLight> filtered;  ///< of the pockets
 };
 
-PictureLight picture_light(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples,
+PictureLight picture_light(const std::vector<StimulusPixel>& pixels, const StimulusSums& sums, int samples,
                            int threads) {
-  PictureLight light{.median = median_denominator(sums), .darkness = 0, .pockets = {}, .filtered = {}};
-  if (!layers.depth_lights_rest) return light;
-  light.darkness = usual_darkness(sums);
-  light.pockets = find_pockets(sums, light.median, samples);
-  light.filtered =
-      filter_pockets(sums, light.pockets, layers.guides, layers.width_px, layers.height_px, threads);
+  PictureLight light{.median = median_denominator(pixels), .darkness = 0, .pockets = {}, .filtered = {}};
+  if (!sums.depth_lights_uncovered) return light;
+  light.darkness = usual_darkness(pixels);
+  light.pockets = find_pockets(pixels, light.median, samples);
+  light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
   return light;
 }
 
 /// One pixel's light off the object, in sums of samples.
-Rgb rest_of_pixel(const StimulusSums& pixel, std::size_t i, const PictureLight& picture,
+Rgb rest_of_pixel(const StimulusPixel& pixel, std::size_t i, const PictureLight& picture,
                   Compositing compositing, Rgb& ratio, TinyDenominators& tiny) {
-  if (pixel.rest <= 0) return pixel.background;
-  const float per_sample = 1.0F / pixel.rest;
+  if (pixel.uncovered_surfaces <= 0) return pixel.background;
+  const float per_sample = 1.0F / pixel.uncovered_surfaces;
   const bool pocket = !picture.pockets.empty() && picture.pockets[i];
   const FilteredLight light =
-      pocket ? picture.filtered[i] : FilteredLight{pixel.no * per_sample, pixel.with * per_sample};
-  const float believed =
-      picture.pockets.empty() ? 1.0F : belief(light.no, pixel.background * per_sample, picture.darkness);
+      pocket ? picture.filtered[i]
+             : FilteredLight{pixel.without_object * per_sample, pixel.with_object * per_sample};
+  const float believed = picture.pockets.empty()
+                             ? 1.0F
+                             : belief(light.without_object, pixel.background * per_sample, picture.darkness);
   const RatioOutcome outcome = ratio_of(light, picture.median, believed);
   ratio = outcome.ratio;
-  if (compositing == Compositing::additive) return pixel.background + pixel.with - pixel.no;
+  if (compositing == Compositing::additive)
+    return pixel.background + pixel.with_object - pixel.without_object;
   tiny.floored_pixels += outcome.floored ? 1 : 0;
   tiny.clamped_pixels += outcome.clamped ? 1 : 0;
   tiny.sealed_pixels += outcome.sealed ? 1 : 0;
   return pixel.background * outcome.ratio;
 }
 
-Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLayers& layers, int samples,
-                       Compositing compositing, int threads) {
-  Composite out{
-      Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3, 1.0F), {}};
-  const PictureLight light = picture_light(sums, layers, samples, threads);
-  std::vector<TinyDenominators> tiny(static_cast<std::size_t>(layers.height_px));
-  parallel_for(layers.height_px, threads, [&](int y) {
+Composite compose_pixels(const std::vector<StimulusPixel>& pixels, const StimulusSums& sums, int samples,
+                         Compositing compositing, int threads) {
+  Composite out{Image(sums.width_px, sums.height_px, 3), Image(sums.width_px, sums.height_px, 3, 1.0F), {}};
+  const PictureLight light = picture_light(pixels, sums, samples, threads);
+  std::vector<TinyDenominators> tiny(static_cast<std::size_t>(sums.height_px));
+  parallel_for(sums.height_px, threads, [&](int y) {
     TinyDenominators& row = tiny[static_cast<std::size_t>(y)];
-    for (int x = 0; x < layers.width_px; ++x) {
+    for (int x = 0; x < sums.width_px; ++x) {
       const std::size_t i = out.picture.index(x, y) / 3;
-      const StimulusSums& pixel = sums[i];
+      const StimulusPixel& pixel = pixels[i];
       Rgb ratio = Rgb::Ones();
-      const Rgb rest = rest_of_pixel(pixel, i, light, compositing, ratio, row);
+      const Rgb uncovered_surfaces = rest_of_pixel(pixel, i, light, compositing, ratio, row);
       out.ratio.set_rgb(x, y, ratio);
-      out.picture.set_rgb(
-          x, y, (pixel.sky + rest + pixel.object + pixel.from_reference) / static_cast<float>(samples));
+      out.picture.set_rgb(x, y,
+                          (pixel.sky + uncovered_surfaces + pixel.object + pixel.from_reference) /
+                              static_cast<float>(samples));
       row.not_finite_pixels += out.picture.rgb(x, y).allFinite() ? 0 : 1;
     }
   });
@@ -161,30 +166,30 @@ Composite compose_sums(const std::vector<StimulusSums>& sums, const StimulusLaye
 
 }  // namespace
 
-Composite compose(const StimulusLayers& layers, Compositing compositing, int threads) {
-  return compose_sums(sum_halves(layers), layers, layers.spp, compositing, threads);
+Composite compose(const StimulusSums& sums, Compositing compositing, int threads) {
+  return compose_pixels(sum_halves(sums), sums, sums.spp, compositing, threads);
 }
 
-Composite compose_half(const StimulusLayers& layers, std::size_t half, int threads) {
-  const int samples = (layers.spp + 1 - static_cast<int>(half)) / 2;
-  return compose_sums(layers.halves[half], layers, samples, Compositing::ratio, threads);
+Composite compose_half(const StimulusSums& sums, std::size_t half, int threads) {
+  const int samples = (sums.spp + 1 - static_cast<int>(half)) / 2;
+  return compose_pixels(sums.halves[half], sums, samples, Compositing::ratio, threads);
 }
 
-std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev) {
-  if (layers.spp < 2) return std::nullopt;
-  return 0.5 * display_rmse(compose_half(layers, 0).picture, compose_half(layers, 1).picture, exposure_ev);
+std::optional<double> estimated_noise(const StimulusSums& sums, double exposure_ev) {
+  if (sums.spp < 2) return std::nullopt;
+  return 0.5 * display_rmse(compose_half(sums, 0).picture, compose_half(sums, 1).picture, exposure_ev);
 }
 
-LayerImages layer_images(const StimulusLayers& layers) {
-  LayerImages images{Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3),
-                     Image(layers.width_px, layers.height_px, 3)};
-  const std::vector<StimulusSums> sums = sum_halves(layers);
-  const float scale = 1.0F / static_cast<float>(layers.spp);
-  for (int y = 0; y < layers.height_px; ++y)
-    for (int x = 0; x < layers.width_px; ++x) {
-      const StimulusSums& pixel = sums[images.with.index(x, y) / 3];
-      images.with.set_rgb(x, y, (pixel.with + pixel.object) * scale);
-      images.without.set_rgb(x, y, pixel.no * scale);
+LayerImages layer_images(const StimulusSums& sums) {
+  LayerImages images{Image(sums.width_px, sums.height_px, 3), Image(sums.width_px, sums.height_px, 3),
+                     Image(sums.width_px, sums.height_px, 3)};
+  const std::vector<StimulusPixel> pixels = sum_halves(sums);
+  const float scale = 1.0F / static_cast<float>(sums.spp);
+  for (int y = 0; y < sums.height_px; ++y)
+    for (int x = 0; x < sums.width_px; ++x) {
+      const StimulusPixel& pixel = pixels[images.with_object.index(x, y) / 3];
+      images.with_object.set_rgb(x, y, (pixel.with_object + pixel.object) * scale);
+      images.without_object.set_rgb(x, y, pixel.without_object * scale);
       images.object.set_rgb(x, y, pixel.object * scale);
     }
   return images;

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "renderer/picture/layers.h"
+#include "renderer/picture/pixel_sums.h"
 #include "stimuli/set/manifest.h"
 
 namespace seamline::renderer {
@@ -19,7 +19,7 @@ struct Composite {
   TinyDenominators tiny_denominators;
 };
 
-/// The pixel formula of DESIGN section 3:
+/// The pixel formula of documentation/design.md, section 2:
 ///   I = (1/N) [ sum_unc B_s * (sum_unc L_with / sum_unc L_no) + sum_cov L_obj ]
 /// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under
 /// 1e-6 of the frame's median. Where the depth mesh decides the light (questions 2 and 5) and S_no is poorly
@@ -29,20 +29,20 @@ struct Composite {
 /// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
 /// 1 in proportion: sheets have sealed that surface in. Medians of large pictures are taken over every few
 /// pixels.
-[[nodiscard]] Composite compose(const StimulusLayers& layers, Compositing compositing = Compositing::ratio,
+[[nodiscard]] Composite compose(const StimulusSums& sums, Compositing compositing = Compositing::ratio,
                                 int threads = 1);
 
 /// The same from one half of the samples only (0 or 1): what errors are estimated from.
-[[nodiscard]] Composite compose_half(const StimulusLayers& layers, std::size_t half, int threads = 1);
+[[nodiscard]] Composite compose_half(const StimulusSums& sums, std::size_t half, int threads = 1);
 
 /// Estimated noise of the composite: half the difference of the pictures of its two halves of samples, root
 /// mean square in display units (0 to 1). None when there is only one sample a pixel.
-[[nodiscard]] std::optional<double> estimated_noise(const StimulusLayers& layers, double exposure_ev);
+[[nodiscard]] std::optional<double> estimated_noise(const StimulusSums& sums, double exposure_ev);
 
 /// The pictures that `--layers` writes for looking into a composite (paper Fig. 2).
 struct LayerImages {
-  Image with, without, object;
+  Image with_object, without_object, object;
 };
-[[nodiscard]] LayerImages layer_images(const StimulusLayers& layers);
+[[nodiscard]] LayerImages layer_images(const StimulusSums& sums);
 
 }  // namespace seamline::renderer

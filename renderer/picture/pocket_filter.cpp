@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/common/b_spline.h"
 #include "renderer/common/parallel.h"
+#include "renderer/picture/bounce_filter.h"
 
 namespace seamline::renderer {
 namespace {
@@ -16,13 +16,13 @@ constexpr float depth_tolerance = 0.05F;  // relative
 /// Light and number of samples are filtered apart, so that pixels with few uncovered samples count for what
 /// they saw.
 struct Texel {
-  Rgb no = Rgb::Zero();
-  Rgb with = Rgb::Zero();
+  Rgb without_object = Rgb::Zero();
+  Rgb with_object = Rgb::Zero();
   float samples = 0;
 
   void add(const Texel& other, float weight) {
-    no += weight * other.no;
-    with += weight * other.with;
+    without_object += weight * other.without_object;
+    with_object += weight * other.with_object;
     samples += weight * other.samples;
   }
 };
@@ -36,12 +36,12 @@ float likeness(const Guide& a, const Guide& b) {
 
 }  // namespace
 
-std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
+std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
                                           int width_px, int height_px, int threads) {
   std::vector<Texel> from(sums.size()), to(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (pockets[i]) from[i] = {sums[i].no, sums[i].with, sums[i].rest};
+    if (pockets[i]) from[i] = {sums[i].without_object, sums[i].with_object, sums[i].uncovered_surfaces};
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   };
@@ -68,7 +68,8 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
   }
   std::vector<FilteredLight> filtered(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (from[i].samples > 0) filtered[i] = {from[i].no / from[i].samples, from[i].with / from[i].samples};
+    if (from[i].samples > 0)
+      filtered[i] = {from[i].without_object / from[i].samples, from[i].with_object / from[i].samples};
   return filtered;
 }
 

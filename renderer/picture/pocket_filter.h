@@ -1,20 +1,20 @@
 #pragma once
 #include <vector>
 
-#include "renderer/picture/layers.h"
+#include "renderer/picture/pixel_sums.h"
 
 namespace seamline::renderer {
 
 /// Light a sample without and with the object, of one pixel.
 struct FilteredLight {
-  Rgb no = Rgb::Zero();
-  Rgb with = Rgb::Zero();
+  Rgb without_object = Rgb::Zero();
+  Rgb with_object = Rgb::Zero();
 };
 
 /// The light of the pixels in `pockets`, filtered among themselves by two a-trous levels (Dammertz et al.,
 /// HPG 2010) whose weights fall with the difference in normal and in depth, never with colour. Sums are
 /// filtered, not ratios. Row by row; pixels outside the pockets keep zeros.
-[[nodiscard]] std::vector<FilteredLight> filter_pockets(const std::vector<StimulusSums>& sums,
+[[nodiscard]] std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                                         const std::vector<bool>& pockets,
                                                         const std::vector<Guide>& guides, int width_px,
                                                         int height_px, int threads);

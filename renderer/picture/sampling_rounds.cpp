@@ -24,9 +24,9 @@ struct Step {
 };
 using Steps = std::priority_queue<Step>;
 
-class RoundPlanner {
+class SampleAllocator {
  public:
-  RoundPlanner(const SamplingState& state, const ErrorTarget& target)
+  SampleAllocator(const SamplingState& state, const ErrorTarget& target)
       : state_(state),
         blocks_(state.blocks),
         square_in_a_tile_(target.square_in_a_tile()),
@@ -40,9 +40,9 @@ class RoundPlanner {
     }
   }
 
-  SamplingPlan plan() {
-    SamplingPlan out{.next = {}, .samples = 0, .suffices = true};
-    for (int tile = 0; tile < static_cast<int>(state_.tile_rest.size()); ++tile)
+  NextSamples plan() {
+    NextSamples out{.next = {}, .samples = 0, .suffices = true};
+    for (int tile = 0; tile < static_cast<int>(state_.tile_residual.size()); ++tile)
       if (!grow_tile(tile)) out.suffices = false;
     Steps steps;
     for (std::size_t i = 0; i < blocks_.size(); ++i) push(i, steps);
@@ -68,7 +68,7 @@ class RoundPlanner {
   bool grow_tile(int tile) {
     const TileGrid grid{state_.grid.width_px, state_.grid.height_px};
     Steps steps;
-    double square = state_.tile_rest[static_cast<std::size_t>(tile)] + rounding_square;
+    double square = state_.tile_residual[static_cast<std::size_t>(tile)] + rounding_square;
     const auto share = [&](std::size_t block) {
       return state_.grid.pixels(static_cast<int>(block)) / static_cast<double>(grid.pixels(tile));
     };
@@ -134,8 +134,8 @@ class RoundPlanner {
 
 }  // namespace
 
-SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target) {
-  return RoundPlanner(state, target).plan();
+NextSamples next_samples(const SamplingState& state, const ErrorTarget& target) {
+  return SampleAllocator(state, target).plan();
 }
 
 }  // namespace seamline::renderer

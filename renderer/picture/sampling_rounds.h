@@ -27,7 +27,7 @@ struct SamplingState {
   BlockGrid grid;
   std::vector<BlockState> blocks;
   /// Of each tile, squared: bias, and noise that more samples do not touch.
-  std::vector<double> tile_rest;
+  std::vector<double> tile_residual;
   /// Squared error of the whole picture, without rounding: not the tiles' mean, because a bias below 0 in a
   /// tile only means that it is not known.
   double image_square = 0;
@@ -35,19 +35,19 @@ struct SamplingState {
   double least_growth = 1.0 / 16;
 };
 
-struct SamplingPlan {
+struct NextSamples {
   /// The number of samples each block should have next; what they have when none can grow.
   std::vector<int> next;
   double samples = 0;     ///< added until the target is expected to be met, over all pixels
   bool suffices = false;  ///< whether it is expected to be met then
 };
 
-/// Steps go to the blocks that gain most for a sample, until the target is expected to be met (noise,
-/// squared, is taken to fall like samples^-1.1: -1 for independent numbers, up to -1.5 for Sobol'), over the
-/// image and in every tile. Estimates from few samples are rough, so none gets more than four times what it
-/// has at once; what others would have to do for it is not asked of them, but left to the next round. When
-/// the image is not good enough at least `least_growth` is planned, and one sample for every other
-/// pixel, so that there are few rounds.
-[[nodiscard]] SamplingPlan plan_samples(const SamplingState& state, const ErrorTarget& target);
+/// Gives samples, step by step, to the block where a sample lowers the error most, until the target is
+/// expected to be met over the image and in every tile. Squared noise is taken to fall like samples^-1.1 (-1
+/// for independent numbers, up to -1.5 for Sobol'). Estimates from few samples are rough, so a block gets at
+/// most four times what it has; what it would need beyond that is left to the next round. When the image is
+/// not good enough, at least `least_growth` is added, and one sample for every other pixel, so that there are
+/// few rounds.
+[[nodiscard]] NextSamples next_samples(const SamplingState& state, const ErrorTarget& target);
 
 }  // namespace seamline::renderer

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "renderer/common/tiles.h"
-#include "renderer/tracing/ray_counts.h"
+#include "renderer/tracing/ray.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {
 
 /// Mean surface that samples saw, as sums.
-struct GuideSums {
+struct SeenSurface {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   Rgb albedo = Rgb::Zero();
   float distance_m = 0;
@@ -27,13 +27,13 @@ struct GuideSums {
 };
 
 /// What the camera sees through one pixel in each world, summed over the samples of one half.
-struct WorldSums {
+struct WorldPixel {
   std::array<Split, 4> seen = {};      ///< light of the surfaces that each world shows
   std::array<float, 4> surfaces = {};  ///< number of samples that show a surface; the others show sky
 };
 
 /// Where an object lies on the camera ray, before or behind other things; of one pixel and half.
-struct ObjectSums {
+struct ObjectPixel {
   Split object;       ///< its own light where it is in front
   Split behind;       ///< light of what it covers, in the world without it,
   Split behind_with;  ///< and in the world with it (only when the study asks who is in front)
@@ -73,8 +73,8 @@ class ObjectOnRays {
 
 /// One object's part of a tile; only tiles that it is seen or hidden in have one.
 struct ObjectTile {
-  std::array<std::vector<ObjectSums>, 2> halves;
-  std::vector<GuideSums> guides;
+  std::array<std::vector<ObjectPixel>, 2> halves;
+  std::vector<SeenSurface> guides;
   /// Of each block. Only when the study asks who is in front.
   std::array<ObjectOnRays, 4> on_rays;
 
@@ -87,8 +87,8 @@ struct ObjectTile {
 /// All sums of a scene, its worlds and its objects.
 struct SceneSums {
   TileGrid grid;
-  std::array<std::vector<WorldSums>, 2> halves;  ///< row by row
-  std::array<std::vector<GuideSums>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
+  std::array<std::vector<WorldPixel>, 2> halves;   ///< row by row
+  std::array<std::vector<SeenSurface>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
   std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
   std::vector<int> spp;                                             ///< of each block, even
   RayCounts counts;

@@ -7,7 +7,7 @@
 namespace seamline::renderer {
 
 /// An unbiased reference that is noisy itself: the same picture from two independent halves of its samples,
-/// linear radiance (`compose_half` of the `path` estimator's layers).
+/// linear radiance (`compose_half` of the `path` estimator's sums).
 using ReferenceHalves = std::array<Image, 2>;
 
 /// The error of a finished picture against such a reference, without the reference's noise: the noises of

@@ -1,6 +1,9 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "renderer/common/sampler.h"
+#include "renderer/tracing/ray.h"
+
 namespace seamline::renderer {
 
 /// A pinhole camera at the origin of the renderer's frame (everything is recentred on it), axes of the world.
@@ -23,5 +26,17 @@ struct Camera {
     return direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
   }
 };
+
+/// The camera ray of one sample of a pixel.
+[[nodiscard]] inline Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler) {
+  const Eigen::Array2f jitter = sampler.point(dimension::pixel);
+  return {Eigen::Vector3f::Zero(),
+          camera.direction(static_cast<float>(x) + jitter[0], static_cast<float>(y) + jitter[1])};
+}
+
+/// The camera ray through the centre of a pixel.
+[[nodiscard]] inline Ray centre_ray(const Camera& camera, int x, int y) {
+  return {Eigen::Vector3f::Zero(), camera.centre_direction(x, y)};
+}
 
 }  // namespace seamline::renderer

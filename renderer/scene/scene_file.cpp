@@ -91,9 +91,9 @@ class NodeWalker {
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = fmt::format("meshes[{}].primitives[{}]", node.mesh, p);
       take(placed_meshes_, 1, limits::largest_scene_meshes, "placed meshes", where);
-      FileMesh part = read_primitive(mesh.primitives[p], world, where);
-      part.name = !node.name.empty() ? node.name : (!mesh.name.empty() ? mesh.name : where);
-      if (!part.triangles.empty()) out_.meshes.push_back(std::move(part));
+      FileMesh piece = read_primitive(mesh.primitives[p], world, where);
+      piece.name = !node.name.empty() ? node.name : (!mesh.name.empty() ? mesh.name : where);
+      if (!piece.triangles.empty()) out_.meshes.push_back(std::move(piece));
     }
   }
 
@@ -106,50 +106,50 @@ class NodeWalker {
 
   FileMesh read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
                           const std::string& where) {
-    FileMesh part;
+    FileMesh piece;
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
         mode != TINYGLTF_MODE_TRIANGLE_FAN)
-      return part;
+      return piece;
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) throw bad(where, "an attribute POSITION", "none");
     take(placed_vertices_, reader_.count(position->second), limits::largest_scene_vertices, "placed vertices",
          where + ".POSITION");
-    part.positions_m = reader_.vectors(position->second, where + ".POSITION");
-    for (Eigen::Vector3d& vertex : part.positions_m) vertex = world * vertex;
+    piece.positions_m = reader_.vectors(position->second, where + ".POSITION");
+    for (Eigen::Vector3d& vertex : piece.positions_m) vertex = world * vertex;
     if (const auto normal = primitive.attributes.find("NORMAL"); normal != primitive.attributes.end())
-      read_normals(normal->second, world, where, part);
+      read_normals(normal->second, world, where, piece);
     std::vector<std::uint32_t> indices;
     const std::int64_t corners = primitive.indices >= 0 ? reader_.count(primitive.indices)
-                                                        : static_cast<std::int64_t>(part.positions_m.size());
+                                                        : static_cast<std::int64_t>(piece.positions_m.size());
     take(placed_triangles_, mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners,
          limits::largest_scene_triangles, "placed triangles", where);
     if (primitive.indices >= 0) {
       indices = reader_.indices(primitive.indices, where + ".indices");
     } else {
-      for (std::size_t i = 0; i < part.positions_m.size(); ++i)
+      for (std::size_t i = 0; i < piece.positions_m.size(); ++i)
         indices.push_back(static_cast<std::uint32_t>(i));
     }
     for (const std::uint32_t index : indices)
-      if (index >= part.positions_m.size())
-        throw bad(where + ".indices", fmt::format("indices under {}", part.positions_m.size()),
+      if (index >= piece.positions_m.size())
+        throw bad(where + ".indices", fmt::format("indices under {}", piece.positions_m.size()),
                   std::to_string(index));
-    part.triangles = triangles_of(indices, mode);
-    if (primitive.material >= 0) read_material(primitive.material, where, part);
-    return part;
+    piece.triangles = triangles_of(indices, mode);
+    if (primitive.material >= 0) read_material(primitive.material, where, piece);
+    return piece;
   }
 
-  void read_normals(int accessor, const Eigen::Affine3d& world, const std::string& where, FileMesh& part) {
-    if (reader_.count(accessor) != static_cast<std::int64_t>(part.positions_m.size()))
+  void read_normals(int accessor, const Eigen::Affine3d& world, const std::string& where, FileMesh& piece) {
+    if (reader_.count(accessor) != static_cast<std::int64_t>(piece.positions_m.size()))
       throw bad(where + ".NORMAL", "as many normals as positions", std::to_string(reader_.count(accessor)));
     const std::vector<Eigen::Vector3d> normals = reader_.vectors(accessor, where + ".NORMAL");
     const Eigen::Matrix3d linear = world.linear();
     const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
                                       linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
                                          .finished();
-    part.normals.reserve(normals.size());
+    piece.normals.reserve(normals.size());
     for (const Eigen::Vector3d& normal : normals)
-      part.normals.push_back((cofactor * normal).normalized().cast<float>());
+      piece.normals.push_back((cofactor * normal).normalized().cast<float>());
   }
 
   static std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& indices, int mode) {
@@ -169,19 +169,20 @@ class NodeWalker {
     return triangles;
   }
 
-  void read_material(int index, const std::string& where, FileMesh& part) {
+  void read_material(int index, const std::string& where, FileMesh& piece) {
     if (static_cast<std::size_t>(index) >= model_.materials.size())
       throw bad(where, "a material that exists", std::to_string(index));
     const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(index)];
     const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
-    if (base.size() >= 3) part.albedo = Rgb(base[0], base[1], base[2]).max(0.0F).min(1.0F);
+    if (base.size() >= 3) piece.albedo = Rgb(base[0], base[1], base[2]).max(0.0F).min(1.0F);
     double factor = 1;
     if (const auto strength = material.extensions.find("KHR_materials_emissive_strength");
         strength != material.extensions.end() && strength->second.Has("emissiveStrength"))
       factor = strength->second.Get("emissiveStrength").GetNumberAsDouble();
     if (material.emissiveFactor.size() == 3) {
-      part.emission = Rgb(material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]);
-      part.emission *= static_cast<float>(factor);
+      piece.emission =
+          Rgb(material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]);
+      piece.emission *= static_cast<float>(factor);
       check_light(material.emissiveFactor, factor, "W/m2/sr", where + ".material.emissiveFactor");
     }
   }

@@ -2,15 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
-#include "renderer/scene/camera_ray.h"
+#include "renderer/scene/camera.h"
 
 namespace seamline::renderer {
 namespace {
 
-Eigen::AlignedBox3f bounds(const std::vector<std::shared_ptr<const Part>>& parts) {
+Eigen::AlignedBox3f bounds(const std::vector<std::shared_ptr<const SurfaceMesh>>& meshes) {
   Eigen::AlignedBox3f box;
-  for (const auto& part : parts)
-    for (const Eigen::Vector3f& vertex : part->positions_m) box.extend(vertex);
+  for (const auto& mesh : meshes)
+    for (const Eigen::Vector3f& vertex : mesh->positions_m) box.extend(vertex);
   return box;
 }
 
@@ -76,7 +76,7 @@ class ObjectMeter {
       measures_.shadow_on_shadow_px += 1;
     } else if (!truth_.occluded(*ray)) {
       measures_.shadow_px += 1;
-      measures_.shadow_px_by_surface[truth_.parts()[point.part]->name] += 1;
+      measures_.shadow_px_by_surface[truth_.meshes()[point.mesh]->name] += 1;
     }
   }
 

@@ -21,13 +21,13 @@ Rgb rgb(const std::array<double, 3>& values) {
 
 Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
                               Edges edges) const {
-  std::vector<std::shared_ptr<const Part>> parts;
-  if (with_background) parts = background;
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
+  if (with_background) meshes = background;
   for (const int index : object_indices) {
     const auto& object = objects[static_cast<std::size_t>(index - 1)];
-    parts.insert(parts.end(), object.begin(), object.end());
+    meshes.insert(meshes.end(), object.begin(), object.end());
   }
-  return Geometry(parts, edges);
+  return Geometry(meshes, edges);
 }
 
 Geometry TruthScene::geometry_without(int object_index) const {
@@ -52,34 +52,35 @@ Eigen::Affine3d object_placement(const ObjectDefinition& object) {
   return placement;
 }
 
-std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file, const Eigen::Affine3d& placement,
-                                                     const Eigen::Vector3d& centre_m, double default_albedo,
-                                                     int object_index) {
-  std::vector<std::shared_ptr<const Part>> parts;
+std::vector<std::shared_ptr<const SurfaceMesh>> place_meshes(const SceneFile& file,
+                                                             const Eigen::Affine3d& placement,
+                                                             const Eigen::Vector3d& centre_m,
+                                                             double default_albedo, int object_index) {
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
   const Eigen::Matrix3f rotation = placement.rotation().cast<float>();
-  for (const FileMesh& mesh : file.meshes) {
-    auto part = std::make_shared<Part>();
-    part->name = mesh.name;
-    part->object_index = object_index;
-    part->positions_m.reserve(mesh.positions_m.size());
-    for (const Eigen::Vector3d& vertex : mesh.positions_m) {
+  for (const FileMesh& from : file.meshes) {
+    auto mesh = std::make_shared<SurfaceMesh>();
+    mesh->name = from.name;
+    mesh->object_index = object_index;
+    mesh->positions_m.reserve(from.positions_m.size());
+    for (const Eigen::Vector3d& vertex : from.positions_m) {
       const Eigen::Vector3d place_m = placement * vertex - centre_m;
       if (!(place_m.array().abs() <= limits::farthest_place_m).all())
         throw input_error(
             {.file = file.file,
-             .field = "mesh \"" + mesh.name + "\"",
+             .field = "mesh \"" + from.name + "\"",
              .wanted = fmt::format("vertices within {:g} m of the camera", limits::farthest_place_m),
              .found = "one farther away"});
-      part->positions_m.push_back(place_m.cast<float>());
+      mesh->positions_m.push_back(place_m.cast<float>());
     }
-    part->normals.reserve(mesh.normals.size());
-    for (const Eigen::Vector3f& normal : mesh.normals) part->normals.push_back(rotation * normal);
-    part->triangles = mesh.triangles;
-    part->albedo = mesh.albedo.value_or(Rgb::Constant(static_cast<float>(default_albedo)));
-    part->emission = mesh.emission;
-    parts.push_back(std::move(part));
+    mesh->normals.reserve(from.normals.size());
+    for (const Eigen::Vector3f& normal : from.normals) mesh->normals.push_back(rotation * normal);
+    mesh->triangles = from.triangles;
+    mesh->albedo = from.albedo.value_or(Rgb::Constant(static_cast<float>(default_albedo)));
+    mesh->emission = from.emission;
+    meshes.push_back(std::move(mesh));
   }
-  return parts;
+  return meshes;
 }
 
 Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
@@ -152,15 +153,15 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
   scene.light = scene_light(definition, background);
   scene.background =
-      place_parts(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+      place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
     const SceneFile file = read_scene_file(object.path);
     if (file.meshes.empty())
       throw input_error(
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
-    scene.objects[i] = place_parts(file, object_placement(object), scene.camera_position_m, definition.albedo,
-                                   static_cast<int>(i) + 1);
+    scene.objects[i] = place_meshes(file, object_placement(object), scene.camera_position_m,
+                                    definition.albedo, static_cast<int>(i) + 1);
   }
   return scene;
 }

@@ -20,8 +20,8 @@ struct TruthScene {
   Eigen::Vector3d camera_position_m = Eigen::Vector3d::Zero();  ///< in the scene file's world
   Camera camera;
   Light light;
-  std::vector<std::shared_ptr<const Part>> background;
-  std::array<std::vector<std::shared_ptr<const Part>>, 3> objects;
+  std::vector<std::shared_ptr<const SurfaceMesh>> background;
+  std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
 
   /// Background and the objects listed (1 to 3): one Embree scene.
   [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
@@ -42,10 +42,11 @@ struct TruthScene {
                                   int height_px, Eigen::Vector3d& camera_position_m);
 
 /// Meshes of a file placed in the world and moved so that `centre_m` becomes the origin.
-[[nodiscard]] std::vector<std::shared_ptr<const Part>> place_parts(const SceneFile& file,
-                                                                   const Eigen::Affine3d& placement,
-                                                                   const Eigen::Vector3d& centre_m,
-                                                                   double default_albedo, int object_index);
+[[nodiscard]] std::vector<std::shared_ptr<const SurfaceMesh>> place_meshes(const SceneFile& file,
+                                                                           const Eigen::Affine3d& placement,
+                                                                           const Eigen::Vector3d& centre_m,
+                                                                           double default_albedo,
+                                                                           int object_index);
 
 /// position + Ry(yaw) Rx(pitch) Rz(roll) (scale * vertex).
 [[nodiscard]] Eigen::Affine3d object_placement(const ObjectDefinition& object);

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "renderer/scene/camera_ray.h"
+#include "renderer/scene/camera.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {

@@ -115,7 +115,7 @@ class ScenePlanner {
   }
 
   void bounce_filter() {
-    const bool ratio = any([](const Recipe& r) { return asks_depth_for_rest(r.answers); });
+    const bool ratio = any([](const Recipe& r) { return asks_depth_off_object(r.answers); });
     const bool made = choices().filters.size() > 1 || (ratio && choices().ratio_filter != no_filter);
     omit(made,
          {.name = "bounce_filter",
@@ -143,7 +143,7 @@ class ScenePlanner {
 
   void untouched_tiles() {
     const bool somewhere =
-        any([](const Recipe& r) { return r.keep == Keep::object_layer || !asks_depth_for_rest(r.answers); });
+        any([](const Recipe& r) { return r.keep == Keep::object_only || !asks_depth_off_object(r.answers); });
     omit(!choices().asks_untouched_tiles && somewhere,
          {.name = "untouched_tiles",
           .why = "the depth mesh is asked about the object only, so tiles without it need no answer",

@@ -188,15 +188,15 @@ class SetRenderer {
     const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
     const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
     const EstimatedStimulus made = estimator.stimulus(how, geometry, report(weights_.stimulus, id));
-    const Composite composite = compose(made.layers, Compositing::ratio, threads_);
+    const Composite composite = compose(made.sums, Compositing::ratio, threads_);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
     if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
     if (request_.layers)
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
-                   {estimator.truth(), made.layers, composite});
+                   {estimator.truth(), made.sums, composite});
     records_.finish(record, work.inputs);
-    timings_.add(id, watch.seconds(), made.layers.rays, made.worst_tile);
+    timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
     ++summary_.rendered;
   }
 

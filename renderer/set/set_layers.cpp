@@ -1,6 +1,6 @@
 #include "renderer/set/set_layers.h"
 
-#include "renderer/scene/camera_ray.h"
+#include "renderer/scene/camera.h"
 #include "support/files/atomic_file.h"
 
 namespace seamline::renderer {
@@ -45,8 +45,8 @@ void write_layers(const LayerTarget& target, const TruthScene& scene, const Geom
   const Image reference = reference_image(parts.truth);
   write_picture_exr(folder / "background.exr", background_image(parts.truth));
   write_picture_exr(folder / "reference.exr", reference);
-  write_picture_exr(folder / "with.exr", images.with);
-  write_picture_exr(folder / "without.exr", images.without);
+  write_picture_exr(folder / "with.exr", images.with_object);
+  write_picture_exr(folder / "without.exr", images.without_object);
   write_picture_exr(folder / "ratio.exr", parts.composite.ratio);
   write_picture_exr(folder / "matte.exr", matte_image(parts.truth));
   write_picture_exr(folder / "difference.exr", difference(parts.composite.picture, reference));

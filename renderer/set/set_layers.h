@@ -16,8 +16,8 @@ struct LayerTarget {
 
 /// Everything that one stimulus was made of.
 struct LayerSources {
-  const TruthLayers& truth;
-  const StimulusLayers& layers;
+  const TruthSums& truth;
+  const StimulusSums& layers;
   const Composite& composite;
 };
 

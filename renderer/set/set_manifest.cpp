@@ -3,8 +3,8 @@
 #include <set>
 
 #include "renderer/scene/truth_scene.h"
-#include "renderer/tracing/geometry.h"
-#include "renderer/transport/needed_light.h"
+#include "renderer/tracing/ray_device.h"
+#include "renderer/transport/light_facts.h"
 #include "support/files/assets.h"
 
 namespace seamline::renderer {

@@ -20,7 +20,7 @@ std::string click_map_picture(const std::string& truth) {
 ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stimulus,
                                 const StimulusPicture& picture) {
   require_numbers(picture.composite.picture, stimulus_id(stimulus));
-  const StimulusLayers& layers = picture.made.layers;
+  const StimulusSums& layers = picture.made.sums;
   ManifestStimulus record{.id = stimulus_id(stimulus),
                           .stimulus = stimulus,
                           .isolation = stimulus.isolation,

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "renderer/tracing/geometry.h"
+#include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"

@@ -108,11 +108,11 @@ class Measuring {
                                        {.albedo = scene.definition.albedo, .threads = threads_}));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
-      measure(record, scene.definition.exposure_ev, made.layers);
+      measure(record, scene.definition.exposure_ev, made.sums);
     }
   }
 
-  void measure(const ManifestStimulus& record, double exposure_ev, const StimulusLayers& reference) {
+  void measure(const ManifestStimulus& record, double exposure_ev, const StimulusSums& reference) {
     const ByteImage shown = read_manifest_picture(
         request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
     const TrueError error = true_error(

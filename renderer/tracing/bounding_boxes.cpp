@@ -6,11 +6,11 @@
 
 namespace seamline::renderer {
 
-BoundingBoxes::BoundingBoxes(std::span<const std::shared_ptr<const Part>> parts) {
+BoundingBoxes::BoundingBoxes(std::span<const std::shared_ptr<const SurfaceMesh>> meshes) {
   std::map<int, Box> of_object;
-  for (const auto& part : parts)
-    for (const Eigen::Vector3f& position_m : part->positions_m) {
-      Box& box = of_object.try_emplace(part->object_index).first->second;
+  for (const auto& mesh : meshes)
+    for (const Eigen::Vector3f& position_m : mesh->positions_m) {
+      Box& box = of_object.try_emplace(mesh->object_index).first->second;
       box.low_m = box.low_m.min(position_m.array());
       box.high_m = box.high_m.max(position_m.array());
     }

@@ -9,16 +9,16 @@
 
 namespace seamline::renderer {
 
-struct Part;
+struct SurfaceMesh;
 
 /// Boxes around the objects of a geometry, to tell most rays that miss them all without asking Embree: an
 /// object fills a small part of what a ray of the scene can meet.
 class BoundingBoxes {
  public:
   BoundingBoxes() = default;
-  /// A box for each object index of the parts. None at all when the origin, where the camera is, lies in one:
-  /// what surrounds the camera is met by most rays.
-  explicit BoundingBoxes(std::span<const std::shared_ptr<const Part>> parts);
+  /// A box for each object index of the meshes. None at all when the origin, where the camera is, lies in
+  /// one: what surrounds the camera is met by most rays.
+  explicit BoundingBoxes(std::span<const std::shared_ptr<const SurfaceMesh>> meshes);
 
   /// False only when the ray meets nothing; true when it may, and always where there are no boxes.
   [[nodiscard]] bool may_meet(const Ray& ray) const {

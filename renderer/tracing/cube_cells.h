@@ -79,7 +79,7 @@ inline CellRange range_of(const Face& face, const std::array<Eigen::Vector3d, 3>
 }
 
 /// How a triangle covers a cell.
-enum class Cover { none, part, centre };
+enum class Cover { none, some, centre };
 
 /// `inward` are the normals of the planes through the origin and each edge; inside the triangle no product
 /// with them is negative.
@@ -95,7 +95,7 @@ inline Cover cover(const Face& face, const std::array<Eigen::Vector3d, 3>& inwar
     if (at_centre >= 0) continue;
     if (at_centre + half_cell * (std::abs(n[face.column_axis]) + std::abs(n[face.row_axis])) < 0)
       return Cover::none;
-    covers = Cover::part;
+    covers = Cover::some;
   }
   return covers;
 }

@@ -5,19 +5,29 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <future>
 #include <new>
 #include <utility>
 
-#include "renderer/tracing/embree_handles.h"
 #include "renderer/tracing/quads.h"
+#include "renderer/tracing/ray_device.h"
 #include "renderer/tracing/ray_packet.h"
 #include "renderer/tracing/triangle_neighbours.h"
 #include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
+
+RTCDevice embree_device() {
+  return static_cast<RTCDevice>(RayDevice::instance().handle());
+}
+
+RTCScene as_scene(void* scene) {
+  return static_cast<RTCScene>(scene);
+}
 
 /// Adds a mesh of triangles or of quads to a scene, which copies it.
 template <std::size_t corners>
@@ -66,16 +76,35 @@ void set_ray(RTCRay& out, const Ray& ray) {
   out.flags = 0;
 }
 
+constexpr std::size_t left_over_size = 8;  ///< a packet
+
+/// Rays from the centre that the table of directions could not answer: they pass close to a hole.
+struct LeftOver {
+  std::array<Ray, left_over_size> rays;
+  std::array<std::size_t, left_over_size> index;
+  std::size_t count = 0;
+};
+
+/// A point of the local scene, which has geometric normals only.
+void set_surface_from_centre(const Eigen::Vector3f& normal, const SurfaceTable& surface, const Ray& ray,
+                             float distance_m, std::optional<SurfacePoint>& out) {
+  SurfacePoint& point = out.emplace();
+  point.distance_m = distance_m;
+  point.position_m = ray.direction * distance_m;
+  point.normal = point.geometric_normal = normal;
+  point.albedo = surface.albedo;
+}
+
 }  // namespace
 
-Geometry::Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edges)
-    : scene_(rtcNewScene(embree_device())), parts_(parts.begin(), parts.end()), boxes_(parts) {
+Geometry::Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, Edges edges)
+    : scene_(rtcNewScene(embree_device())), meshes_(meshes.begin(), meshes.end()), boxes_(meshes) {
   if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
-  for (const auto& part : parts_) {
-    attach(as_scene(scene_), part->positions_m, part->triangles, RTC_BUILD_QUALITY_HIGH);
-    surfaces_.push_back(surface_table(*part));
-    emits_ = emits_ || (part->emission > 0.0F).any();
+  for (const auto& mesh : meshes_) {
+    attach(as_scene(scene_), mesh->positions_m, mesh->triangles, RTC_BUILD_QUALITY_HIGH);
+    surfaces_.push_back(surface_table(*mesh));
+    emits_ = emits_ || (mesh->emission > 0.0F).any();
   }
   commit(as_scene(scene_));
 }
@@ -103,9 +132,9 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality
 
 std::int64_t Geometry::own_memory_bytes() const {
   std::size_t bytes = 0;
-  for (const auto& part : parts_)
-    bytes += part->positions_m.size() * sizeof(Eigen::Vector3f) +
-             part->normals.size() * sizeof(Eigen::Vector3f) + part->triangles.size() * sizeof(Triangle);
+  for (const auto& mesh : meshes_)
+    bytes += mesh->positions_m.size() * sizeof(Eigen::Vector3f) +
+             mesh->normals.size() * sizeof(Eigen::Vector3f) + mesh->triangles.size() * sizeof(Triangle);
   if (directions_)
     bytes += directions_->triangle_of_cell.size() * sizeof(std::uint32_t) +
              directions_->triangles.size() * sizeof(CentreTriangle);
@@ -119,7 +148,7 @@ Geometry::~Geometry() {
 Geometry::Geometry(Geometry&& other) noexcept
     : scene_(std::exchange(other.scene_, nullptr)),
       surfaces_(std::move(other.surfaces_)),
-      parts_(std::move(other.parts_)),
+      meshes_(std::move(other.meshes_)),
       boxes_(std::move(other.boxes_)),
       directions_(std::move(other.directions_)),
       emits_(other.emits_) {}
@@ -194,6 +223,43 @@ void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m,
                                              ? std::numeric_limits<float>::infinity()
                                              : packet.ray.tfar[lane];
                        });
+}
+
+void Geometry::nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
+                                   RayCounts* counts) const {
+  if (!directions_) return nearest(rays, hits, Coherence::together, counts);
+  if (counts != nullptr) counts->traced += static_cast<std::int64_t>(rays.size());
+  std::uint32_t before = DirectionTable::nothing;
+  Eigen::Vector3f plane_per_m, normal;  // of that triangle
+  LeftOver left_over;
+  const auto trace_left_over = [&] {
+    std::array<std::optional<SurfacePoint>, left_over_size> found;
+    nearest(std::span(left_over.rays).first(left_over.count), std::span(found).first(left_over.count));
+    for (std::size_t k = 0; k < left_over.count; ++k) hits[left_over.index[k]] = found[k];
+    left_over.count = 0;
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    assert(rays[i].origin_m.isZero());
+    const std::uint32_t triangle = find_triangle(*directions_, rays[i].direction, before);
+    if (triangle == DirectionTable::not_found) {
+      left_over.rays[left_over.count] = rays[i];
+      left_over.index[left_over.count++] = i;
+      if (left_over.count == left_over_size) trace_left_over();
+      continue;
+    }
+    hits[i].reset();
+    if (triangle != DirectionTable::nothing && triangle != before) {
+      const CentreTriangle& seen = directions_->triangles[triangle];
+      plane_per_m = seen.plane_per_m;
+      normal = plane_per_m * -seen.plane_distance_m;  // towards the centre
+    }
+    before = triangle;
+    if (triangle == DirectionTable::nothing) continue;
+    const float distance_m = 1.0F / plane_per_m.dot(rays[i].direction);
+    if (distance_m > 0.0F && distance_m <= rays[i].far_m)
+      set_surface_from_centre(normal, surfaces_.front(), rays[i], distance_m, hits[i]);
+  }
+  if (left_over.count > 0) trace_left_over();
 }
 
 }  // namespace seamline::renderer

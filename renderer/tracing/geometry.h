@@ -12,7 +12,6 @@
 #include "renderer/tracing/direction_table.h"
 #include "renderer/tracing/mesh.h"
 #include "renderer/tracing/ray.h"
-#include "renderer/tracing/ray_counts.h"
 #include "renderer/tracing/surface_point.h"
 #include "support/arithmetic/colour.h"
 
@@ -41,32 +40,12 @@ enum class TreeQuality {
   for_few_rays  ///< built in a third of the time
 };
 
-/// The process-wide Embree device.
-class RayDevice {
- public:
-  RayDevice();
-  ~RayDevice();
-  RayDevice(const RayDevice&) = delete;
-  RayDevice& operator=(const RayDevice&) = delete;
-  /// The instruction set that Embree was told to use, e.g. "avx2"; recorded in manifests, because it changes
-  /// last bits.
-  [[nodiscard]] static std::string instruction_set();
-  [[nodiscard]] static RayDevice& instance();
-  /// What all Embree scenes of the process take now, without the arrays they share.
-  [[nodiscard]] std::int64_t memory_bytes() const { return memory_bytes_; }
-  [[nodiscard]] void* handle() const { return device_; }
-
- private:
-  void* device_;
-  std::atomic<std::int64_t> memory_bytes_ = 0;
-};
-
 /// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from
 /// many threads. Every question adds its rays to `counts->traced`; without `counts` nobody counts them.
 class Geometry {
  public:
   /// Meshes of scene files.
-  explicit Geometry(std::span<const std::shared_ptr<const Part>> parts, Edges edges = Edges::tight);
+  explicit Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, Edges edges = Edges::tight);
   /// The local scene: geometric normals, one albedo, loose edges.
   Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality = TreeQuality::for_light);
   ~Geometry();
@@ -90,18 +69,18 @@ class Geometry {
   /// neighbour).
   void nearest_from_centre(std::span<const Ray> rays, std::span<std::optional<SurfacePoint>> hits,
                            RayCounts* counts = nullptr) const;
-  [[nodiscard]] std::span<const std::shared_ptr<const Part>> parts() const { return parts_; }
+  [[nodiscard]] std::span<const std::shared_ptr<const SurfaceMesh>> meshes() const { return meshes_; }
   /// Of the meshes it looks into itself and of the table of directions: what Embree's count leaves out.
   [[nodiscard]] std::int64_t own_memory_bytes() const;
-  /// Whether any part emits light.
+  /// Whether any mesh emits light.
   [[nodiscard]] bool emits() const { return emits_; }
 
  private:
   void* scene_ = nullptr;
-  std::vector<SurfaceTable> surfaces_;  ///< of each part
-  std::vector<std::shared_ptr<const Part>> parts_;
+  std::vector<SurfaceTable> surfaces_;  ///< of each mesh
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;
   BoundingBoxes boxes_;                       ///< of virtual objects without the scene around them
-  std::optional<DirectionTable> directions_;  ///< of the local scene's one part
+  std::optional<DirectionTable> directions_;  ///< of the local scene's one mesh
   bool emits_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace seamline::renderer {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// A triangle mesh with one diffuse material, in the renderer's frame (metres, centred on the camera).
-struct Part {
+struct SurfaceMesh {
   std::string name;
   int object_index = 0;  ///< 0 background, 1 left, 2 middle, 3 right
   std::vector<Eigen::Vector3f> positions_m;

@@ -1,9 +1,8 @@
-// Embree's device, which all scenes share.
+#include "renderer/tracing/ray_device.h"
+
 #include <embree3/rtcore.h>
 
 #include <stdexcept>
-
-#include "renderer/tracing/geometry.h"
 
 namespace seamline::renderer {
 

@@ -12,13 +12,13 @@ namespace {
 constexpr float relative_offset = 1e-5F;
 
 /// Whether shading normals say nothing that the triangles do not: walls, boxes.
-bool is_flat_shaded(const Part& part) {
-  return std::all_of(part.triangles.begin(), part.triangles.end(), [&](const Triangle& t) {
-    const Eigen::Vector3f& corner_m = part.positions_m[t[0]];
+bool is_flat_shaded(const SurfaceMesh& mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    const Eigen::Vector3f& corner_m = mesh.positions_m[t[0]];
     const Eigen::Vector3f across =
-        (part.positions_m[t[1]] - corner_m).cross(part.positions_m[t[2]] - corner_m).normalized();
+        (mesh.positions_m[t[1]] - corner_m).cross(mesh.positions_m[t[2]] - corner_m).normalized();
     return std::all_of(t.begin(), t.end(),
-                       [&](std::uint32_t v) { return std::abs(part.normals[v].dot(across)) > 1 - 1e-6F; });
+                       [&](std::uint32_t v) { return std::abs(mesh.normals[v].dot(across)) > 1 - 1e-6F; });
   });
 }
 
@@ -36,12 +36,12 @@ Eigen::Vector3f shading_normal(const SurfaceTable& surface, const SurfaceHit& hi
 
 }  // namespace
 
-SurfaceTable surface_table(const Part& part) {
-  return {.triangles = part.triangles.data(),
-          .normals = part.normals.empty() || is_flat_shaded(part) ? nullptr : part.normals.data(),
-          .albedo = part.albedo,
-          .emission = part.emission,
-          .object_index = part.object_index};
+SurfaceTable surface_table(const SurfaceMesh& mesh) {
+  return {.triangles = mesh.triangles.data(),
+          .normals = mesh.normals.empty() || is_flat_shaded(mesh) ? nullptr : mesh.normals.data(),
+          .albedo = mesh.albedo,
+          .emission = mesh.emission,
+          .object_index = mesh.object_index};
 }
 
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,
@@ -56,7 +56,7 @@ void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& 
   point.albedo = surface.albedo;
   point.emission = surface.emission;
   point.object_index = surface.object_index;
-  point.part = hit.part;
+  point.mesh = hit.mesh;
 }
 
 Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction) {

@@ -1,6 +1,9 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "renderer/tracing/mesh.h"
@@ -9,7 +12,8 @@
 
 namespace seamline::renderer {
 
-struct Part;
+inline constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
+inline constexpr float endless = std::numeric_limits<float>::infinity();
 
 /// A point on a surface as light sees it. Both normals are on the side the ray came from: surfaces are
 /// two-sided.
@@ -21,11 +25,11 @@ struct SurfacePoint {
   Rgb albedo = Rgb::Zero();
   Rgb emission = Rgb::Zero();
   int object_index = 0;
-  std::uint32_t part = 0;
+  std::uint32_t mesh = 0;
 };
 
-/// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera (DESIGN
-/// section 4), on the side that `direction` goes to.
+/// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera
+/// (documentation/ design.md, section 6), on the side that `direction` goes to.
 [[nodiscard]] Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction);
 
 /// Whether a direction leaves the surface on the side it is seen from.
@@ -33,7 +37,18 @@ struct SurfacePoint {
   return point.geometric_normal.dot(direction) > 0.0F;
 }
 
-/// What a hit on a part needs to become a SurfacePoint, without a detour over the part.
+/// The ray that leaves a surface point, off the surface (see `ray_start`).
+[[nodiscard]] inline Ray leaving_ray(const SurfacePoint& point, const Eigen::Vector3f& direction,
+                                     float far_m) {
+  return {ray_start(point, direction), direction, far_m};
+}
+
+/// Cosine with the sun's direction, 0 when the sun is below the surface's horizon.
+[[nodiscard]] inline float sun_cosine(const SurfacePoint& point, const Eigen::Vector3f& to_sun) {
+  return above_horizon(point, to_sun) ? std::max(0.0F, point.normal.dot(to_sun)) : 0.0F;
+}
+
+/// What a hit on a mesh needs to become a SurfacePoint, without a detour over the mesh.
 struct SurfaceTable {
   const Triangle* triangles = nullptr;
   const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
@@ -41,13 +56,13 @@ struct SurfaceTable {
   int object_index = 0;
 };
 
-[[nodiscard]] SurfaceTable surface_table(const Part& part);
+[[nodiscard]] SurfaceTable surface_table(const SurfaceMesh& mesh);
 
 /// What the tracer says of a hit.
 struct SurfaceHit {
   Eigen::Vector3f normal;  ///< any length, either side
   float distance_m, u, v;
-  std::uint32_t triangle, part;
+  std::uint32_t triangle, mesh;
 };
 
 /// The surface that a ray hit.

@@ -32,9 +32,9 @@ Recipe mask_recipe(Artifact artifact) {
     case Artifact::all:
       return {everything_from_depth, Keep::everything};
     case Artifact::shadow:
-      return {everything_from_depth, Keep::object_layer};
+      return {everything_from_depth, Keep::object_only};
     case Artifact::overlap:
-      return {everything_from_depth, Keep::rest_layer};
+      return {everything_from_depth, Keep::all_but_object};
     case Artifact::bounce:
     case Artifact::none:
       return {table(artifact), Keep::everything};

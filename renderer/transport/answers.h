@@ -8,7 +8,8 @@ namespace seamline::renderer {
 /// Who answers a question that light asks of the real world.
 enum class Who { truth, depth };
 
-/// The table of DESIGN section 3: an artifact is a choice of who answers each of five questions.
+/// The table of documentation/design.md, section 1: an artifact is a choice of who answers each of five
+/// questions.
 struct Answers {
   Who receiver = Who::truth;    ///< 1: on which surface does the virtual shadow land
   Who real_lit = Who::truth;    ///< 2: is the real surface lit by sun and sky
@@ -26,7 +27,7 @@ struct Answers {
 };
 
 /// Whether the depth mesh answers anything about light on the real surfaces that the object does not cover.
-[[nodiscard]] inline bool asks_depth_for_rest(const Answers& answers) {
+[[nodiscard]] inline bool asks_depth_off_object(const Answers& answers) {
   return answers.receiver == Who::depth || answers.real_lit == Who::depth || answers.bounce == Who::depth;
 }
 
@@ -38,21 +39,21 @@ struct Answers {
 
 /// Whether the depth mesh decides how much light a real surface gets, so that its sheets can seal one in. As
 /// a receiver alone it only lends its points and normals.
-[[nodiscard]] inline bool depth_lights_rest(const Answers& answers) {
+[[nodiscard]] inline bool depth_lights_uncovered(const Answers& answers) {
   return answers.real_lit == Who::depth || answers.bounce == Who::depth;
 }
 
-/// Which layer of a composite is kept; the other comes from the reference.
-enum class Keep { everything, object_layer, rest_layer };
+/// Whose pixels a stimulus shows; the others come from the reference.
+enum class Keep { everything, object_only, all_but_object };
 
 struct Recipe {
   Answers answers;
   Keep keep = Keep::everything;
 };
 
-/// `query`: the table. `mask`: everything from the depth mesh, then for `shadow` only the object's layer is
-/// kept and for `overlap` only the rest (the paper's section 4.1.1); the reserved artifacts are as in
-/// `query`.
+/// `query`: the table. `mask`: everything from the depth mesh, then for `shadow` only the object is
+/// kept and for `overlap` only what it leaves uncovered (the paper's section 4.1.1); the reserved artifacts
+/// are as in `query`.
 [[nodiscard]] Recipe recipe(Artifact artifact, Isolation isolation);
 
 /// What any of the recipes asks of the depth mesh.

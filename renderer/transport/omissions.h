@@ -5,13 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/tracing/ray_counts.h"
+#include "renderer/tracing/ray.h"
 
 namespace seamline::renderer {
 
 /// What the fast estimator leaves out because a scene or stimulus does not need it; each can be turned off
-/// (`--no-omit NAME`) to see that the picture stays what the plan says. renderer/set/render_plan.h says where
-/// each applies and what it may change.
+/// (`--no-omit NAME`) to see that the picture changes no more than `--explain` says.
 struct Omissions {
   bool path_tails = true;       ///< the tail of a path is traced for every 4th sample only
   bool bounce_filter = true;    ///< bounce light is filtered instead of sampled more

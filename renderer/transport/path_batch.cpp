@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "renderer/tracing/leaving_ray.h"
+#include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 
@@ -69,7 +69,7 @@ void PathBatch::add_sky_of_first() {
   find_points(dimension::direction(0));
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& vertex = vertices_[i];
-    const bool joins_bounce = starts_[vertex.path].plan.sky_joins_bounce;
+    const bool joins_bounce = starts_[vertex.path].rules.sky_joins_bounce;
     const int rays = joins_bounce ? 1 : light_->sky_rays;
     const Rgb sky = vertex.throughput * light_->environment_radiance / static_cast<float>(rays);
     for (int number = goes_on ? 1 : 0; number < rays; ++number) {
@@ -85,10 +85,10 @@ void PathBatch::add_sky_of_first() {
 void PathBatch::thin_tails() {
   std::size_t left = 0;
   for (const Vertex& vertex : vertices_) {
-    const PathPlan& plan = starts_[vertex.path].plan;
-    if (!plan.has_tail) continue;
+    const PathRules& rules = starts_[vertex.path].rules;
+    if (!rules.has_tail) continue;
     vertices_[left] = vertex;
-    vertices_[left++].throughput *= plan.tail_weight;
+    vertices_[left++].throughput *= rules.tail_weight;
   }
   counts_.tails_traced += static_cast<std::int64_t>(left);
   counts_.tails_left_out += static_cast<std::int64_t>(vertices_.size() - left);
@@ -138,14 +138,14 @@ void PathBatch::go_on(int vertex) {
 
 /// What a path finds at the end of a ray that left its vertex.
 void PathBatch::meet(const Vertex& from, WorldSet set, const std::optional<SurfacePoint>& hit, int vertex) {
-  const PathPlan& plan = starts_[from.path].plan;
+  const PathRules& rules = starts_[from.path].rules;
   if (!hit) {
-    const bool direct = vertex == 0 && !plan.sky_joins_bounce;
+    const bool direct = vertex == 0 && !rules.sky_joins_bounce;
     const float rays = direct ? static_cast<float>(light_->sky_rays) : 1.0F;
     add(from.path, set, direct, from.throughput * light_->environment_radiance / rays);
     return;
   }
-  if (vertex == 0 && (set & plan.reach_of) != 0)
+  if (vertex == 0 && (set & rules.reach_of) != 0)
     found_[from.path].reach_m = std::min(found_[from.path].reach_m, hit->distance_m);
   if (emits_) add(from.path, set, false, from.throughput * hit->emission);
   if (vertex < light_->bounces)

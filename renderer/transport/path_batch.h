@@ -9,15 +9,15 @@ namespace seamline::renderer {
 
 /// How one path is traced. Its tail is what comes after the sun at its second surface: to save rays without
 /// bias only every few samples trace it, and then it counts as many times.
-struct PathPlan {
+struct PathRules {
   bool has_tail = true;
   float tail_weight = 1.0F;
   bool sky_joins_bounce = false;  ///< the sky at the first surface is added to the light that may be filtered
-  WorldSet reach_of = 0xFF;       ///< the worlds whose first hit counts as how far the first ray got
+  WorldSet reach_of = 0xFF;       ///< worlds by which `PathLight::reach_m` is measured
 };
 /// Every `tail_every`-th sample of each half has a tail.
-[[nodiscard]] inline PathPlan path_plan(const Sampler& sampler, int tail_every,
-                                        bool sky_joins_bounce = false) {
+[[nodiscard]] inline PathRules path_rules(const Sampler& sampler, int tail_every,
+                                          bool sky_joins_bounce = false) {
   return {.has_tail = sampler.turn(tail_every) == 0,
           .tail_weight = static_cast<float>(tail_every),
           .sky_joins_bounce = sky_joins_bounce};
@@ -28,7 +28,7 @@ struct PathStart {
   WorldSet set;  ///< the worlds in which the camera sees the point
   SurfacePoint point;
   Sampler sampler;
-  PathPlan plan = {};
+  PathRules rules = {};
 };
 
 /// What a path found.
@@ -36,7 +36,8 @@ struct PathLight {
   /// Radiance that the point sends to the camera, in the worlds that show it. The point's own emission counts
   /// as direct light, so that no filter of bounce light touches it.
   WorldLight light = {};
-  float reach_m = std::numeric_limits<float>::infinity();  ///< how far its first ray got
+  /// How far the first ray got, in those of `PathRules::reach_of` that show the point; infinity: to the sky.
+  float reach_m = std::numeric_limits<float>::infinity();
 };
 
 /// Many paths through several worlds, one sample each, followed together: at every vertex the rays of all

@@ -1,6 +1,6 @@
 #include "renderer/transport/transport.h"
 
-#include "renderer/tracing/leaving_ray.h"
+#include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 namespace {
@@ -70,15 +70,15 @@ Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, co
 RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
                           const Light& light, const Sampler& sampler, RayCounts* counts) {
   RadiancePair pair;
-  pair.no.direct = pair.with.direct = first.emission;
-  const World without{real, nullptr, counts};
-  const World with{real, object, counts};
-  const bool emits = with.emits();
+  pair.without_object.direct = pair.with_object.direct = first.emission;
+  const World world_without{real, nullptr, counts};
+  const World world_with{real, object, counts};
+  const bool emits = world_with.emits();
   SurfacePoint point = first;
   Rgb throughput = Rgb::Ones();
   for (int vertex = 0;; ++vertex) {
-    Rgb& no = vertex == 0 ? pair.no.direct : pair.no.bounce;
-    Rgb& with_object = vertex == 0 ? pair.with.direct : pair.with.bounce;
+    Rgb& without_object = vertex == 0 ? pair.without_object.direct : pair.without_object.bounce;
+    Rgb& with_object = vertex == 0 ? pair.with_object.direct : pair.with_object.bounce;
     throughput *= point.albedo;
     for (const Sun& sun : light.suns) {
       const Eigen::Vector3f to_sun = direction_to_sun(sun, sampler.point(dimension::sun(vertex)));
@@ -87,7 +87,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       const Ray ray = leaving_ray(point, to_sun, endless);
       if (real.occluded(ray, counts)) continue;
       const Rgb lit = throughput * sun.irradiance_w_m2 * (inverse_pi * cosine);
-      no += lit;
+      without_object += lit;
       if (object == nullptr || !object->occluded(ray, counts)) with_object += lit;
     }
     const Eigen::Vector3f direction =
@@ -97,7 +97,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     const Rgb sky = throughput * light.environment_radiance;
     if (vertex >= light.bounces && !emits) {
       if (leaves_out_sky(light, counts) || real.occluded(ray, counts)) return pair;
-      no += sky;
+      without_object += sky;
       if (object == nullptr || !object->occluded(ray, counts)) with_object += sky;
       return pair;
     }
@@ -107,19 +107,19 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
         object == nullptr ? std::nullopt : object->nearest(ray, counts);
     if (object_hit) {  // here the two paths part
       if (hit)
-        pair.no.bounce += throughput * arriving(without, *hit, light, sampler, vertex);
+        pair.without_object.bounce += throughput * arriving(world_without, *hit, light, sampler, vertex);
       else
-        no += sky;
-      pair.with.bounce += throughput * arriving(with, *object_hit, light, sampler, vertex);
+        without_object += sky;
+      pair.with_object.bounce += throughput * arriving(world_with, *object_hit, light, sampler, vertex);
       return pair;
     }
     if (!hit) {
-      no += sky;
+      without_object += sky;
       with_object += sky;
       return pair;
     }
-    pair.no.bounce += throughput * hit->emission;
-    pair.with.bounce += throughput * hit->emission;
+    pair.without_object.bounce += throughput * hit->emission;
+    pair.with_object.bounce += throughput * hit->emission;
     if (vertex >= light.bounces) return pair;
     point = *hit;
   }

@@ -27,15 +27,16 @@ struct Split {
 };
 
 /// The same without and with the virtual object, from one coupled computation on the same path: they differ
-/// only by what the object does, so their ratio has far less noise than that of two renderings (DESIGN
-/// section 4).
+/// only by what the object does, so their ratio has far less noise than that of two renderings
+/// (documentation/ design.md, section 2).
 struct RadiancePair {
-  Split no;
-  Split with;
+  Split without_object;
+  Split with_object;
 };
 
 /// A point from which real geometry is asked. For a point of the object that lies behind the depth mesh on
-/// its view ray, this is the depth mesh's own point, else the object's (DESIGN section 3).
+/// its view ray, this is the depth mesh's own point, else the object's (documentation/design.md,
+/// section 1).
 struct RealQuestion {
   const Geometry* geometry;
   const SurfacePoint* start;

@@ -17,8 +17,8 @@ using WorldSet = std::uint8_t;
 
 /// The worlds that differ by which virtual object is there: world 0 has all objects, world k (1 to 3) lacks
 /// object k. One computation serves all of them, because most paths meet no object and are the same in each;
-/// they part only where one does (DESIGN section 4: three backgrounds and the reference of a scene rendered
-/// jointly).
+/// they part only where one does (documentation/design.md, section 3: three backgrounds and the reference of
+/// a scene rendered jointly).
 struct Worlds {
   const Geometry* room = nullptr;              ///< what is in every world
   const Geometry* objects = nullptr;           ///< all objects together
@@ -43,13 +43,13 @@ struct Worlds {
       return;
     }
     const int lacking = world_without(*object);
-    const WorldSet rest = set & only_world(lacking);
-    if (set != rest) meet(static_cast<WorldSet>(set & ~rest), object);
-    if (rest == 0) return;
+    const WorldSet lacking_it = set & only_world(lacking);
+    if (set != lacking_it) meet(static_cast<WorldSet>(set & ~lacking_it), object);
+    if (lacking_it == 0) return;
     const Geometry* others_there = others[static_cast<std::size_t>(lacking - 1)];
     const std::optional<SurfacePoint> other =
         others_there != nullptr ? others_there->nearest(ray, counts) : std::nullopt;
-    meet(rest, other ? other : room_hit);
+    meet(lacking_it, other ? other : room_hit);
   }
 
   /// The world that lacks the object a point lies on.

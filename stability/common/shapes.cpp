@@ -7,7 +7,7 @@ namespace seamline::stability {
 
 PartPointer shape_of(std::vector<Eigen::Vector3f> positions_m, std::vector<Triangle> triangles,
                      const Matter& matter) {
-  auto part = std::make_shared<Part>();
+  auto part = std::make_shared<SurfaceMesh>();
   part->name = "shape";
   part->positions_m = std::move(positions_m);
   part->triangles = std::move(triangles);

@@ -11,7 +11,7 @@ namespace seamline::stability {
 
 // Shapes whose light is known by hand, in the renderer's frame.
 
-using PartPointer = std::shared_ptr<const Part>;
+using PartPointer = std::shared_ptr<const SurfaceMesh>;
 
 /// What a shape is made of.
 struct Matter {

@@ -1,28 +1,28 @@
 #include "stability/common/small_render.h"
 
 #include "renderer/depth/capture.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "stability/common/namespaces.h"
 
 namespace seamline::stability {
 
-Composite compose_as_product(const StimulusLayers& layers) {
-  return compose(layers);
+Composite compose_as_product(const StimulusSums& sums) {
+  return compose(sums);
 }
 
 SmallPicture render_small(const TruthScene& scene, const SmallRender& how) {
   const ObjectGeometry geometry = object_geometry(scene, 1);
   const PassOptions pass{.spp = how.spp, .seed = how.seed, .threads = how.threads};
-  const TruthLayers truth = render_truth(scene, geometry, pass);
+  const TruthSums truth = render_truth(scene, geometry, pass);
   const Geometry depth(build_depth_mesh(capture_depth(geometry.truth, how.depth_width_px, 0, how.threads),
                                         {.threads = how.threads}),
                        Rgb::Constant(static_cast<float>(scene.definition.albedo)));
   SmallPicture picture{
-      .layers = render_stimulus(scene, geometry, &depth, truth, recipe(how.artifact, how.isolation), pass),
+      .sums = render_stimulus(scene, geometry, &depth, truth, recipe(how.artifact, how.isolation), pass),
       .composite = {},
       .background = background_image(truth),
       .reference = reference_image(truth)};
-  picture.composite = how.compose(picture.layers);
+  picture.composite = how.compose(picture.sums);
   return picture;
 }
 

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "renderer/depth/depth_mesh.h"
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/picture/composite.h"
 #include "stability/common/namespaces.h"
 #include "stimuli/definition/artifact.h"
@@ -10,8 +10,8 @@
 namespace seamline::stability {
 
 /// How a finished stimulus is made of its sums; the product's is `compose`.
-using ComposeRule = std::function<Composite(const StimulusLayers&)>;
-[[nodiscard]] Composite compose_as_product(const StimulusLayers& layers);
+using ComposeRule = std::function<Composite(const StimulusSums&)>;
+[[nodiscard]] Composite compose_as_product(const StimulusSums& sums);
 
 /// A small picture of a scene's left object, by the path estimator and a depth mesh of the scene.
 struct SmallRender {
@@ -25,7 +25,7 @@ struct SmallRender {
 };
 
 struct SmallPicture {
-  StimulusLayers layers;
+  StimulusSums sums;
   Composite composite;
   Image background, reference;
 };

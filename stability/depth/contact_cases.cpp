@@ -42,7 +42,8 @@ Finding try_contact(float gap_m) {
       const auto point = floor.nearest({Eigen::Vector3f::Zero(), aim.normalized().cast<float>()});
       if (!point || std::abs(point->position_m.x()) > 0.42F) continue;
       ++paths;
-      lit += leaving_pair(floor, &box, *point, light, Sampler(1, i, 0, 0)).with.total().abs().sum() != 0.0F
+      lit += leaving_pair(floor, &box, *point, light, Sampler(1, i, 0, 0)).with_object.total().abs().sum() !=
+                     0.0F
                  ? 1
                  : 0;
     }
@@ -82,10 +83,11 @@ Finding try_white_ball() {
     const auto point = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(p[0], p[1], -1).normalized()});
     if (!point) continue;
     ++paths;
-    error =
-        worse(error,
-              relative_error(
-                  static_cast<double>(leaving_pair(ball, nullptr, *point, light, sampler).no.total()[1]), 1));
+    error = worse(
+        error,
+        relative_error(static_cast<double>(
+                           leaving_pair(ball, nullptr, *point, light, sampler).without_object.total()[1]),
+                       1));
   }
   return {error, fmt::format("{} paths", paths)};
 }

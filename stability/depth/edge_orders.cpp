@@ -1,5 +1,5 @@
 // Orders of the picture's error where an edge lies in the wrong place.
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "stability/common/namespaces.h"
 #include "stability/common/orders.h"
 #include "stability/common/shapes.h"

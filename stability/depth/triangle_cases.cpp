@@ -76,7 +76,7 @@ Finding try_needles(float width_m, int threads) {
   const SmallPicture with = render_room(scene, threads);
   if (const int wrong = pixels_out_of_range(with.composite.picture, 1e6); wrong > 0)
     return {nan, fmt::format("{} pixels that are no numbers", wrong)};
-  const double noise = estimated_noise(usual.layers, 0).value();
+  const double noise = estimated_noise(usual.sums, 0).value();
   const double difference = display_rmse(usual.reference, with.reference, 0);
   return {difference / noise,
           fmt::format("differs by {:.2g} where the noise is {:.2g} (display units)", difference, noise)};
@@ -87,7 +87,7 @@ Finding try_broken_normals(int threads) {
   const SmallPicture usual = render_room(scene, threads);
   int changed = 0;
   for (const float broken : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
-    auto ball = std::make_shared<Part>(*room().object[0]);
+    auto ball = std::make_shared<SurfaceMesh>(*room().object[0]);
     ball->normals.assign(ball->positions_m.size(), Eigen::Vector3f::Constant(broken));
     scene.object = {ball};
     changed += changed_pixels(usual.reference, render_room(scene, threads).reference);
@@ -96,7 +96,7 @@ Finding try_broken_normals(int threads) {
 }
 
 Finding try_coincident(int triangles) {
-  auto part = std::make_shared<Part>();
+  auto part = std::make_shared<SurfaceMesh>();
   part->positions_m = {{-9, -9, -5}, {9, -9, -5}, {0, 9, -5}};
   part->triangles.assign(static_cast<std::size_t>(triangles), Triangle{0, 1, 2});
   try {

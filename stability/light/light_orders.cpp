@@ -46,24 +46,25 @@ std::vector<std::pair<double, double>> errors(const Estimate& estimate, double t
 
 double radiance(const HalfHidden& scene, const std::function<Sampler(int sample)>& sampler, int samples) {
   double sum = 0;
-  for (int i = 0; i < samples; ++i) sum += static_cast<double>(scene.sample(sampler(i)).no.total()[1]);
+  for (int i = 0; i < samples; ++i)
+    sum += static_cast<double>(scene.sample(sampler(i)).without_object.total()[1]);
   return sum / samples;
 }
 
 /// The ratio of one pixel whose samples are independent points.
 double ratio(const HalfHidden& scene, std::uint64_t seed, int repeat, int samples) {
-  StimulusLayers layers{.width_px = 1, .height_px = 1, .spp = samples};
-  for (auto& half : layers.halves) half.resize(1);
-  layers.guides.resize(1);
+  StimulusSums sums{.width_px = 1, .height_px = 1, .spp = samples};
+  for (auto& half : sums.halves) half.resize(1);
+  sums.guides.resize(1);
   for (int i = 0; i < samples; ++i) {
     const RadiancePair pair = scene.sample(Sampler(seed, repeat * samples + i, 0, 0));
-    StimulusSums& sums = layers.halves[static_cast<std::size_t>(i % 2)][0];
-    sums.background += pair.no.total();
-    sums.no += pair.no.total();
-    sums.with += pair.with.total();
-    sums.rest += 1;
+    StimulusPixel& pixel = sums.halves[static_cast<std::size_t>(i % 2)][0];
+    pixel.background += pair.without_object.total();
+    pixel.without_object += pair.without_object.total();
+    pixel.with_object += pair.with_object.total();
+    pixel.uncovered_surfaces += 1;
   }
-  return static_cast<double>(compose(layers).ratio.at(0, 0));
+  return static_cast<double>(compose(sums).ratio.at(0, 0));
 }
 
 constexpr int long_run = 1 << 20;

@@ -73,7 +73,7 @@ Finding try_closed_sphere(const ClosedSphere& sphere) {
     const Sampler sampler(3, i, 0, 0);
     const RadiancePair pair = leaving_pair(furnace.wall, sphere.object_inside ? &furnace.object : nullptr,
                                            first_hit(furnace, sampler), furnace.light, sampler);
-    for (const Split& split : {pair.no, pair.with}) {
+    for (const Split& split : {pair.without_object, pair.with_object}) {
       last = static_cast<double>(split.total()[1]);
       error = worse(error, relative_error(last, expected_radiance(sphere)));
     }

@@ -11,19 +11,19 @@ namespace {
 constexpr int side = 4;
 
 /// Every pixel lit by 2, on surfaces that have nothing in common, so that no pocket borrows from another.
-StimulusLayers bright_layers(float light = 2.0F) {
-  StimulusLayers layers{.width_px = side, .height_px = side, .spp = 2};
-  layers.depth_lights_rest = true;
-  for (auto& half : layers.halves) half.resize(side * side);
+StimulusSums bright_layers(float light = 2.0F) {
+  StimulusSums sums{.width_px = side, .height_px = side, .spp = 2};
+  sums.depth_lights_uncovered = true;
+  for (auto& half : sums.halves) half.resize(side * side);
   for (int i = 0; i < side * side; ++i) {
-    layers.guides.push_back({Eigen::Vector3f(static_cast<float>(i % 3 == 0), static_cast<float>(i % 3 == 1),
-                                             static_cast<float>(i % 3 == 2)),
-                             1.0F + 10.0F * static_cast<float>(i)});
-    StimulusSums& pixel = layers.halves[0][static_cast<std::size_t>(i)];
-    pixel.rest = 2;
-    pixel.background = pixel.no = pixel.with = Rgb::Constant(light);
+    sums.guides.push_back({Eigen::Vector3f(static_cast<float>(i % 3 == 0), static_cast<float>(i % 3 == 1),
+                                           static_cast<float>(i % 3 == 2)),
+                           1.0F + 10.0F * static_cast<float>(i)});
+    StimulusPixel& pixel = sums.halves[0][static_cast<std::size_t>(i)];
+    pixel.uncovered_surfaces = 2;
+    pixel.background = pixel.without_object = pixel.with_object = Rgb::Constant(light);
   }
-  return layers;
+  return sums;
 }
 
 /// Largest difference of two pictures.
@@ -48,21 +48,21 @@ StabilityCase denominator_case(const std::string& name, float denominator, const
 }  // namespace
 
 Finding try_denominator(float denominator, const ComposeRule& rule) {
-  StimulusLayers layers = bright_layers();
+  StimulusSums sums = bright_layers();
   for (const std::size_t dark : {5U, 10U}) {
-    layers.halves[0][dark].no = Rgb::Constant(denominator);
-    layers.halves[0][dark].with = Rgb::Constant(dark == 5 ? 0.0F : 1e-3F);
+    sums.halves[0][dark].without_object = Rgb::Constant(denominator);
+    sums.halves[0][dark].with_object = Rgb::Constant(dark == 5 ? 0.0F : 1e-3F);
   }
-  const Composite composite = rule(layers);
+  const Composite composite = rule(sums);
   const double error =
       largest_difference(composite.picture.values, std::vector<float>(side * side * 3, 1.0F));
   return {error, fmt::format("pixels {:g} and {:g}", composite.picture.at(1, 1), composite.picture.at(2, 2))};
 }
 
 Finding try_brightened(float brighter, const ComposeRule& rule) {
-  StimulusLayers layers = bright_layers();
-  layers.halves[0][5].with = Rgb::Constant(2.0F * brighter);
-  const double ratio = static_cast<double>(rule(layers).ratio.at(1, 1));
+  StimulusSums sums = bright_layers();
+  sums.halves[0][5].with_object = Rgb::Constant(2.0F * brighter);
+  const double ratio = static_cast<double>(rule(sums).ratio.at(1, 1));
   return {std::abs(ratio - 4), fmt::format("ratio {:g}", ratio)};
 }
 
@@ -70,23 +70,23 @@ Finding try_unchanged(const ComposeRule& rule) {
   double error = 0;
   int tried = 0;
   for (int power = -38; power <= 30; power += 2, ++tried) {
-    StimulusLayers layers = bright_layers();
-    layers.halves[0][5].no = layers.halves[0][5].with =
+    StimulusSums sums = bright_layers();
+    sums.halves[0][5].without_object = sums.halves[0][5].with_object =
         Rgb::Constant(std::pow(10.0F, static_cast<float>(power)));
     error = worse(error,
-                  largest_difference(rule(layers).picture.values, std::vector<float>(side * side * 3, 1.0F)));
+                  largest_difference(rule(sums).picture.values, std::vector<float>(side * side * 3, 1.0F)));
   }
   return {error, fmt::format("{} strengths", tried)};
 }
 
 Finding try_exposures(const ComposeRule& rule) {
   const auto ratios = [&](int power) {
-    StimulusLayers layers = bright_layers(std::ldexp(2.0F, power));
-    layers.halves[0][5].with *= 0.3F;
-    layers.halves[0][6].no *= 0.05F;  // sealed: the photograph is bright there
-    layers.halves[0][6].with *= 0.01F;
-    layers.halves[0][9].with *= 3.1F;
-    return rule(layers).ratio.values;
+    StimulusSums sums = bright_layers(std::ldexp(2.0F, power));
+    sums.halves[0][5].with_object *= 0.3F;
+    sums.halves[0][6].without_object *= 0.05F;  // sealed: the photograph is bright there
+    sums.halves[0][6].with_object *= 0.01F;
+    sums.halves[0][9].with_object *= 3.1F;
+    return rule(sums).ratio.values;
   };
   const std::vector<float> at_1 = ratios(0);
   double error = 0;

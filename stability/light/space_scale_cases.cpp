@@ -60,7 +60,7 @@ StabilityCase root_case(const std::string& name, const RootNode& root, const std
 Finding try_root_node(const RootNode& root, int threads, const LoadRule& load) {
   const SmallPicture usual = render_corner({}, threads, load_truth_scene);
   const SmallPicture moved = render_corner(root, threads, load);
-  const double noise = estimated_noise(usual.layers, 0).value();
+  const double noise = estimated_noise(usual.sums, 0).value();
   const double difference = display_rmse(usual.composite.picture, moved.composite.picture, 0);
   return {difference / noise,
           fmt::format("differs by {:.2g} where the noise is {:.2g} (display units)", difference, noise)};

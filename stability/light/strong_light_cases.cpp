@@ -76,7 +76,7 @@ Finding try_far_products() {
         ObjectDefinition object;
         object.scale = scale;
         object.position_m = {away_m, 0, 0};
-        (void)place_parts(file, object_placement(object), {0, -away_m, 0}, 0.5, 1);
+        (void)place_meshes(file, object_placement(object), {0, -away_m, 0}, 0.5, 1);
       });
   return count_accepted(attempts, "placements");
 }
@@ -181,7 +181,7 @@ Finding try_strongest_light(Estimator estimator, int threads) {
   for (const Artifact artifact : {Artifact::none, Artifact::receiver, Artifact::all}) {
     const EstimatedStimulus made =
         estimating->stimulus(recipe(artifact, Isolation::query), &depth.geometry, {});
-    count(compose(made.layers).picture);
+    count(compose(made.sums).picture);
     wrong += made.rmse && std::isfinite(*made.rmse) ? 0 : 1;
   }
   return {static_cast<double>(wrong), fmt::format("{} of {} values and errors are no number", wrong, values)};

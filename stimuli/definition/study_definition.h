@@ -131,7 +131,7 @@ struct ConditionDefinition {
   std::vector<SceneDefinition> scenes;  ///< the study's, with this condition's light
 };
 
-/// A whole study: everything that decides what people are shown. Defaults are those of DESIGN section 6.
+/// A whole study: everything that decides what people are shown. Defaults are the paper's where it has any.
 struct StudyDefinition {
   std::string name;
   std::filesystem::path file;  ///< where it was read from

@@ -9,7 +9,7 @@
 namespace seamline::renderer {
 namespace {
 
-using Parts = std::vector<std::shared_ptr<const Part>>;
+using Parts = std::vector<std::shared_ptr<const SurfaceMesh>>;
 
 Parts three_objects() {
   return {test::sphere({2, 0, -3}, 0.7F, 16, 0.5F, 1), test::box({-3, -1, -4}, {-2, 1, -3}, 0.5F, 2),

@@ -1,10 +1,11 @@
-// The three laws of DESIGN section 3 on the built-in scenes, small pictures, both isolations.
+// Three laws of the pixel (documentation/design.md, section 2) on the built-in scenes, small pictures, both
+// isolations.
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "renderer/depth/capture.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "renderer/picture/composite.h"
 #include "stimuli/pictures/difference.h"
 #include "stimuli/study_file/study_file.h"
@@ -25,12 +26,12 @@ class Bench {
       : scene_(load_truth_scene(definition, picture_width_px, picture_height_px)),
         geometry_(object_geometry(scene_, object_index)) {}
 
-  [[nodiscard]] TruthLayers truth(std::uint64_t seed, int spp) const {
+  [[nodiscard]] TruthSums truth(std::uint64_t seed, int spp) const {
     return render_truth(scene_, geometry_, {.spp = spp, .seed = seed, .threads = threads});
   }
 
   [[nodiscard]] Composite composite(Artifact artifact, Isolation isolation, int depth_width_px,
-                                    const TruthLayers& truth, std::uint64_t seed) {
+                                    const TruthSums& truth, std::uint64_t seed) {
     const Recipe how = recipe(artifact, isolation);
     const Geometry* depth = how.answers.needs_depth() ? &depth_of(depth_width_px) : nullptr;
     return compose(render_stimulus(scene_, geometry_, depth, truth, how,
@@ -59,7 +60,7 @@ class Bench {
 
 /// Pixels where an artifact may show: the object for `shadow`, off the object for `receiver` and `overlap`,
 /// all for `occlusion`.
-Image region(Artifact artifact, const TruthLayers& truth) {
+Image region(Artifact artifact, const TruthSums& truth) {
   Image mask = matte_image(truth);
   for (float& value : mask.values) {
     const bool covered = value > 0.5F;
@@ -83,7 +84,7 @@ class BuiltinScene : public testing::TestWithParam<std::string> {};
 TEST_P(BuiltinScene, NoneWithAnotherSeedEqualsTheReferenceWithinNoise) {
   Bench bench(scene_named(GetParam()), 2);
   const int spp = 8;
-  const TruthLayers first = bench.truth(1, spp), second = bench.truth(2, spp), third = bench.truth(3, spp);
+  const TruthSums first = bench.truth(1, spp), second = bench.truth(2, spp), third = bench.truth(3, spp);
   const Image none = bench.composite(Artifact::none, Isolation::query, 0, second, 2).picture;
   const double difference = display_rmse(none, reference_image(first), bench.exposure_ev());
   const double noise = display_rmse(reference_image(third), reference_image(first), bench.exposure_ev());
@@ -103,7 +104,7 @@ TEST_P(BuiltinScene, NoiseOnTheCompositedObjectIsTheReferencesNoise) {
   const SceneDefinition scene = scene_named(GetParam());
   Bench bench(scene, 1);
   const int spp = 8;
-  const TruthLayers first = bench.truth(1, spp), second = bench.truth(2, spp);
+  const TruthSums first = bench.truth(1, spp), second = bench.truth(2, spp);
   Image on_object = matte_image(first);
   for (float& value : on_object.values) value = value > 0.99F ? 1.0F : 0.0F;
   const double expected =
@@ -123,7 +124,7 @@ TEST_P(BuiltinScene, DifferenceFallsFrom64To512To4096) {
   for (int object = 1; object <= 3; ++object) {
     Bench bench(scene, object);
     // Same sample points: what is left in the difference is the artifact.
-    const TruthLayers truth = bench.truth(1, 8);
+    const TruthSums truth = bench.truth(1, 8);
     const Image reference = reference_image(truth);
     for (const Isolation isolation : {Isolation::query, Isolation::mask})
       for (const Artifact artifact : scene.artifacts) {

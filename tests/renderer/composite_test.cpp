@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/depth/capture.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "shapes.h"
 #include "stimuli/pictures/difference.h"
 
@@ -37,9 +37,9 @@ TruthScene courtyard(const Light& light) {
   return scene_of(std::move(parts), light, 96, 54);
 }
 
-StimulusLayers stimulus(const TruthScene& scene, const ObjectGeometry& geometry, int depth_width_px,
-                        const Recipe& recipe, int spp, std::uint64_t seed) {
-  const TruthLayers truth = render_truth(scene, geometry, {.spp = spp, .seed = seed, .threads = 2});
+StimulusSums stimulus(const TruthScene& scene, const ObjectGeometry& geometry, int depth_width_px,
+                      const Recipe& recipe, int spp, std::uint64_t seed) {
+  const TruthSums truth = render_truth(scene, geometry, {.spp = spp, .seed = seed, .threads = 2});
   std::optional<Geometry> depth;
   if (depth_width_px > 0)
     depth.emplace(build_depth_mesh(capture_depth(geometry.truth, depth_width_px, 0, 2), {}),
@@ -51,7 +51,7 @@ StimulusLayers stimulus(const TruthScene& scene, const ObjectGeometry& geometry,
 TEST(Composite, NoneIsTheReferenceOnEveryPixelWithTheSameSamplePoints) {
   const TruthScene scene = courtyard(sun_sky_bounce());
   const ObjectGeometry geometry = object_geometry(scene, 1);
-  const TruthLayers truth = render_truth(scene, geometry, {.spp = 8, .threads = 2});
+  const TruthSums truth = render_truth(scene, geometry, {.spp = 8, .threads = 2});
   const Composite none = compose(render_stimulus(
       scene, geometry, nullptr, truth, recipe(Artifact::none, Isolation::query), {.spp = 8, .threads = 2}));
   const Image reference = reference_image(truth);
@@ -99,7 +99,7 @@ TEST(Composite, RatioIsExactlyOneEverywhereForAnObjectInASealedRoom) {
   scene.background.push_back(test::box({20, -1, -20}, {24, 3, -16}, 0.5F));
   scene.objects[0] = {test::sphere({22, 0, -18}, 0.7F, 32, 0.5F, 1)};
   const ObjectGeometry geometry = object_geometry(scene, 1);
-  const TruthLayers truth = render_truth(scene, geometry, {.spp = 8, .threads = 2});
+  const TruthSums truth = render_truth(scene, geometry, {.spp = 8, .threads = 2});
   const Composite none = compose(render_stimulus(
       scene, geometry, nullptr, truth, recipe(Artifact::none, Isolation::query), {.spp = 8, .threads = 2}));
   for (const float ratio : none.ratio.values) ASSERT_EQ(ratio, 1.0F);
@@ -112,14 +112,15 @@ TEST(Composite, EverythingFromADepthMeshThatIsTheTruthEqualsTheReference) {
   const ObjectGeometry geometry = object_geometry(scene, 1);
   const Geometry twin = scene.geometry_without(1);
   const PassOptions options{.spp = 8, .seed = 1, .threads = 2};
-  const TruthLayers truth = render_truth(scene, geometry, options);
+  const TruthSums truth = render_truth(scene, geometry, options);
   const Image reference = reference_image(truth);
   for (const Isolation isolation : {Isolation::query, Isolation::mask})
     for (const Artifact artifact : every_artifact) {
-      StimulusLayers layers =
+      StimulusSums sums =
           render_stimulus(scene, geometry, &twin, truth, recipe(artifact, isolation), options);
-      layers.depth_lights_rest = false;  // leave the pockets' filter out: identity sample by sample is asked
-      const Composite composite = compose(layers);
+      sums.depth_lights_uncovered =
+          false;  // leave the pockets' filter out: identity sample by sample is asked
+      const Composite composite = compose(sums);
       for (std::size_t i = 0; i < reference.values.size(); ++i)
         ASSERT_NEAR(composite.picture.values[i], reference.values[i], 1e-4)
             << word(artifact) << " " << word(isolation) << " " << i;
@@ -146,9 +147,9 @@ TEST(Composite, PointOfTheObjectBehindTheDepthMeshIsLitFromTheMeshsOwnSurface) {
 
 TEST(Composite, AdditiveFormEqualsTheRatioWhereTheLocalSceneIsTheTruth) {
   const TruthScene scene = courtyard(sun_sky_bounce());
-  const StimulusLayers layers =
+  const StimulusSums sums =
       stimulus(scene, object_geometry(scene, 1), 0, recipe(Artifact::none, Isolation::query), 8, 1);
-  const Composite ratio = compose(layers), additive = compose(layers, Compositing::additive);
+  const Composite ratio = compose(sums), additive = compose(sums, Compositing::additive);
   for (std::size_t i = 0; i < ratio.picture.values.size(); ++i)
     ASSERT_NEAR(ratio.picture.values[i], additive.picture.values[i], 2e-5);
 }
@@ -157,7 +158,7 @@ TEST(Composite, ShadowStimulusDiffersOnTheObjectOnlyAndOverlapOffItOnly) {
   const TruthScene scene = courtyard(sun_sky_bounce());
   const ObjectGeometry geometry = object_geometry(scene, 1);
   const PassOptions options{.spp = 8, .seed = 1, .threads = 2};
-  const TruthLayers truth = render_truth(scene, geometry, options);
+  const TruthSums truth = render_truth(scene, geometry, options);
   const Geometry depth(build_depth_mesh(capture_depth(geometry.truth, 64, 0, 2), {}), Rgb::Constant(0.5F));
   const Image reference = reference_image(truth), matte = matte_image(truth);
   for (const Isolation isolation : {Isolation::query, Isolation::mask})
@@ -191,7 +192,7 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
   TruthScene scene = scene_of(std::move(parts), light, 160, 90);
   scene.background = {test::box({-3, -1.2F, -6}, {3.2F, 2.3F, 3}, 0.5F)};
   // Open the room towards the sun: leave out the ceiling and the right wall.
-  auto open = std::make_shared<Part>(*scene.background[0]);
+  auto open = std::make_shared<SurfaceMesh>(*scene.background[0]);
   std::erase_if(open->triangles, [&](const Triangle& t) {
     const auto on = [&](auto test) {
       return test(open->positions_m[t[0]]) && test(open->positions_m[t[1]]) && test(open->positions_m[t[2]]);
@@ -202,7 +203,7 @@ TEST(Composite, DifferenceFallsAtEveryDoublingInARoomWithoutDepthJumps) {
   });
   scene.background = {open};
   const ObjectGeometry geometry = object_geometry(scene, 1);
-  const TruthLayers truth = render_truth(scene, geometry, {.spp = 16, .threads = 2});
+  const TruthSums truth = render_truth(scene, geometry, {.spp = 16, .threads = 2});
   const Image reference = reference_image(truth);
   double last = 1e30;
   for (const int width_px : {64, 128, 256, 512, 1024, 2048, 4096}) {

@@ -71,10 +71,10 @@ TEST_F(SmallSubject, CoupledIsTwoRenderingsThatShareTheirSamplePoints) {
       if (!point) continue;
       const Light& light = subject_.scene.light;
       const RadiancePair pair = leaving_pair(without, &subject_.geometry.object, *point, light, sampler);
-      const Rgb alone = leaving_pair(without, nullptr, *point, light, sampler).no.total();
-      const Rgb together = leaving_pair(with, nullptr, *point, light, sampler).no.total();
-      EXPECT_LT((pair.no.total() - alone).abs().maxCoeff(), 1e-6F);
-      difference += static_cast<double>((pair.with.total() - together).abs().maxCoeff());
+      const Rgb alone = leaving_pair(without, nullptr, *point, light, sampler).without_object.total();
+      const Rgb together = leaving_pair(with, nullptr, *point, light, sampler).without_object.total();
+      EXPECT_LT((pair.without_object.total() - alone).abs().maxCoeff(), 1e-6F);
+      difference += static_cast<double>((pair.with_object.total() - together).abs().maxCoeff());
       sum += static_cast<double>(together.maxCoeff());
     }
   // Two geometries may answer differently on an edge, no more.
@@ -85,17 +85,18 @@ TEST_F(SmallSubject, IndependentRenderingsKeepCoverageAndTheLevelOfLight) {
   const Geometry depth =
       subject_geometry(subject_, subject_mesh(subject_, subject_.map, MeshDensity::adaptive, 1e-4));
   PathRuns runs(subject_, depth);
-  const StimulusLayers without = runs.coupled(4, 1).layers;
-  const StimulusLayers with = runs.coupled(4, 2).layers;
-  const StimulusLayers joined = join_independent(without, with);
+  const StimulusSums without = runs.coupled(4, 1).sums;
+  const StimulusSums with = runs.coupled(4, 2).sums;
+  const StimulusSums joined = join_independent(without, with);
   for (std::size_t i = 0; i < joined.halves[0].size(); ++i) {
-    const auto rest = [&](const StimulusLayers& layers) {
-      return static_cast<float>(layers.halves[0][i].rest) + static_cast<float>(layers.halves[1][i].rest);
+    const auto uncovered = [&](const StimulusSums& sums) {
+      return static_cast<float>(sums.halves[0][i].uncovered_surfaces) +
+             static_cast<float>(sums.halves[1][i].uncovered_surfaces);
     };
-    EXPECT_EQ(rest(joined), rest(with));
-    if (rest(without) != rest(with)) continue;
-    const Rgb expected = without.halves[0][i].no + without.halves[1][i].no;
-    EXPECT_LT((joined.halves[0][i].no - expected).abs().maxCoeff(), 1e-4F);
+    EXPECT_EQ(uncovered(joined), uncovered(with));
+    if (uncovered(without) != uncovered(with)) continue;
+    const Rgb expected = without.halves[0][i].without_object + without.halves[1][i].without_object;
+    EXPECT_LT((joined.halves[0][i].without_object - expected).abs().maxCoeff(), 1e-4F);
   }
   // Joined with itself, a rendering is what it was.
   const Image same = compose(join_independent(with, with)).picture, itself = compose(with).picture;

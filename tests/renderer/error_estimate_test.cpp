@@ -47,7 +47,7 @@ TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
 SamplingState ten_blocks(double noise, double rest, double image_square) {
   return {.grid = {10 * BlockGrid::side_px, BlockGrid::side_px},
           .blocks = std::vector<BlockState>(10, {.noise = noise, .spp = 16, .most_spp = 1024}),
-          .tile_rest = std::vector<double>(5, rest),
+          .tile_residual = std::vector<double>(5, rest),
           .image_square = image_square};
 }
 
@@ -55,19 +55,19 @@ TEST(SamplingRounds, GrowsUntilTheTargetIsExpectedAndNotBeyondTheLimit) {
   SamplingState state = ten_blocks(4e-4, 0, 4.36e-3);
   state.blocks[3].most_spp = 16;
   state.blocks[7].noise = 4e-2;
-  const std::vector<int> wanted = plan_samples(state, {.rmse = 0.02}).next;
+  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02}).next;
   EXPECT_EQ(wanted[3], 16);
   EXPECT_EQ(wanted[7], 64);
   for (const int spp : wanted) EXPECT_TRUE(spp >= 16 && spp <= 64 && spp % 2 == 0);
-  EXPECT_EQ(plan_samples(ten_blocks(1e-5, 0, 1e-5), {.rmse = 0.02}).next, std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(ten_blocks(1e-5, 0, 1e-5), {.rmse = 0.02}).next, std::vector<int>(10, 16));
 }
 
 TEST(SamplingRounds, ATileIsGoodEnoughAsAWhole) {
   SamplingState state = ten_blocks(1e-4, 0, 3e-4);
   state.blocks[4].noise = 5e-3;  // with its neighbour below 9 * 4e-4
-  EXPECT_EQ(plan_samples(state, {.rmse = 0.02}).next, std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(state, {.rmse = 0.02}).next, std::vector<int>(10, 16));
   state.blocks[4].noise = 9e-3;
-  const std::vector<int> wanted = plan_samples(state, {.rmse = 0.02}).next;
+  const std::vector<int> wanted = next_samples(state, {.rmse = 0.02}).next;
   EXPECT_GT(wanted[4], 16);
   EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 16), 9);
 }
@@ -90,18 +90,19 @@ TEST(BounceFilter, AveragesLikeSurfacesAndNeverMixesUnlikeOnes) {
   std::vector<BounceTexel> texels(static_cast<std::size_t>(width_px * height_px));
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (std::size_t half = 0; half < 2; ++half) {
-      texels[i].no(half) = Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
-      texels[i].no_samples(half) = 4.0F;
+      texels[i].without_object(half) =
+          Rgb::Constant(static_cast<int>(i) % width_px < width_px / 2 ? 8.0F : 2.0F);
+      texels[i].without_samples(half) = 4.0F;
     }
   filter_bounce(floor_and_wall(width_px, height_px), TileGrid{width_px, height_px}, {.levels = 3}, 2, texels);
   for (std::size_t i = 0; i < texels.size(); ++i)
-    ASSERT_NEAR(texels[i].no(1)[0] / texels[i].no_samples(1),
+    ASSERT_NEAR(texels[i].without_object(1)[0] / texels[i].without_samples(1),
                 static_cast<int>(i) % width_px < width_px / 2 ? 2.0F : 0.5F, 1e-5F);
 }
 
 TEST(SamplingRounds, TheWholePicturesErrorDecidesNotTheTilesBiases) {
-  EXPECT_EQ(plan_samples(ten_blocks(1e-4, 5e-4, 2e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
-  EXPECT_NE(plan_samples(ten_blocks(1e-4, 5e-4, 6e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
+  EXPECT_EQ(next_samples(ten_blocks(1e-4, 5e-4, 2e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
+  EXPECT_NE(next_samples(ten_blocks(1e-4, 5e-4, 6e-4), {.rmse = 0.02}).next, std::vector<int>(10, 16));
 }
 
 TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
@@ -110,9 +111,9 @@ TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
   Random random(5);
   std::vector<BounceTexel> sampled(surfaces.size());
   for (BounceTexel& texel : sampled) {
-    texel.no(0) = Rgb::Constant(static_cast<float>(random.uniform()));
-    texel.no(1) = Rgb::Constant(1.0F);
-    texel.no_samples(0) = texel.no_samples(1) = 2.0F;
+    texel.without_object(0) = Rgb::Constant(static_cast<float>(random.uniform()));
+    texel.without_object(1) = Rgb::Constant(1.0F);
+    texel.without_samples(0) = texel.without_samples(1) = 2.0F;
   }
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
   constexpr int middle = 12;
@@ -126,10 +127,10 @@ TEST(BounceFilter, WhereAskedForItIsTheSameAsEverywhere) {
   for (int y = r.top - reach_px; y < r.bottom + reach_px; ++y)
     for (int x = r.left - reach_px; x < r.right + reach_px; ++x) {
       const auto i = static_cast<std::size_t>(y * grid.width_px + x);
-      ASSERT_EQ(there[i].no(0)[0], everywhere[i].no(0)[0]) << x << ", " << y;
+      ASSERT_EQ(there[i].without_object(0)[0], everywhere[i].without_object(0)[0]) << x << ", " << y;
     }
-  EXPECT_EQ(there[0].no(0)[0], sampled[0].no(0)[0]);
-  EXPECT_NE(everywhere[0].no(0)[0], sampled[0].no(0)[0]);
+  EXPECT_EQ(there[0].without_object(0)[0], sampled[0].without_object(0)[0]);
+  EXPECT_NE(everywhere[0].without_object(0)[0], sampled[0].without_object(0)[0]);
 }
 
 TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
@@ -137,11 +138,12 @@ TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
   std::vector<Surface> surfaces = floor_and_wall(width_px, height_px);
   for (Surface& surface : surfaces) surface.inverse_reach = 1000.0F;  // a crease: 1 mm
   std::vector<BounceTexel> texels(surfaces.size());
-  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].no_samples(0) = texels[i].no_samples(1) = 1.0F;
-  texels[8 * 32 + 8].no(0) = Rgb::Constant(1.0F);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i].without_samples(0) = texels[i].without_samples(1) = 1.0F;
+  texels[8 * 32 + 8].without_object(0) = Rgb::Constant(1.0F);
   filter_bounce(surfaces, TileGrid{width_px, height_px}, {.levels = 2, .reach_divisor = 2.0F}, 1, texels);
-  EXPECT_EQ(texels[8 * 32 + 9].no(0)[0], 0.0F);
-  EXPECT_NEAR(texels[8 * 32 + 8].no(0)[0] / texels[8 * 32 + 8].no_samples(0), 1.0F, 1e-6F);
+  EXPECT_EQ(texels[8 * 32 + 9].without_object(0)[0], 0.0F);
+  EXPECT_NEAR(texels[8 * 32 + 8].without_object(0)[0] / texels[8 * 32 + 8].without_samples(0), 1.0F, 1e-6F);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
       const EstimatedStimulus a = fast->stimulus(how, &subject.depth, {});
       const EstimatedStimulus b = path->stimulus(how, &subject.depth, {});
       const double difference =
-          display_rmse(compose(a.layers).picture, compose(b.layers).picture, subject.exposure_ev());
+          display_rmse(compose(a.sums).picture, compose(b.sums).picture, subject.exposure_ev());
       EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact) << " " << word(isolation);
       EXPECT_LT(*a.rmse, 1.05 * *b.rmse) << word(artifact) << " " << word(isolation);
     }
@@ -62,7 +62,7 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
 TEST_P(EveryScene, NothingAskedOfTheDepthMeshIsTheReference) {
   const auto fast = subject.estimator(Estimator::fast, {.spp = 8, .seed = 1, .threads = 2});
   const Image none =
-      compose(fast->stimulus(recipe(Artifact::none, Isolation::query), nullptr, {}).layers).picture;
+      compose(fast->stimulus(recipe(Artifact::none, Isolation::query), nullptr, {}).sums).picture;
   const Image reference = reference_image(fast->truth());
   int others = 0;  // the ratio is clamped to 4, which few samples can pass
   for (std::size_t i = 0; i < none.values.size(); ++i)
@@ -75,7 +75,7 @@ TEST_P(EveryScene, SameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 2, 3}) {
     const auto fast = subject.estimator(Estimator::fast, {.error = 0.03, .seed = 1, .threads = threads});
     pictures[threads] =
-        compose(fast->stimulus(recipe(Artifact::all, Isolation::query), &subject.depth, {}).layers).picture;
+        compose(fast->stimulus(recipe(Artifact::all, Isolation::query), &subject.depth, {}).sums).picture;
   }
   EXPECT_EQ(pictures[1].values, pictures[2].values);
   EXPECT_EQ(pictures[1].values, pictures[3].values);
@@ -93,15 +93,15 @@ TEST_P(EveryScene, SamplesUntilTheErrorIsBelowWhatWasAsked) {
     EXPECT_LE(*made.worst_tile, 3 * asked) << word(artifact);
     const EstimatedStimulus reference = path->stimulus(how, &subject.depth, {});
     const double difference =
-        display_rmse(compose(made.layers).picture, compose(reference.layers).picture, subject.exposure_ev());
+        display_rmse(compose(made.sums).picture, compose(reference.sums).picture, subject.exposure_ev());
     EXPECT_LT(difference, 1.1 * std::hypot(asked, *reference.rmse)) << word(artifact);
   }
 }
 
 TEST_P(EveryScene, NoiseDoesNotGiveTheObjectAway) {
   const auto fast = subject.estimator(Estimator::fast, {.error = 0.006, .seed = 1, .threads = 2});
-  const StimulusLayers made =
-      fast->stimulus(recipe(Artifact::shadow, Isolation::query), &subject.depth, {}).layers;
+  const StimulusSums made =
+      fast->stimulus(recipe(Artifact::shadow, Isolation::query), &subject.depth, {}).sums;
   double in_photograph = 0, in_stimulus = 0;
   for (std::size_t i = 0; i < made.guides.size(); ++i) {
     const auto& truth = fast->truth().halves;

@@ -30,7 +30,7 @@ TEST(GlowingObject, IsAsBrightAsItsEmissionInEveryStimulus) {
     for (const Artifact artifact :
          {Artifact::receiver, Artifact::shadow, Artifact::overlap, Artifact::bounce, Artifact::none}) {
       const Image picture =
-          compose(estimator->stimulus(recipe(artifact, Isolation::query), &depth, {}).layers).picture;
+          compose(estimator->stimulus(recipe(artifact, Isolation::query), &depth, {}).sums).picture;
       EXPECT_NEAR(picture.at(picture.width_px / 2, picture.height_px / 2, 1), ball_emission, 1e-4F)
           << word(kind) << " " << word(artifact);
     }

@@ -8,7 +8,7 @@
 namespace seamline::renderer {
 namespace {
 
-using Parts = std::vector<std::shared_ptr<const Part>>;
+using Parts = std::vector<std::shared_ptr<const SurfaceMesh>>;
 
 Light sun_and_sky(int sky_rays) {
   return {.suns = {{.to_sun = Eigen::Vector3f(1, 2, 1).normalized(),

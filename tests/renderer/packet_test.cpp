@@ -15,9 +15,9 @@ namespace {
 Geometry pebbles() {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> place(-5, 5), size(0.2F, 1.5F);
-  std::vector<std::shared_ptr<const Part>> parts;
+  std::vector<std::shared_ptr<const SurfaceMesh>> parts;
   for (int i = 0; i < 60; ++i) {
-    auto pebble = std::make_shared<Part>(
+    auto pebble = std::make_shared<SurfaceMesh>(
         *test::sphere({place(random), place(random), place(random)}, size(random), 16, 0.3F, i % 4));
     if (i % 2 == 0) pebble->normals = std::vector<Eigen::Vector3f>(pebble->positions_m.size(), {0, 1, 0});
     parts.push_back(pebble);
@@ -38,7 +38,7 @@ std::vector<Ray> random_rays(std::size_t count) {
 
 /// Of a million rays from inside a closed ball of 8,000 facets, those that meet nothing.
 int slipped(Edges edges) {
-  const std::vector<std::shared_ptr<const Part>> ball = {test::sphere({0, 0, 0}, 3.0F, 128, 0.5F)};
+  const std::vector<std::shared_ptr<const SurfaceMesh>> ball = {test::sphere({0, 0, 0}, 3.0F, 128, 0.5F)};
   const Geometry geometry(ball, edges);
   constexpr int calls = 1000, rays_at_once = 1000;
   std::mt19937 random(5);
@@ -82,7 +82,7 @@ TEST_P(Packets, FindWhatSingleRaysFind) {
       if (!wanted) continue;
       ASSERT_NEAR(hits[i]->distance_m, wanted->distance_m, 1e-5F * wanted->distance_m + 1e-6F);
       ASSERT_NEAR(distance_m[i], wanted->distance_m, 1e-5F * wanted->distance_m + 1e-6F);
-      ASSERT_EQ(hits[i]->part, wanted->part);
+      ASSERT_EQ(hits[i]->mesh, wanted->mesh);
       ASSERT_EQ(hits[i]->object_index, wanted->object_index);
       ASSERT_LT((hits[i]->normal - wanted->normal).norm(), 1e-4F);
       ASSERT_LT((hits[i]->geometric_normal - wanted->geometric_normal).norm(), 1e-4F);

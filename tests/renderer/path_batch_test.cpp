@@ -70,7 +70,8 @@ TEST_F(PathBatchTest, MeansAreThoseOfPathsTracedToTheirEnds) {
   for (int i = 0; i < count; ++i) {
     const PathStart from = start(i, true);
     const RadiancePair pair = leaving_pair(floor_, &ball_, from.point, one_sky_ray, from.sampler);
-    const std::array reference = {double{pair.with.total()[1]}, double{pair.no.total()[1]}};
+    const std::array reference = {double{pair.with_object.total()[1]},
+                                  double{pair.without_object.total()[1]}};
     for (std::size_t world = 0; world < 2; ++world) {
       const double light = lights[static_cast<std::size_t>(i)].light[world].total()[1];
       found[world] += light / count;

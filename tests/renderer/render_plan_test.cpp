@@ -46,7 +46,7 @@ class Bench {
         build_depth_mesh(capture_depth(estimator->geometry().truth, depth_width_px, 0, threads), {}),
         Rgb::Constant(static_cast<float>(scene_.definition.albedo)));
     const EstimatedStimulus made = estimator->stimulus(recipe(artifact, Isolation::query), &depth, {});
-    return {compose(made.layers).picture, made.rmse.value(), estimator->savings()};
+    return {compose(made.sums).picture, made.rmse.value(), estimator->savings()};
   }
 
   [[nodiscard]] double difference(const Rendered& a, const Rendered& b) const {

@@ -174,7 +174,7 @@ TEST(Placement, FarOriginsLoseNothing) {
   SceneFile file;
   file.meshes.resize(1);
   file.meshes[0].positions_m = {Eigen::Vector3d(1e6 + 0.001, 2, 3)};
-  const auto parts = place_parts(file, Eigen::Affine3d::Identity(), Eigen::Vector3d(1e6, 2, 0), 0.5, 0);
+  const auto parts = place_meshes(file, Eigen::Affine3d::Identity(), Eigen::Vector3d(1e6, 2, 0), 0.5, 0);
   EXPECT_NEAR(parts[0]->positions_m[0].x(), 0.001, 1e-9);
   EXPECT_FLOAT_EQ(parts[0]->positions_m[0].z(), 3.0F);
 }

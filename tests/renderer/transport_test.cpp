@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/transport/rest_light.h"
+#include "renderer/transport/uncovered_light.h"
 #include "shapes.h"
 
 namespace seamline::renderer {
@@ -35,7 +35,7 @@ TEST(Transport, ConvexBodyUnderAConstantEnvironmentReflectsAlbedoTimesRadiance) 
     const Sampler sampler(7, i, 0, 0);
     const Eigen::Array2f p = sampler.point(dimension::pixel) * 0.3F - 0.15F;
     const auto hit = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(p[0], p[1], -1).normalized()});
-    return hit ? double{leaving_pair(ball, nullptr, *hit, light, sampler).no.total()[1]}
+    return hit ? double{leaving_pair(ball, nullptr, *hit, light, sampler).without_object.total()[1]}
                : double{albedo * radiance};
   });
   EXPECT_NEAR(found.mean, albedo * radiance, 3 * found.standard_error + 1e-6);
@@ -56,7 +56,7 @@ TEST_P(EmissiveSphere, GivesEmissionTimesTheSumOfAlbedoPowers) {
     const Sampler sampler(3, i, 0, 0);
     const auto hit =
         furnace.nearest({Eigen::Vector3f::Zero(), cosine_direction({0, 1, 0}, sampler.point(0))});
-    return double{leaving_pair(furnace, nullptr, *hit, light, sampler).no.total()[0]};
+    return double{leaving_pair(furnace, nullptr, *hit, light, sampler).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, expected, 3 * found.standard_error + 1e-4 * expected);
 }
@@ -69,7 +69,8 @@ TEST(Transport, HardSunOnAPlaneIsIrradianceTimesCosineTimesAlbedoOverPi) {
   light.suns.push_back({Eigen::Vector3f(1, 1, 0).normalized(), Rgb::Constant(8.0F), 0.0F});
   const auto hit = plane.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.3F, -1).normalized()});
   ASSERT_TRUE(hit);
-  const double found = leaving_pair(plane, nullptr, *hit, light, Sampler(1, 0, 0, 0)).no.total()[0];
+  const double found =
+      leaving_pair(plane, nullptr, *hit, light, Sampler(1, 0, 0, 0)).without_object.total()[0];
   EXPECT_NEAR(found, 8 * std::sqrt(0.5) * 0.5 / std::numbers::pi, 1e-5);
 }
 
@@ -79,7 +80,7 @@ TEST(Transport, SoftSunHasTheHardSunsMeanOnAPlane) {
   soft.suns.push_back({Eigen::Vector3f(1, 1, 0).normalized(), Rgb::Constant(8.0F), 0.02F});
   const auto hit = plane.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.3F, -1).normalized()});
   const Estimate found = estimate(4000, [&](int i) {
-    return double{leaving_pair(plane, nullptr, *hit, soft, Sampler(1, i, 0, 0)).no.total()[0]};
+    return double{leaving_pair(plane, nullptr, *hit, soft, Sampler(1, i, 0, 0)).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, 8 * std::sqrt(0.5) * 0.5 / std::numbers::pi, 3 * found.standard_error + 2e-4);
 }
@@ -99,7 +100,8 @@ TEST(Transport, AmbientOcclusionSeesOnlyWhatIsNear) {
                              .distance_m = 4,
                              .albedo = Rgb::Constant(0.5F)};
     const Estimate found = estimate(4000, [&](int i) {
-      return double{leaving_pair(geometry, nullptr, point, light, Sampler(5, i, 0, 0)).no.total()[0]};
+      return double{
+          leaving_pair(geometry, nullptr, point, light, Sampler(5, i, 0, 0)).without_object.total()[0]};
     });
     // Rays with cosine over height / 2 reach the ceiling: a share of 1 - (height / 2)^2 of a cosine-weighted
     // hemisphere.
@@ -120,7 +122,7 @@ TEST(Transport, AnObjectThatNoLightPathReachesChangesNothing) {
     const auto hit = room.nearest({Eigen::Vector3f::Zero(), cosine_direction({0, 0, -1}, sampler.point(0))});
     ASSERT_TRUE(hit);
     const RadiancePair pair = leaving_pair(room, &object, *hit, light, sampler);
-    EXPECT_TRUE((pair.no.total() == pair.with.total()).all());
+    EXPECT_TRUE((pair.without_object.total() == pair.with_object.total()).all());
   }
 }
 
@@ -136,10 +138,11 @@ TEST(Transport, CoupledPairHasTheMeanOfIndependentPaths) {
   const auto hit = truth.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(-0.35F, -0.45F, -1).normalized()});
   ASSERT_TRUE(hit);
   const Estimate coupled = estimate(40000, [&](int i) {
-    return double{leaving_pair(truth, &object, *hit, light, Sampler(1, i, 0, 0)).with.total()[0]};
+    return double{leaving_pair(truth, &object, *hit, light, Sampler(1, i, 0, 0)).with_object.total()[0]};
   });
   const Estimate plain = estimate(40000, [&](int i) {
-    return double{leaving_pair(everything, nullptr, *hit, light, Sampler(2, i, 0, 0)).no.total()[0]};
+    return double{
+        leaving_pair(everything, nullptr, *hit, light, Sampler(2, i, 0, 0)).without_object.total()[0]};
   });
   EXPECT_NEAR(coupled.mean, plain.mean, 3 * std::hypot(coupled.standard_error, plain.standard_error));
 }
@@ -155,12 +158,12 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
   for (int i = 0; i < 2000; ++i) {
     const Sampler sampler(9, i, 0, 0);
     const RadiancePair pair = leaving_pair(truth, &object, *real, light, sampler);
-    const RestPoint asked{&*real, {&twin, &*real}, real->albedo, sampler};
+    const UncoveredPoint asked{&*real, {&twin, &*real}, real->albedo, sampler};
     RadiancePair direct;
     LightRays rays;
-    direct_on_rest({&asked, 1}, object, light, {&direct, 1}, rays);
-    EXPECT_NEAR(pair.no.direct[0], direct.no.direct[0], 1e-6);
-    EXPECT_NEAR(pair.with.direct[0], direct.with.direct[0], 1e-6);
+    direct_on_uncovered({&asked, 1}, object, light, {&direct, 1}, rays);
+    EXPECT_NEAR(pair.without_object.direct[0], direct.without_object.direct[0], 1e-6);
+    EXPECT_NEAR(pair.with_object.direct[0], direct.with_object.direct[0], 1e-6);
   }
 }
 

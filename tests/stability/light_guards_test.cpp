@@ -10,18 +10,17 @@ namespace seamline::stability {
 namespace {
 
 /// background * with / without, and nothing else.
-Composite plain_ratio(const StimulusLayers& layers) {
-  Composite out{
-      Image(layers.width_px, layers.height_px, 3), Image(layers.width_px, layers.height_px, 3, 1.0F), {}};
-  for (int y = 0; y < layers.height_px; ++y)
-    for (int x = 0; x < layers.width_px; ++x) {
+Composite plain_ratio(const StimulusSums& sums) {
+  Composite out{Image(sums.width_px, sums.height_px, 3), Image(sums.width_px, sums.height_px, 3, 1.0F), {}};
+  for (int y = 0; y < sums.height_px; ++y)
+    for (int x = 0; x < sums.width_px; ++x) {
       const std::size_t i = out.picture.index(x, y) / 3;
-      StimulusSums sums = layers.halves[0][i];
-      sums += layers.halves[1][i];
-      const Rgb ratio = sums.with / sums.no;
+      StimulusPixel pixel = sums.halves[0][i];
+      pixel += sums.halves[1][i];
+      const Rgb ratio = pixel.with_object / pixel.without_object;
       out.ratio.set_rgb(x, y, ratio);
       out.picture.set_rgb(
-          x, y, (sums.sky + sums.background * ratio + sums.object) / static_cast<float>(layers.spp));
+          x, y, (pixel.sky + pixel.background * ratio + pixel.object) / static_cast<float>(sums.spp));
     }
   return out;
 }
@@ -61,7 +60,7 @@ TruthScene load_in_float(const SceneDefinition& definition, int width_px, int he
   for (FileMesh& mesh : file.meshes)
     for (Eigen::Vector3d& vertex : mesh.positions_m) vertex = vertex.cast<float>().cast<double>();
   scene.background =
-      place_parts(file, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+      place_meshes(file, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   return scene;
 }
 

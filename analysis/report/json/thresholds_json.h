@@ -8,7 +8,7 @@ namespace seamline::analysis {
 inline constexpr const char* thresholds_format = "seamline thresholds";
 inline constexpr int thresholds_version = 1;
 
-/// The text of `REPORT/thresholds.json` (DESIGN.md section 6). For each artifact `perceptual_threshold_px`,
+/// The text of `REPORT/thresholds.json`. For each artifact `perceptual_threshold_px`,
 /// `slightly_noticeable_px` and `inflection_px`, each {estimate or null, reason or null, ci95: [low, high]
 /// with null for an open end, ci95_text}; the same in texels per degree (W / 360); the curve over objects
 /// with its fits; and the cells behind it. NaN (a standard error of one participant) is null.

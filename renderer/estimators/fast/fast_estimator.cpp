@@ -1,11 +1,11 @@
-// The fast estimator: one joint pass for all worlds of a scene, bounce light filtered, the depth mesh asked
+// The fast estimator: one truth pass for all objects of a scene, bounce light filtered, the depth mesh asked
 // only where and as often as the picture needs it.
 #include <tuple>
 
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
-#include "renderer/estimators/fast/scene_layers.h"
-#include "renderer/estimators/fast/scene_pass.h"
+#include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/fast/truth_sums.h"
 #include "renderer/picture/error_estimate.h"
 
 namespace seamline::renderer {
@@ -31,7 +31,7 @@ class FastEstimator : public SceneEstimator {
         scene_(with_chosen_light(scene, choices_)),
         seed_(options.seed),
         threads_(options.threads),
-        joint_(std::make_unique<const SceneGeometry>(scene_)),
+        scene_geometry_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera)) {
     judged_.strength = choices_.filters.size() - 1;
   }
@@ -41,7 +41,7 @@ class FastEstimator : public SceneEstimator {
   SceneReference reference(const ReportProgress& progress) override {
     sample(progress);
     const Camera& camera = scene_.camera;
-    SceneReference out{reference_image(layers_of(1, filter())),
+    SceneReference out{reference_image(truth_sums_of(1, filter())),
                        {camera.width_px, camera.height_px, 1, {}},
                        sums_.counts.traced};
     out.object_ids = click_map(scene_);
@@ -53,11 +53,11 @@ class FastEstimator : public SceneEstimator {
     geometry_.reset();
     geometry_.emplace(object_geometry(scene_, object_index));
     object_index_ = object_index;
-    truth_ = layers_of(object_index, filter());
+    truth_ = truth_sums_of(object_index, filter());
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
-  [[nodiscard]] const TruthLayers& truth() const override { return truth_; }
+  [[nodiscard]] const TruthSums& truth() const override { return truth_; }
 
   EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                              const ReportProgress& progress) override {
@@ -66,7 +66,7 @@ class FastEstimator : public SceneEstimator {
     const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, judged_.error(object_index_)};
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
     add(made.saved);
-    return {std::move(made.layers), made.error.rmse(), made.error.worst_tile()};
+    return {std::move(made.sums), made.error.rmse(), made.error.worst_tile()};
   }
 
   [[nodiscard]] Savings savings() const override {
@@ -91,9 +91,9 @@ class FastEstimator : public SceneEstimator {
     saved_.untouched_rays += stimulus.untouched_rays;
   }
 
-  /// The joint pass: once a scene.
+  /// The truth pass: once a scene.
   void sample(const ReportProgress& progress) {
-    if (!joint_) return;
+    if (!scene_geometry_) return;
     ScenePassOptions options{.seed = seed_,
                              .threads = threads_,
                              .tail_every = choices_.tail_every,
@@ -105,31 +105,31 @@ class FastEstimator : public SceneEstimator {
       if (progress) progress(done + part * share);
     };
     std::vector<int> wanted(sums_.spp.size(), choices_.first_spp);
-    add_samples(scene_, *joint_, wanted, options, sums_);
+    add_samples(scene_, *scene_geometry_, wanted, options, sums_);
     std::optional<ErrorTarget> target;
     if (choices_.error) target = ErrorTarget{*choices_.error * choices_.photograph_share};
     for (int first = 1;; first = judged_.not_good_enough) {
       judged_ = judge(judged_, first, target);
       if (judged_.not_good_enough == 0) break;
-      wanted = plan_samples(state(judged_.error(judged_.not_good_enough)), *target).next;
+      wanted = next_samples(state(judged_.error(judged_.not_good_enough)), *target).next;
       if (wanted == sums_.spp) break;
       done += part;
       part *= 0.5;
-      add_samples(scene_, *joint_, wanted, options, sums_);
+      add_samples(scene_, *scene_geometry_, wanted, options, sums_);
     }
     for (int k = 1; k <= 3; ++k)  // those never looked at, because the first object never was good enough
       if (judged_.error(k).tiles.empty())
         judged_.error(k) = error_with(k, judged_.strength, half_pictures(k, no_filter));
-    joint_.reset();
+    scene_geometry_.reset();
   }
 
   [[nodiscard]] SamplingState state(const ErrorEstimate& error) const {
     SamplingState state{
-        .grid = sums_.blocks(), .blocks = {}, .tile_rest = {}, .image_square = error.image.total()};
+        .grid = sums_.blocks(), .blocks = {}, .tile_residual = {}, .image_square = error.image.total()};
     for (std::size_t b = 0; b < error.blocks.size(); ++b)
       state.blocks.push_back(
           {.noise = error.blocks[b].noise, .spp = sums_.spp[b], .most_spp = choices_.most_spp});
-    for (const SquaredError& tile : error.tiles) state.tile_rest.push_back(std::max(0.0, tile.bias));
+    for (const SquaredError& tile : error.tiles) state.tile_residual.push_back(std::max(0.0, tile.bias));
     return state;
   }
 
@@ -181,27 +181,27 @@ class FastEstimator : public SceneEstimator {
 
   [[nodiscard]] const FilterStrength& filter() const { return choices_.filters[judged_.strength]; }
 
-  /// The reference from each half of the samples; the layers are gone when it returns.
+  /// The reference from each half of the samples; the sums are gone when it returns.
   [[nodiscard]] std::array<Image, 2> half_pictures(int object_index, const FilterStrength& strength) const {
-    const TruthLayers layers = layers_of(object_index, strength);
-    return {half_reference_image(layers, 0), half_reference_image(layers, 1)};
+    const TruthSums sums = truth_sums_of(object_index, strength);
+    return {half_reference_image(sums, 0), half_reference_image(sums, 1)};
   }
 
-  [[nodiscard]] TruthLayers layers_of(int object_index, const FilterStrength& strength) const {
-    return truth_layers(sums_, scene_.camera, scene_.light.environment_radiance, object_index,
-                        {.filter = strength, .threads = threads_});
+  [[nodiscard]] TruthSums truth_sums_of(int object_index, const FilterStrength& strength) const {
+    return truth_sums(sums_, scene_.camera, scene_.light.environment_radiance, object_index,
+                      {.filter = strength, .threads = threads_});
   }
 
   const EstimatorChoices choices_;
   const TruthScene scene_;  ///< with the light that is followed
   const std::uint64_t seed_;
   const int threads_;
-  std::unique_ptr<const SceneGeometry> joint_;  ///< until the joint pass is done
+  std::unique_ptr<const SceneGeometry> scene_geometry_;  ///< until the truth pass is done
   SceneSums sums_;
   PhotographJudgement judged_;
   int object_index_ = 0;
   std::optional<ObjectGeometry> geometry_;
-  TruthLayers truth_;
+  TruthSums truth_;
   Savings saved_;  ///< by stimuli
 };
 

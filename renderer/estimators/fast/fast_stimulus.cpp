@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "renderer/estimators/fast/next_round.h"
 #include "renderer/estimators/fast/object_noise.h"
 #include "renderer/estimators/fast/stimulus_assembly.h"
-#include "renderer/estimators/fast/stimulus_plan.h"
 #include "renderer/picture/composite.h"
 
 namespace seamline::renderer {
@@ -15,14 +15,15 @@ namespace {
 ///   S_with + (F_with / F_no) (F_no - S_no) over F_no.
 /// The change of the ratio by the filter is then linear in the samples. The quotient of the samples' own sums
 /// is not: of few samples it is biased itself, in both halves alike, and the filter would be blamed for it.
-void divide_alike(const std::vector<StimulusSums>& filtered, std::vector<StimulusSums>& sampled) {
+void divide_alike(const std::vector<StimulusPixel>& filtered, std::vector<StimulusPixel>& sampled) {
   constexpr float most = 1e6F;  // what is beyond is clamped when it is composed
   for (std::size_t i = 0; i < sampled.size(); ++i) {
-    const StimulusSums& from = filtered[i];
-    StimulusSums& to = sampled[i];
-    const Rgb ratio = (from.no > 0.0F).select((from.with / from.no).min(most), 1.0F);
-    to.with += ratio * (from.no - to.no);
-    to.no = from.no;
+    const StimulusPixel& from = filtered[i];
+    StimulusPixel& to = sampled[i];
+    const Rgb ratio =
+        (from.without_object > 0.0F).select((from.with_object / from.without_object).min(most), 1.0F);
+    to.with_object += ratio * (from.without_object - to.without_object);
+    to.without_object = from.without_object;
   }
 }
 
@@ -37,12 +38,12 @@ class StimulusRounds {
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
                  {.may_filter = true, .tail_every = choices.tail_every}),
-        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.sums.spp)),
+        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.scene_sums.spp)),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;
     if (order_differs)
-      order_ = ask_order(truth.scene, truth.sums, truth.object_index, truth.geometry.object, *depth,
+      order_ = ask_order(truth.scene, truth.scene_sums, truth.object_index, truth.geometry.object, *depth,
                          options.seed, options.threads);
   }
 
@@ -53,30 +54,30 @@ class StimulusRounds {
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
                 depth_);
-      out.layers = {};  // the round before's: one at a time in memory
-      out.layers = layers(filters());
-      const Judged judged = judge(out.layers, looks_for_bias);
+      out.sums = {};  // the round before's: one at a time in memory
+      out.sums = assembled(filters());
+      const Judged judged = judge(out.sums, looks_for_bias);
       looks_for_bias = judged.knows_bias;
       out.error = judged.judgement.error;
       wanted = depth_.spp;
       if (options_.target)
-        wanted.object = samples_on_object(truth_, out.layers, wanted.object, choices_.most_object_variance,
+        wanted.object = samples_on_object(truth_, out.sums, wanted.object, choices_.most_object_variance,
                                           options_.threads);
       if (good_enough(out.error)) {
         if (wanted.object == depth_.spp.object) break;
         continue;
       }
-      const StimulusPlan plan = plan_more(judged.judgement, round);
+      const NextRound plan = plan_more(judged.judgement, round);
       for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
       wanted = with_plan(plan, wanted);
-      const bool gains =
-          !plan.unfiltered.empty() || wanted.rest != depth_.spp.rest || wanted.object != depth_.spp.object;
+      const bool gains = !plan.unfiltered.empty() || wanted.uncovered != depth_.spp.uncovered ||
+                         wanted.object != depth_.spp.object;
       if (gains) continue;
       if (looks_for_bias) break;
       looks_for_bias = true;
     }
     out.saved = savings();
-    if (choices_.asks_untouched_tiles) out.layers = with_untouched_tiles();
+    if (choices_.asks_untouched_tiles) out.sums = with_untouched_tiles();
     return out;
   }
 
@@ -84,65 +85,67 @@ class StimulusRounds {
   /// Whether the depth mesh decides how an object in the block is lit.
   [[nodiscard]] bool lights_object(std::size_t block) const {
     const Answers& answers = recipe_.answers;
-    if (recipe_.keep == Keep::rest_layer) return false;
+    if (recipe_.keep == Keep::all_but_object) return false;
     return (answers.object_lit == Who::depth || answers.bounce == Who::depth) && object_pixels(block) > 0;
   }
   [[nodiscard]] int object_pixels(std::size_t block) const {
-    const BlockGrid::Rectangle r = truth_.sums.blocks().rectangle(static_cast<int>(block));
+    const BlockGrid::Rectangle r = truth_.scene_sums.blocks().rectangle(static_cast<int>(block));
     int pixels = 0;
     for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x) pixels += shows_object_[truth_.layers.index(x, y)] != 0 ? 1 : 0;
+      for (int x = r.left; x < r.right; ++x)
+        pixels += shows_object_[truth_.truth_sums.index(x, y)] != 0 ? 1 : 0;
     return pixels;
   }
 
   /// A flag a pixel: whether the object is seen through it, in the truth or in the depth mesh.
   [[nodiscard]] std::vector<char> pixels_with_object() const {
-    const TruthLayers& layers = truth_.layers;
+    const TruthSums& sums = truth_.truth_sums;
     const bool also_hidden = recipe_.answers.occlusion == Who::depth;
-    const auto& tiles = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
-    std::vector<char> flags(layers.guides.size(), 0);
-    for (int y = 0; y < layers.height_px; ++y)
-      for (int x = 0; x < layers.width_px; ++x) {
-        const ObjectTile* tile = tiles[static_cast<std::size_t>(truth_.sums.grid.square_of(x, y))].get();
+    const auto& tiles = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    std::vector<char> flags(sums.guides.size(), 0);
+    for (int y = 0; y < sums.height_px; ++y)
+      for (int x = 0; x < sums.width_px; ++x) {
+        const ObjectTile* tile =
+            tiles[static_cast<std::size_t>(truth_.scene_sums.grid.square_of(x, y))].get();
         if (tile == nullptr) continue;
         const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
         for (const auto& half : tile->halves)
           if (half[place].covered > 0.0F || (also_hidden && half[place].hidden_samples > 0.0F))
-            flags[layers.index(x, y)] = 1;
+            flags[sums.index(x, y)] = 1;
       }
     return flags;
   }
 
   /// Whether the depth mesh has anything to say about the light off the object.
-  [[nodiscard]] bool lights_rest() const {
-    return recipe_.keep != Keep::object_layer && asks_depth_for_rest(recipe_.answers);
+  [[nodiscard]] bool lights_uncovered() const {
+    return recipe_.keep != Keep::object_only && asks_depth_off_object(recipe_.answers);
   }
 
   /// A few where only a ratio is asked for.
-  [[nodiscard]] int first_rest_samples(std::size_t block) const {
+  [[nodiscard]] int first_uncovered_samples(std::size_t block) const {
     return few_or_all(choices_.first_ratio_spp, block);
   }
   /// A few where only a difference is; else as many as the truth has, because noise must not give the object
   /// away.
   [[nodiscard]] int first_object_samples(std::size_t block) const {
     return adds_to_object(recipe_.answers) ? few_or_all(choices_.first_difference_spp, block)
-                                           : truth_.sums.spp[block];
+                                           : truth_.scene_sums.spp[block];
   }
   [[nodiscard]] int few_or_all(const std::optional<int>& few, std::size_t block) const {
-    const int all = truth_.sums.spp[block];
+    const int all = truth_.scene_sums.spp[block];
     return std::min(few.value_or(all), all);
   }
 
   /// The picture with the omission turned off: the same, because nothing in these tiles uses the answers.
   /// They are asked last, so that they do not change how the other tiles are sampled.
-  StimulusLayers with_untouched_tiles() {
+  StimulusSums with_untouched_tiles() {
     DepthSamples wanted = depth_.spp;
-    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (wanted.rest[b] == 0) wanted.rest[b] = first_rest_samples(b);
+    for (std::size_t b = 0; b < wanted.uncovered.size(); ++b) {
+      if (wanted.uncovered[b] == 0) wanted.uncovered[b] = first_uncovered_samples(b);
       if (wanted.object[b] == 0) wanted.object[b] = first_object_samples(b);
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
-    return layers(filters());
+    return assembled(filters());
   }
 
   [[nodiscard]] Savings savings() const {
@@ -150,18 +153,18 @@ class StimulusRounds {
     saved.depth = depth_.counts;
     saved.stimuli = 1;
     std::int64_t asked = 0;
-    for (std::size_t b = 0; b < depth_.spp.rest.size(); ++b) {
+    for (std::size_t b = 0; b < depth_.spp.uncovered.size(); ++b) {
       const std::int64_t pixels = depth_.blocks().pixels(static_cast<int>(b));
       const auto count = [&](std::int64_t of_pixels, int spp) {
         asked += of_pixels * spp;
-        if (spp > 0) saved.ratio_samples += of_pixels * std::max(0, truth_.sums.spp[b] - spp);
+        if (spp > 0) saved.ratio_samples += of_pixels * std::max(0, truth_.scene_sums.spp[b] - spp);
       };
-      count(pixels, depth_.spp.rest[b]);
+      count(pixels, depth_.spp.uncovered[b]);
       count(object_pixels(b), depth_.spp.object[b]);
-      if (depth_.spp.rest[b] == 0 && depth_.spp.object[b] == 0 && !choices_.asks_untouched_tiles) {
+      if (depth_.spp.uncovered[b] == 0 && depth_.spp.object[b] == 0 && !choices_.asks_untouched_tiles) {
         constexpr int geometries = 3;  // truth, object and depth mesh, a camera ray each
         ++saved.untouched_blocks;
-        saved.untouched_rays += geometries * pixels * first_rest_samples(b);
+        saved.untouched_rays += geometries * pixels * first_uncovered_samples(b);
       }
     }
     if (asked > 0)
@@ -172,8 +175,8 @@ class StimulusRounds {
 
   [[nodiscard]] DepthSamples first_samples() const {
     DepthSamples wanted = depth_.spp;
-    for (std::size_t b = 0; b < wanted.rest.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = first_rest_samples(b);
+    for (std::size_t b = 0; b < wanted.uncovered.size(); ++b) {
+      if (lights_uncovered()) wanted.uncovered[b] = first_uncovered_samples(b);
       if (lights_object(b)) wanted.object[b] = first_object_samples(b);
     }
     return wanted;
@@ -184,21 +187,21 @@ class StimulusRounds {
   }
 
   /// What each block should have next, and which tiles go without the filter.
-  [[nodiscard]] StimulusPlan plan_more(const StimulusJudgement& judged, int round) const {
-    return plan_stimulus({.grid = depth_.grid,
-                          .photograph = truth_.error,
-                          .photograph_spp = truth_.sums.spp,
-                          .asked_spp = lights_rest() ? depth_.spp.rest : depth_.spp.object,
-                          .filtered = filtered_,
-                          .judged = judged,
-                          .target = *options_.target,
-                          .choices = choices_,
-                          .round = round});
+  [[nodiscard]] NextRound plan_more(const StimulusJudgement& judged, int round) const {
+    return next_round({.grid = depth_.grid,
+                       .photograph = truth_.error,
+                       .photograph_spp = truth_.scene_sums.spp,
+                       .asked_spp = lights_uncovered() ? depth_.spp.uncovered : depth_.spp.object,
+                       .filtered = filtered_,
+                       .judged = judged,
+                       .target = *options_.target,
+                       .choices = choices_,
+                       .round = round});
   }
   /// Samples are added off the object, and on it where nothing else is asked for.
-  [[nodiscard]] DepthSamples with_plan(const StimulusPlan& plan, DepthSamples wanted) const {
+  [[nodiscard]] DepthSamples with_plan(const NextRound& plan, DepthSamples wanted) const {
     for (std::size_t b = 0; b < plan.next_spp.size(); ++b) {
-      if (lights_rest()) wanted.rest[b] = std::max(wanted.rest[b], plan.next_spp[b]);
+      if (lights_uncovered()) wanted.uncovered[b] = std::max(wanted.uncovered[b], plan.next_spp[b]);
       if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
     }
     return wanted;
@@ -211,8 +214,8 @@ class StimulusRounds {
     return {.ratio = no_filter, .object = no_filter, .tiles = {}};
   }
 
-  [[nodiscard]] StimulusLayers layers(const DepthFilters& filters,
-                                      std::optional<std::size_t> only_half = {}) const {
+  [[nodiscard]] StimulusSums assembled(const DepthFilters& filters,
+                                       std::optional<std::size_t> only_half = {}) const {
     return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
   }
 
@@ -223,7 +226,7 @@ class StimulusRounds {
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
   /// is looked for when the noise is low enough, or with `look_for_bias`: it takes twice as long, and needs
   /// samples itself.
-  [[nodiscard]] Judged judge(const StimulusLayers& made, bool look_for_bias) const {
+  [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias) const {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
@@ -235,7 +238,7 @@ class StimulusRounds {
       if (!good_enough(noise)) return {{std::move(noise), {}}, false};
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
-      StimulusLayers sampled = layers(no_filters(), half);
+      StimulusSums sampled = assembled(no_filters(), half);
       divide_alike(made.halves[half], sampled.halves[half]);
       pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     }

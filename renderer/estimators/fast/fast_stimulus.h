@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "renderer/estimators/estimator_choices.h"
-#include "renderer/estimators/fast/depth_pass.h"
+#include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
-#include "renderer/estimators/fast/scene_layers.h"
+#include "renderer/estimators/fast/truth_sums.h"
 #include "renderer/picture/sampling_rounds.h"
 
 namespace seamline::renderer {
@@ -18,7 +18,7 @@ struct FastStimulusOptions {
 };
 
 struct FastStimulus {
-  StimulusLayers layers;
+  StimulusSums sums;
   ErrorEstimate error;
   Savings saved;  ///< what concerns this stimulus alone
 };

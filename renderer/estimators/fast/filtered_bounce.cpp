@@ -9,49 +9,50 @@ namespace seamline::renderer {
 namespace {
 
 template <class Work>
-void each_pixel(const TruthLayers& layers, int threads, const Work& work) {
-  parallel_for(layers.height_px, threads, [&](int y) {
-    for (int x = 0; x < layers.width_px; ++x) work(x, y, layers.index(x, y));
+void each_pixel(const TruthSums& sums, int threads, const Work& work) {
+  parallel_for(sums.height_px, threads, [&](int y) {
+    for (int x = 0; x < sums.width_px; ++x) work(x, y, sums.index(x, y));
   });
 }
 
 /// Creases of the truth, in 1/m: the depth mesh has them where it has any.
 float truth_inverse_reach(const ObjectTruth& truth, std::size_t pixel) {
   const auto k = static_cast<std::size_t>(truth.object_index);
-  const float samples = truth.sums.halves[0][pixel].surfaces[k] + truth.sums.halves[1][pixel].surfaces[k];
-  return samples > 0.0F ? truth.sums.guides[k - 1][pixel].inverse_reach / samples : 0.0F;
+  const float samples =
+      truth.scene_sums.halves[0][pixel].surfaces[k] + truth.scene_sums.halves[1][pixel].surfaces[k];
+  return samples > 0.0F ? truth.scene_sums.guides[k - 1][pixel].inverse_reach / samples : 0.0F;
 }
 
 }  // namespace
 
-FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth,
-                             const FilterStrength& strength, int threads, std::vector<Guide>& guides) {
-  FilteredBounce rest;
+FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& depth,
+                                  const FilterStrength& strength, int threads, std::vector<Guide>& guides) {
+  FilteredBounce uncovered;
   const auto surface_at = [&](int x, int y, std::size_t i) {
-    const float samples = depth.halves[0][i].rest + depth.halves[1][i].rest;
+    const float samples = depth.halves[0][i].uncovered_surfaces + depth.halves[1][i].uncovered_surfaces;
     Surface surface = surface_of(depth.guides[i], samples, truth.scene.camera, x, y);
     surface.inverse_reach = std::max(surface.inverse_reach, truth_inverse_reach(truth, i));
     guides[i] = {surface.normal, surface.distance_m};
     return surface;
   };
   if (strength.levels == 0) {
-    each_pixel(truth.layers, threads, [&](int x, int y, std::size_t i) { surface_at(x, y, i); });
-    return rest;
+    each_pixel(truth.truth_sums, threads, [&](int x, int y, std::size_t i) { surface_at(x, y, i); });
+    return uncovered;
   }
-  rest.surfaces.resize(guides.size());
-  rest.texels.resize(guides.size());
+  uncovered.surfaces.resize(guides.size());
+  uncovered.texels.resize(guides.size());
   const TileGrid& grid = depth.grid;
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
   const auto take_pixel = [&](int x, int y, char& change) {
-    const std::size_t i = truth.layers.index(x, y);
-    const Surface& surface = rest.surfaces[i] = surface_at(x, y, i);
-    if (depth.halves[0][i].rest + depth.halves[1][i].rest <= 0.0F) return;
+    const std::size_t i = truth.truth_sums.index(x, y);
+    const Surface& surface = uncovered.surfaces[i] = surface_at(x, y, i);
+    if (depth.halves[0][i].uncovered_surfaces + depth.halves[1][i].uncovered_surfaces <= 0.0F) return;
     for (std::size_t half = 0; half < 2; ++half) {
-      const DepthSums& sums = depth.halves[half][i];
-      BounceTexel& texel = rest.texels[i];
-      texel.no(half) = sums.no.bounce / surface.albedo;
-      texel.change(half) = (sums.with.bounce - sums.no.bounce) / surface.albedo;
-      texel.no_samples(half) = texel.change_samples(half) = sums.rest;
+      const DepthPixel& sums = depth.halves[half][i];
+      BounceTexel& texel = uncovered.texels[i];
+      texel.without_object(half) = sums.without_object.bounce / surface.albedo;
+      texel.change(half) = (sums.with_object.bounce - sums.without_object.bounce) / surface.albedo;
+      texel.without_samples(half) = texel.change_samples(half) = sums.uncovered_surfaces;
       if ((texel.change(half) != 0.0F).any()) change = 1;
     }
   };
@@ -63,31 +64,32 @@ FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth
   // Where nothing changes the ratio is 1 whatever is filtered. A change reaches as far as the filter does,
   // and what it is divided by as far again: both together stay within a tile.
   assert(2 * filter_radius_px(strength) <= TileGrid::side_px);
-  filter_bounce(rest.surfaces, grid, strength, threads, rest.texels, with_neighbours(grid, changed));
-  return rest;
+  filter_bounce(uncovered.surfaces, grid, strength, threads, uncovered.texels,
+                with_neighbours(grid, changed));
+  return uncovered;
 }
 
 FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& depth,
                                const FilterStrength& strength, int threads) {
   FilteredBounce object;
-  object.surfaces.resize(truth.layers.guides.size());
-  object.texels.resize(truth.layers.guides.size());
-  const auto& tiles = truth.sums.objects[static_cast<std::size_t>(truth.object_index - 1)];
-  each_pixel(truth.layers, threads, [&](int x, int y, std::size_t i) {
-    const ObjectTile* tile = tiles[static_cast<std::size_t>(truth.sums.grid.square_of(x, y))].get();
+  object.surfaces.resize(truth.truth_sums.guides.size());
+  object.texels.resize(truth.truth_sums.guides.size());
+  const auto& tiles = truth.scene_sums.objects[static_cast<std::size_t>(truth.object_index - 1)];
+  each_pixel(truth.truth_sums, threads, [&](int x, int y, std::size_t i) {
+    const ObjectTile* tile = tiles[static_cast<std::size_t>(truth.scene_sums.grid.square_of(x, y))].get();
     if (tile == nullptr) return;
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const float covered = tile->halves[0][place].covered + tile->halves[1][place].covered;
     if (covered <= 0.0F) return;
     object.surfaces[i] = surface_of(tile->guides[place], covered, truth.scene.camera, x, y);
     for (std::size_t half = 0; half < 2; ++half) {
-      const DepthSums& sums = depth.halves[half][i];
-      object.texels[i].no(half) = sums.object.bounce / object.surfaces[i].albedo;
-      object.texels[i].no_samples(half) = sums.covered;
+      const DepthPixel& sums = depth.halves[half][i];
+      object.texels[i].without_object(half) = sums.object.bounce / object.surfaces[i].albedo;
+      object.texels[i].without_samples(half) = sums.covered;
     }
   });
-  filter_bounce(object.surfaces, truth.sums.grid, strength, threads, object.texels,
-                tiles_of_object(truth.sums, truth.object_index));
+  filter_bounce(object.surfaces, truth.scene_sums.grid, strength, threads, object.texels,
+                tiles_of_object(truth.scene_sums, truth.object_index));
   return object;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/estimators/fast/depth_pass.h"
+#include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
 #include "renderer/picture/bounce_filter.h"
 
@@ -19,9 +19,9 @@ struct FilteredBounce {
 
 /// Light off the object that the depth mesh has a part in; empty for a strength of no levels. `guides` become
 /// its surfaces.
-[[nodiscard]] FilteredBounce filtered_rest(const ObjectTruth& truth, const DepthAnswers& depth,
-                                           const FilterStrength& strength, int threads,
-                                           std::vector<Guide>& guides);
+[[nodiscard]] FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& depth,
+                                                const FilterStrength& strength, int threads,
+                                                std::vector<Guide>& guides);
 /// Bounce light of the depth mesh on the object.
 [[nodiscard]] FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& depth,
                                              const FilterStrength& strength, int threads);

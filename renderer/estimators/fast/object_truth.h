@@ -1,7 +1,7 @@
 #pragma once
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/picture/error_estimate.h"
-#include "renderer/picture/layers.h"
+#include "renderer/picture/pixel_sums.h"
 #include "renderer/picture/scene_sums.h"
 
 namespace seamline::renderer {
@@ -9,11 +9,11 @@ namespace seamline::renderer {
 /// What the fast estimator knows of one object before any stimulus with it.
 struct ObjectTruth {
   const TruthScene& scene;
-  const SceneSums& sums;
+  const SceneSums& scene_sums;
   const ObjectGeometry& geometry;
   int object_index;
-  const TruthLayers& layers;   ///< filtered
-  const ErrorEstimate& error;  ///< of the truth's pictures
+  const TruthSums& truth_sums;  ///< filtered
+  const ErrorEstimate& error;   ///< of the truth's pictures
 };
 
 }  // namespace seamline::renderer

@@ -10,21 +10,23 @@ namespace {
 
 class Assembly {
  public:
-  explicit Assembly(const StimulusParts& parts)
-      : truth_(parts.truth),
-        recipe_(parts.recipe),
-        answers_(parts.recipe.answers),
-        depth_(parts.depth),
-        order_(parts.order) {}
+  explicit Assembly(const StimulusSources& sources)
+      : truth_(sources.truth),
+        recipe_(sources.recipe),
+        answers_(sources.recipe.answers),
+        depth_(sources.depth),
+        order_(sources.order) {}
 
-  /// The object's light, and what another layer than the kept one shows.
-  void add_object(int x, int y, std::size_t half, const FilteredBounce& object, StimulusSums& out) const {
+  /// The object's light, and what is shown of the reference.
+  void add_object(int x, int y, std::size_t half, const FilteredBounce& object, StimulusPixel& out) const {
     const Pixel in = gather(x, y, half);
-    const std::size_t i = truth_.layers.index(x, y);
-    if (recipe_.keep == Keep::object_layer)
-      out.from_reference = in.truth.sky + in.truth.with.total() + in.uncovers * in.truth.object.total();
-    if (recipe_.keep == Keep::rest_layer)
-      out.from_reference = in.truth.object.total() + in.covers * Rgb(in.truth.with.total() + in.truth.sky);
+    const std::size_t i = truth_.truth_sums.index(x, y);
+    if (recipe_.keep == Keep::object_only)
+      out.from_reference =
+          in.truth.sky + in.truth.with_object.total() + in.uncovers * in.truth.object.total();
+    if (recipe_.keep == Keep::all_but_object)
+      out.from_reference =
+          in.truth.object.total() + in.covers * Rgb(in.truth.with_object.total() + in.truth.sky);
     else
       out.object =
           object_light(in, (1.0F - in.uncovers) * in.truth.covered, object.texel(i), object.surface(i), half)
@@ -32,41 +34,42 @@ class Assembly {
     if (adds_to_object(answers_)) out.object += added_to_object(x, y, half, in);
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
   }
-  void add_rest(int x, int y, std::size_t half, const FilteredBounce& rest, StimulusSums& out) const {
-    const std::size_t i = truth_.layers.index(x, y);
-    add_rest_of(gather(x, y, half), rest.texel(i), rest.surface(i), half, out);
+  void add_uncovered(int x, int y, std::size_t half, const FilteredBounce& uncovered,
+                     StimulusPixel& out) const {
+    const std::size_t i = truth_.truth_sums.index(x, y);
+    add_uncovered_of(gather(x, y, half), uncovered.texel(i), uncovered.surface(i), half, out);
   }
 
  private:
-  /// Everything known of one pixel and half, in the layers' number of samples.
+  /// Everything known of one pixel and half, in the truth's number of samples.
   struct Pixel {
-    const TruthSums& truth;
-    const ObjectSums& own;   ///< in the pixel's own number of samples
-    const DepthSums& depth;  ///< in the depth pass's own number of samples
-    float to_layers = 1;     ///< from the pixel's number of samples to the layers'
-    float uncovers = 0;      ///< share of the truth's covered samples that the depth mesh uncovers
-    float covers = 0;        ///< share of the truth's uncovered samples that it covers
+    const TruthPixel& truth;
+    const ObjectPixel& own;   ///< in the pixel's own number of samples
+    const DepthPixel& depth;  ///< in the depth pass's own number of samples
+    float to_sums = 1;        ///< from the pixel's number of samples to the truth's
+    float uncovers = 0;       ///< share of the truth's covered samples that the depth mesh uncovers
+    float covers = 0;         ///< share of the truth's uncovered samples that it covers
     float newly_covered = 0;
   };
 
   [[nodiscard]] Pixel gather(int x, int y, std::size_t half) const {
-    static const ObjectSums nothing;
-    const TruthLayers& layers = truth_.layers;
-    const std::size_t i = layers.index(x, y);
-    const auto tile = static_cast<std::size_t>(truth_.sums.grid.square_of(x, y));
+    static const ObjectPixel nothing;
+    const TruthSums& sums = truth_.truth_sums;
+    const std::size_t i = sums.index(x, y);
+    const auto tile = static_cast<std::size_t>(truth_.scene_sums.grid.square_of(x, y));
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
-    const auto& object = truth_.sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
-    Pixel in{.truth = layers.halves[half][i],
+    const auto& object = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
+    Pixel in{.truth = sums.halves[half][i],
              .own = object ? object->halves[half][place] : nothing,
              .depth = depth_.halves[half][i]};
-    const auto samples_of_pixel = static_cast<float>(truth_.sums.samples_at(x, y));
-    in.to_layers = static_cast<float>(layers.spp) / samples_of_pixel;
+    const auto samples_of_pixel = static_cast<float>(truth_.scene_sums.samples_at(x, y));
+    in.to_sums = static_cast<float>(sums.spp) / samples_of_pixel;
     if (order_.empty() || order_[tile][half].empty()) return in;
-    const OrderSums& order = order_[tile][half][place];
+    const OrderPixel& order = order_[tile][half][place];
     const float samples = 0.5F * samples_of_pixel;
     if (in.own.covered > 0) in.uncovers = order.truth_only / in.own.covered;
     if (samples > in.own.covered) in.covers = order.depth_only / (samples - in.own.covered);
-    in.newly_covered = order.depth_only * in.to_layers;
+    in.newly_covered = order.depth_only * in.to_sums;
     return in;
   }
 
@@ -78,8 +81,9 @@ class Assembly {
     const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
     if (answers_.bounce == Who::truth || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
     Split depth = covered / in.depth.covered * in.depth.object;
-    if (filtered != nullptr && filtered->no_samples(half) > 0.0F)
-      depth.bounce = filtered->no(half) * surface->albedo * (covered / filtered->no_samples(half));
+    if (filtered != nullptr && filtered->without_samples(half) > 0.0F)
+      depth.bounce =
+          filtered->without_object(half) * surface->albedo * (covered / filtered->without_samples(half));
     return {answers_.object_lit == Who::truth ? truth.direct : depth.direct, depth.bounce};
   }
 
@@ -89,10 +93,10 @@ class Assembly {
     const auto block = static_cast<std::size_t>(depth_.blocks().square_of(x, y));
     const int asked = depth_.spp.object[block];
     if (asked == 0 || in.depth.covered <= 0.0F) return Rgb::Zero();
-    const float to_layers = static_cast<float>(truth_.layers.spp) / static_cast<float>(asked);
+    const float to_sums = static_cast<float>(truth_.truth_sums.spp) / static_cast<float>(asked);
     if (asked >= depth_.spp.photograph[block])
-      return to_layers * in.depth.object.direct - in.truth.object.direct;
-    return to_layers * (in.depth.object.direct - depth_.object_in_truth[half][truth_.layers.index(x, y)]);
+      return to_sums * in.depth.object.direct - in.truth.object.direct;
+    return to_sums * (in.depth.object.direct - depth_.object_in_truth[half][truth_.truth_sums.index(x, y)]);
   }
 
   /// Light of the object where the truth hides it and the depth mesh does not, likewise.
@@ -103,59 +107,61 @@ class Assembly {
     return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
   }
 
-  void add_rest_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,
-                   StimulusSums& out) const {
+  void add_uncovered_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,
+                        StimulusPixel& out) const {
     const float stays = 1.0F - in.covers;
     const bool uncovers = recipe_.keep == Keep::everything && in.uncovers > 0.0F;
-    const float behind = uncovers ? in.uncovers * in.to_layers : 0.0F;
-    Split no = stays * in.truth.no, with = stays * in.truth.with;
-    float rest = stays * in.truth.rest;
+    const float behind = uncovers ? in.uncovers * in.to_sums : 0.0F;
+    Split without_object = stays * in.truth.without_object, with_object = stays * in.truth.with_object;
+    float uncovered_surfaces = stays * in.truth.uncovered_surfaces;
     out.sky = stays * in.truth.sky;
     if (uncovers) {
-      no += behind * in.own.behind;
-      with += behind * in.own.behind_with;
-      rest += behind * in.own.behind_surfaces;
+      without_object += behind * in.own.behind;
+      with_object += behind * in.own.behind_with;
+      uncovered_surfaces += behind * in.own.behind_surfaces;
       out.sky += behind * (in.own.covered - in.own.behind_surfaces) * truth_.scene.light.environment_radiance;
     }
-    if (!asks_depth_for_rest(answers_)) {
-      set_rest(rest, no.total(), no, with, out);
+    if (!asks_depth_off_object(answers_)) {
+      set_uncovered(uncovered_surfaces, without_object.total(), without_object, with_object, out);
       return;
     }
-    const float seen = in.depth.rest + in.depth.depth_sky;
-    const float share = seen > 0.0F ? in.depth.rest / seen : 0.0F;
-    out.sky += (1.0F - share) * no.total();
+    const float seen = in.depth.uncovered_surfaces + in.depth.depth_sky;
+    const float share = seen > 0.0F ? in.depth.uncovered_surfaces / seen : 0.0F;
+    out.sky += (1.0F - share) * without_object.total();
     if (share <= 0.0F) return;
-    const Rgb background = share * no.total();
-    rest *= share;
-    const float to_rest = rest / in.depth.rest;
-    Split depth_no = to_rest * in.depth.no, depth_with = to_rest * in.depth.with;
-    if (texel != nullptr) filtered_bounce(*texel, *surface, half, rest, depth_no, depth_with);
-    no = join(share * no, depth_no);
-    with = join(share * with, depth_with);
-    set_rest(rest, background, no, with, out);
+    const Rgb background = share * without_object.total();
+    uncovered_surfaces *= share;
+    const float to_uncovered = uncovered_surfaces / in.depth.uncovered_surfaces;
+    Split depth_without = to_uncovered * in.depth.without_object,
+          depth_with = to_uncovered * in.depth.with_object;
+    if (texel != nullptr)
+      filtered_bounce(*texel, *surface, half, uncovered_surfaces, depth_without, depth_with);
+    without_object = join(share * without_object, depth_without);
+    with_object = join(share * with_object, depth_with);
+    set_uncovered(uncovered_surfaces, background, without_object, with_object, out);
   }
 
-  /// Light of which the truth answers one part and the depth mesh the other.
+  /// Light that truth and depth mesh answer together.
   [[nodiscard]] Split join(const Split& truth, const Split& depth) const {
     const bool direct_from_truth = answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
     if (answers_.bounce == Who::truth) return {depth.total(), truth.bounce};  // the sky is in depth.bounce
     return direct_from_truth ? Split{truth.direct, depth.bounce} : depth;
   }
 
-  static void filtered_bounce(const BounceTexel& texel, const Surface& surface, std::size_t half, float rest,
-                              Split& no, Split& with) {
-    if (texel.no_samples(half) <= 0.0F) return;
-    const Rgb to_rest = surface.albedo * (rest / texel.no_samples(half));
-    no.bounce = texel.no(half) * to_rest;
-    with.bounce = no.bounce + texel.change(half) * to_rest;
+  static void filtered_bounce(const BounceTexel& texel, const Surface& surface, std::size_t half,
+                              float uncovered_surfaces, Split& without_object, Split& with_object) {
+    if (texel.without_samples(half) <= 0.0F) return;
+    const Rgb to_uncovered = surface.albedo * (uncovered_surfaces / texel.without_samples(half));
+    without_object.bounce = texel.without_object(half) * to_uncovered;
+    with_object.bounce = without_object.bounce + texel.change(half) * to_uncovered;
   }
 
-  static void set_rest(float rest, const Rgb& background, const Split& no, const Split& with,
-                       StimulusSums& out) {
-    out.rest = rest;
+  static void set_uncovered(float uncovered_surfaces, const Rgb& background, const Split& without_object,
+                            const Split& with_object, StimulusPixel& out) {
+    out.uncovered_surfaces = uncovered_surfaces;
     out.background = background;
-    out.no = no.total();
-    out.with = with.total();
+    out.without_object = without_object.total();
+    out.with_object = with_object.total();
   }
 
   const ObjectTruth& truth_;
@@ -167,21 +173,21 @@ class Assembly {
 
 }  // namespace
 
-StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters& filters, int threads,
-                                 std::optional<std::size_t> only_half) {
-  const TruthLayers& truth = parts.truth.layers;
-  StimulusLayers out{.width_px = truth.width_px, .height_px = truth.height_px, .spp = truth.spp};
+StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilters& filters, int threads,
+                               std::optional<std::size_t> only_half) {
+  const TruthSums& truth = sources.truth.truth_sums;
+  StimulusSums out{.width_px = truth.width_px, .height_px = truth.height_px, .spp = truth.spp};
   for (std::size_t half = 0; half < 2; ++half)
     if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
   out.guides = truth.guides;
-  out.depth_lights_rest = depth_lights_rest(parts.recipe.answers);
-  out.rays = parts.depth.counts.traced;
-  const Assembly assembly(parts);
+  out.depth_lights_uncovered = depth_lights_uncovered(sources.recipe.answers);
+  out.rays = sources.depth.counts.traced;
+  const Assembly assembly(sources);
   const FilteredBounce unfiltered;
   const auto each_pixel = [&](const FilteredBounce& filtered, auto add) {
     parallel_for(truth.height_px, threads, [&](int y) {
       for (int x = 0; x < truth.width_px; ++x) {
-        const auto tile = static_cast<std::size_t>(parts.truth.sums.grid.square_of(x, y));
+        const auto tile = static_cast<std::size_t>(sources.truth.scene_sums.grid.square_of(x, y));
         const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
         for (std::size_t half = 0; half < 2; ++half)
           if (!out.halves[half].empty())
@@ -191,16 +197,17 @@ StimulusLayers assemble_stimulus(const StimulusParts& parts, const DepthFilters&
     });
   };
   {  // one after the other: each takes a hundred bytes a pixel
-    const bool on_object = parts.recipe.answers.bounce == Who::depth && parts.recipe.keep != Keep::rest_layer;
+    const bool on_object =
+        sources.recipe.answers.bounce == Who::depth && sources.recipe.keep != Keep::all_but_object;
     FilteredBounce object;
     if (on_object && filters.object.levels > 0)
-      object = filtered_object(parts.truth, parts.depth, filters.object, threads);
+      object = filtered_object(sources.truth, sources.depth, filters.object, threads);
     each_pixel(object, &Assembly::add_object);
   }
-  FilteredBounce rest;
-  if (!parts.depth.guides.empty())
-    rest = filtered_rest(parts.truth, parts.depth, filters.ratio, threads, out.guides);
-  if (parts.recipe.keep != Keep::object_layer) each_pixel(rest, &Assembly::add_rest);
+  FilteredBounce uncovered;
+  if (!sources.depth.guides.empty())
+    uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio, threads, out.guides);
+  if (sources.recipe.keep != Keep::object_only) each_pixel(uncovered, &Assembly::add_uncovered);
   return out;
 }
 

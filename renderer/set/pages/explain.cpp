@@ -41,9 +41,9 @@ const char* kept(Keep keep) {
   switch (keep) {
     case Keep::everything:
       return "everything";
-    case Keep::object_layer:
+    case Keep::object_only:
       return "the object";
-    case Keep::rest_layer:
+    case Keep::all_but_object:
       return "all but the object";
   }
   return "";

@@ -9,7 +9,7 @@ namespace seamline::renderer {
 /// A sample's point off the virtual object: which surface receives light (question 1), from which the virtual
 /// object is seen, and of which geometry it is asked, at that geometry's own point, whether sun and sky reach
 /// it (question 2).
-struct RestPoint {
+struct UncoveredPoint {
   const SurfacePoint* receiver = nullptr;
   RealQuestion lit = {nullptr, nullptr};  ///< one geometry for all points
   Rgb albedo = Rgb::Zero();               ///< the truth's, whose bounce light joins it
@@ -21,7 +21,7 @@ struct RestPoint {
 /// their own. The sun is in `direct`, with what the points emit; the sky, which is smooth and may be
 /// filtered, in `bounce`. `pairs` is as long as `points`. What `rays` holds is forgotten:
 /// a caller who asks often keeps it for its memory.
-void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
-                    std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts = nullptr);
+void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
+                         std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

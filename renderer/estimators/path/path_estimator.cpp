@@ -1,6 +1,6 @@
 // The unbiased estimator: every path traced to its end, nothing filtered.
 #include "renderer/estimators/estimator.h"
-#include "renderer/estimators/stimulus_pass.h"
+#include "renderer/estimators/path/path_depth_pass.h"
 #include "renderer/picture/error_estimate.h"
 #include "renderer/picture/sampling_rounds.h"
 
@@ -31,15 +31,15 @@ class PathEstimator : public SceneEstimator {
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
-  [[nodiscard]] const TruthLayers& truth() const override { return truth_; }
+  [[nodiscard]] const TruthSums& truth() const override { return truth_; }
 
   EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
                              const ReportProgress& progress) override {
     EstimatedStimulus out{render_stimulus(scene_, *geometry_, depth, truth_, recipe, pass(progress)), {}, {}};
-    if (out.layers.spp < 2) return out;
+    if (out.sums.spp < 2) return out;
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = pictures.sampled[half] = compose_half(out.layers, half, threads_).picture;
+      pictures.filtered[half] = pictures.sampled[half] = compose_half(out.sums, half, threads_).picture;
     const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, threads_);
     out.rmse = error.rmse();
     out.worst_tile = error.worst_tile();
@@ -60,7 +60,7 @@ class PathEstimator : public SceneEstimator {
     const ErrorTarget target{*choices_.error * choices_.photograph_share};
     const ObjectGeometry geometry = object_geometry(scene_, 1);
     for (; *spp_ < choices_.most_spp; *spp_ *= 2) {
-      const TruthLayers truth = render_truth(scene_, geometry, pass(progress));
+      const TruthSums truth = render_truth(scene_, geometry, pass(progress));
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
         pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);
@@ -74,7 +74,7 @@ class PathEstimator : public SceneEstimator {
   const int threads_;
   std::optional<int> spp_;  ///< when it is found
   std::optional<ObjectGeometry> geometry_;
-  TruthLayers truth_;
+  TruthSums truth_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace seamline::renderer {
 
-/// How the joint pass runs.
+/// How the fast estimator's truth pass runs: one for all objects of a scene.
 struct ScenePassOptions {
   std::uint64_t seed = 1;
   int threads = 1;

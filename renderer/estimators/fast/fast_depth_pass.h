@@ -5,11 +5,11 @@
 namespace seamline::renderer {
 
 /// What the depth mesh answered in one pixel, summed over the samples of one half.
-struct DepthSums {
-  Split no, with;       ///< light on the rest as far as the depth mesh has a part in it; its sky
-                        ///< is in `bounce`, with what may be filtered
-  Split object;         ///< light on the object, as far as the depth mesh answers it
-  float rest = 0;       ///< samples in `no` and `with`
+struct DepthPixel {
+  Split without_object, with_object;  ///< light off the object as far as the depth mesh has a part in it; its
+                                      ///< sky is in `bounce`, with what may be filtered
+  Split object;                       ///< light on the object, as far as the depth mesh answers it
+  float uncovered_surfaces = 0;       ///< samples in these two
   float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
   float covered = 0;    ///< samples in `object`
 };
@@ -19,7 +19,7 @@ struct DepthSums {
 /// beside it. Where light on the object is not the truth's in so many ways, as many are needed as the
 /// photograph has, because noise must not give the object away.
 struct DepthSamples {
-  std::vector<int> rest;        ///< that ask for light on the rest
+  std::vector<int> uncovered;   ///< that ask for light off the object
   std::vector<int> object;      ///< that ask for light on the object, in pixels that show it
   std::vector<int> photograph;  ///< that the photograph has
 };
@@ -27,9 +27,9 @@ struct DepthSamples {
 /// The answers of one stimulus, with as many samples in each block as were asked.
 struct DepthAnswers {
   TileGrid grid;
-  std::array<std::vector<DepthSums>, 2> halves;
-  std::array<std::vector<Rgb>, 2> object_in_truth;  ///< see DepthPart; empty when it is never asked for
-  std::vector<GuideSums> guides;  ///< of the surfaces that light is asked for; empty when none is
+  std::array<std::vector<DepthPixel>, 2> halves;
+  std::array<std::vector<Rgb>, 2> object_in_truth;  ///< see DepthLight; empty when it is never asked for
+  std::vector<SeenSurface> guides;  ///< of the surfaces that light is asked for; empty when none is
   DepthSamples spp;
   RayCounts counts;
 
@@ -46,14 +46,14 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
 
 /// Who is in front, truth against depth mesh, in one pixel and half: numbers of samples that one of them
 /// covers with the object and the other does not.
-struct OrderSums {
+struct OrderPixel {
   float truth_only = 0;  ///< covered in the truth, uncovered in the depth mesh
   float depth_only = 0;  ///< the other way round
 };
 
 /// For the tiles an object has (null: the same order everywhere). A ray to the object and one into the depth
-/// mesh for each sample that meets the object; the rest was kept by the joint pass.
-using ObjectOrder = std::vector<std::array<std::vector<OrderSums>, 2>>;
+/// mesh for each sample that meets the object; what the truth shows there was kept by its own pass.
+using ObjectOrder = std::vector<std::array<std::vector<OrderPixel>, 2>>;
 [[nodiscard]] ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
                                     const Geometry& object, const Geometry& depth, std::uint64_t seed,
                                     int threads);

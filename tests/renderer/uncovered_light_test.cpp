@@ -1,5 +1,5 @@
 // Many points off the object asked together are lit as each of them alone.
-#include "renderer/transport/rest_light.h"
+#include "renderer/transport/uncovered_light.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 namespace seamline::renderer {
 namespace {
 
-using Parts = std::vector<std::shared_ptr<const Part>>;
+using Parts = std::vector<std::shared_ptr<const SurfaceMesh>>;
 
-TEST(DirectOnRest, IsThatOfEachPointAlone) {
+TEST(DirectOnUncovered, IsThatOfEachPointAlone) {
   const Geometry object(Parts{test::sphere({0, -0.2F, -4}, 0.8F, 24, 0.3F, 1)});
   const Geometry truth(Parts{test::floor(-1.0F, 6.0F)});
   // What answers whether the floor is lit lies elsewhere than the floor, and casts shadows of its own.
@@ -31,13 +31,13 @@ TEST(DirectOnRest, IsThatOfEachPointAlone) {
                               .irradiance_w_m2 = {8, 7, 6},
                               .angular_radius_rad = 0.1F}},
                     .environment_radiance = {0.5F, 0.7F, 1.0F}};
-  std::vector<RestPoint> asked;
+  std::vector<UncoveredPoint> asked;
   for (std::size_t i = 0; i < receivers.size(); ++i)
     asked.push_back(
         {&receivers[i], {&other, &starts[i]}, {0.2F, 0.4F, 0.6F}, Sampler(5, static_cast<int>(i), 3, 2)});
   std::vector<RadiancePair> together(asked.size());
   LightRays rays;
-  direct_on_rest(asked, object, light, together, rays);
+  direct_on_uncovered(asked, object, light, together, rays);
   int without_sun = 0, in_objects_shadow = 0, sky_behind_object = 0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const Sampler& sampler = asked[i].sampler;
@@ -50,15 +50,15 @@ TEST(DirectOnRest, IsThatOfEachPointAlone) {
     const Eigen::Vector3f to_sky =
         cosine_direction(receivers[i].normal, sampler.point(dimension::direction(0)));
     for (const bool with_object : {false, true}) {
-      const Split& found = with_object ? together[i].with : together[i].no;
+      const Split& found = with_object ? together[i].with_object : together[i].without_object;
       const float cosine = receivers[i].normal.dot(to_sun);
       const float sun = arrives(to_sun, with_object) ? 0.2F * 8.0F * cosine / 3.14159265F : 0.0F;
       ASSERT_NEAR(found.direct[0], sun, 1e-5F) << i;
       ASSERT_NEAR(found.bounce[2], arrives(to_sky, with_object) ? 0.6F : 0.0F, 1e-6F) << i;
     }
-    without_sun += together[i].no.direct.isZero() ? 1 : 0;
-    in_objects_shadow += (together[i].no.direct != together[i].with.direct).any() ? 1 : 0;
-    sky_behind_object += (together[i].no.bounce != together[i].with.bounce).any() ? 1 : 0;
+    without_sun += together[i].without_object.direct.isZero() ? 1 : 0;
+    in_objects_shadow += (together[i].without_object.direct != together[i].with_object.direct).any() ? 1 : 0;
+    sky_behind_object += (together[i].without_object.bounce != together[i].with_object.bounce).any() ? 1 : 0;
   }
   EXPECT_GT(without_sun, 0);
   EXPECT_GT(in_objects_shadow, 0);

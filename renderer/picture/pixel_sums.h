@@ -11,14 +11,14 @@ namespace seamline::renderer {
 /// Sums over the sub-pixel samples of one pixel, of radiance in the truth scene, sorted by what the sample
 /// shows: uncovered samples (the object does not cover them) with a surface, uncovered samples with sky,
 /// covered samples.
-struct TruthSums {
-  Rgb sky = Rgb::Zero();     ///< uncovered, sky
-  Split no;                  ///< uncovered, without the object: the background
-  Split with;                ///< uncovered, with the object: the reference's rest
-  Split object;              ///< covered: the object's own light in the reference
-  Rgb behind = Rgb::Zero();  ///< covered: the background behind the object
-  float covered = 0;         ///< number of covered samples
-  float rest = 0;            ///< number of uncovered samples with a surface
+struct TruthPixel {
+  Rgb sky = Rgb::Zero();         ///< uncovered, sky
+  Split without_object;          ///< uncovered, without the object: the background
+  Split with_object;             ///< uncovered, with the object: the reference off the object
+  Split object;                  ///< covered: the object's own light in the reference
+  Rgb behind = Rgb::Zero();      ///< covered: the background behind the object
+  float covered = 0;             ///< number of covered samples
+  float uncovered_surfaces = 0;  ///< number of uncovered samples with a surface
 };
 
 /// What filters are guided by: the surface that the first sample of a pixel saw.
@@ -32,9 +32,9 @@ template <class Sums>
 using Halves = std::array<std::vector<Sums>, 2>;
 
 /// The truth scene of one virtual object, rendered once and used by every stimulus with it.
-struct TruthLayers {
+struct TruthSums {
   int width_px = 0, height_px = 0, spp = 0;
-  Halves<TruthSums> halves = {};  ///< row by row
+  Halves<TruthPixel> halves = {};  ///< row by row
   std::vector<Guide> guides = {};
   std::vector<std::uint8_t> object_ids =
       {};  ///< of the pixel centre in the truth with the object: the click map
@@ -46,31 +46,32 @@ struct TruthLayers {
 };
 
 /// The background (photograph), the reference, and the object's coverage as pictures.
-[[nodiscard]] Image background_image(const TruthLayers& truth);
-[[nodiscard]] Image reference_image(const TruthLayers& truth);
+[[nodiscard]] Image background_image(const TruthSums& truth);
+[[nodiscard]] Image reference_image(const TruthSums& truth);
 /// The reference from one half of the samples.
-[[nodiscard]] Image half_reference_image(const TruthLayers& truth, std::size_t half);
-[[nodiscard]] Image matte_image(const TruthLayers& truth);
+[[nodiscard]] Image half_reference_image(const TruthSums& truth, std::size_t half);
+[[nodiscard]] Image matte_image(const TruthSums& truth);
 
-/// Sums of one pixel of a stimulus: DESIGN section 3's pixel formula, with what `mask` takes from the
-/// reference.
-struct StimulusSums {
+/// Sums of one pixel of a stimulus: the pixel formula of documentation/design.md, section 2, with what `mask`
+/// takes from the reference.
+struct StimulusPixel {
   Rgb sky = Rgb::Zero();             ///< background where truth or depth mesh shows sky: its ratio is 1
   Rgb background = Rgb::Zero();      ///< sum_unc B_s elsewhere
-  Rgb no = Rgb::Zero();              ///< sum_unc L_no
-  Rgb with = Rgb::Zero();            ///< sum_unc L_with
+  Rgb without_object = Rgb::Zero();  ///< sum_unc L_no
+  Rgb with_object = Rgb::Zero();     ///< sum_unc L_with
   Rgb object = Rgb::Zero();          ///< sum_cov L_obj
   Rgb from_reference = Rgb::Zero();  ///< samples that `mask` takes from the reference
-  float rest = 0;                    ///< number of samples in `background`, `no` and `with`
+  float uncovered_surfaces = 0;  ///< number of samples in `background`, `without_object` and `with_object`
 
-  StimulusSums& operator+=(const StimulusSums& other);
+  StimulusPixel& operator+=(const StimulusPixel& other);
 };
 
-struct StimulusLayers {
+struct StimulusSums {
   int width_px = 0, height_px = 0, spp = 0;
-  Halves<StimulusSums> halves = {};
-  std::vector<Guide> guides = {};  ///< of the surface whose bounce light is in `no`
-  bool depth_lights_rest = false;  ///< whether the depth mesh decides how much light `no` has
+  Halves<StimulusPixel> halves = {};
+  std::vector<Guide> guides = {};  ///< of the surface whose bounce light is in `without_object`
+  bool depth_lights_uncovered =
+      false;  ///< whether the depth mesh decides how much light `without_object` has
   std::int64_t rays = 0;
 };
 

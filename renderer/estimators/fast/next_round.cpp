@@ -1,4 +1,4 @@
-#include "renderer/estimators/fast/stimulus_plan.h"
+#include "renderer/estimators/fast/next_round.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +8,20 @@
 namespace seamline::renderer {
 namespace {
 
-class StimulusPlanner {
+class RoundChooser {
  public:
-  explicit StimulusPlanner(const StimulusState& state)
+  explicit RoundChooser(const StimulusState& state)
       : state_(state),
         blocks_{state.grid.width_px, state.grid.height_px},
         photograph_(state.photograph),
         error_(state.judged.error) {}
 
-  StimulusPlan plan() const {
+  NextRound plan() const {
     const std::vector<std::size_t> biased = biased_tiles();
-    SamplingPlan best = plan_samples(without_filter({}), state_.target);
+    NextSamples best = next_samples(without_filter({}), state_.target);
     std::size_t unfiltered = 0;
     for (std::size_t some = 1; some <= biased.size(); some += (some + 1) / 2) {
-      SamplingPlan plan = plan_samples(without_filter(std::span(biased).first(some)), state_.target);
+      NextSamples plan = next_samples(without_filter(std::span(biased).first(some)), state_.target);
       if (best.suffices && (!plan.suffices || plan.samples >= best.samples)) continue;
       best = std::move(plan);
       unfiltered = some;
@@ -67,19 +67,19 @@ class StimulusPlanner {
     return samples;
   }
 
-  /// What there is to plan with when some tiles go without the filter. The photograph's noise is there
+  /// Where the picture would stand if these tiles went without the filter. The photograph's noise is there
   /// already.
   [[nodiscard]] SamplingState without_filter(std::span<const std::size_t> tiles) const {
     TileSet without(state_.filtered.size(), 0);
     for (const std::size_t tile : tiles) without[tile] = 1;
     SamplingState out{.grid = blocks_,
                       .blocks = {},
-                      .tile_rest = {},
+                      .tile_residual = {},
                       .image_square = error_.image.total(),
                       .least_growth = std::min(0.5, std::ldexp(1.0 / 16, state_.round))};
     for (std::size_t t = 0; t < without.size(); ++t) {
       const SquaredError& expected = without[t] == 0 ? error_.tiles[t] : unfiltered().tiles[t];
-      out.tile_rest.push_back(std::max(0.0, expected.bias));
+      out.tile_residual.push_back(std::max(0.0, expected.bias));
       out.image_square +=
           state_.grid.share(static_cast<int>(t)) * (expected.total() - error_.tiles[t].total());
     }
@@ -94,7 +94,7 @@ class StimulusPlanner {
            .spp = spp,
            .least_spp = is_without && spp > 0 ? photograph_spp : 0,
            .most_spp = spp > 0 ? state_.choices.most_times_photograph_spp * photograph_spp : 0});
-      out.tile_rest[static_cast<std::size_t>(tile)] +=
+      out.tile_residual[static_cast<std::size_t>(tile)] +=
           of_photograph * blocks_.pixels(static_cast<int>(b)) / state_.grid.pixels(tile);
     }
     return out;
@@ -108,8 +108,8 @@ class StimulusPlanner {
 
 }  // namespace
 
-StimulusPlan plan_stimulus(const StimulusState& state) {
-  return StimulusPlanner(state).plan();
+NextRound next_round(const StimulusState& state) {
+  return RoundChooser(state).plan();
 }
 
 }  // namespace seamline::renderer

@@ -1,4 +1,4 @@
-#include "renderer/estimators/fast/stimulus_plan.h"
+#include "renderer/estimators/fast/next_round.h"
 
 #include <gtest/gtest.h>
 
@@ -25,15 +25,15 @@ struct Situation {
     judged.error.tiles[tile].bias = square;
     judged.error.image.bias += square / tiles;
   }
-  [[nodiscard]] StimulusPlan plan() const {
-    return plan_stimulus({.grid = {tiles * TileGrid::side_px, BlockGrid::side_px},
-                          .photograph = photograph,
-                          .photograph_spp = photograph_spp,
-                          .asked_spp = asked_spp,
-                          .filtered = filtered,
-                          .judged = judged,
-                          .target = {.rmse = 0.0039},
-                          .choices = choices});
+  [[nodiscard]] NextRound plan() const {
+    return next_round({.grid = {tiles * TileGrid::side_px, BlockGrid::side_px},
+                       .photograph = photograph,
+                       .photograph_spp = photograph_spp,
+                       .asked_spp = asked_spp,
+                       .filtered = filtered,
+                       .judged = judged,
+                       .target = {.rmse = 0.0039},
+                       .choices = choices});
   }
 
   ErrorEstimate photograph;
@@ -43,39 +43,39 @@ struct Situation {
   EstimatorChoices choices = estimator_choices(Estimator::fast, {.bounces = 4}, 0, {.error = 0.0039});
 };
 
-TEST(StimulusPlan, ATileThatItsBiasMakesTooWrongGoesWithoutTheFilter) {
+TEST(NextRound, ATileThatItsBiasMakesTooWrongGoesWithoutTheFilter) {
   Situation now;
   now.set_bias(3, 3e-4);
-  const StimulusPlan plan = now.plan();
+  const NextRound plan = now.plan();
   EXPECT_EQ(plan.unfiltered, std::vector<std::size_t>{3});
   EXPECT_EQ(plan.next_spp[6], 64);  // as many as the photograph has
   EXPECT_EQ(plan.next_spp[7], 64);
   EXPECT_EQ(plan.next_spp[0], 4);
 }
 
-TEST(StimulusPlan, WhatIsGoodEnoughKeepsItsFilterAndABiasThatMayBeNoneDoesToo) {
+TEST(NextRound, WhatIsGoodEnoughKeepsItsFilterAndABiasThatMayBeNoneDoesToo) {
   Situation now;
   now.set_bias(1, 7e-6);  // a sixth of the tile's unfiltered noise
   EXPECT_TRUE(now.plan().unfiltered.empty());
   EXPECT_EQ(now.plan().next_spp, now.asked_spp);
 }
 
-TEST(StimulusPlan, AWholePictureTooBiasedLosesTheFilterWhereItPaysMost) {
+TEST(NextRound, AWholePictureTooBiasedLosesTheFilterWhereItPaysMost) {
   Situation now;
   now.set_bias(0, 2.5e-5);
   now.set_bias(2, 6e-5);
   now.set_bias(4, 2e-5);
-  const StimulusPlan plan = now.plan();
+  const NextRound plan = now.plan();
   ASSERT_FALSE(plan.unfiltered.empty());
   EXPECT_EQ(plan.unfiltered.front(), 2U);
 }
 
-TEST(StimulusPlan, WithoutALookAtTheBiasOnlySamplesArePlanned) {
+TEST(NextRound, WithoutALookAtTheBiasOnlySamplesArePlanned) {
   Situation now;
   now.judged.unfiltered.reset();
   now.judged.error.image.noise = 3e-5;
   for (SquaredError& block : now.judged.error.blocks) block.noise = 3e-5;
-  const StimulusPlan plan = now.plan();
+  const NextRound plan = now.plan();
   EXPECT_TRUE(plan.unfiltered.empty());
   for (const int spp : plan.next_spp) EXPECT_TRUE(spp > 4 && spp <= 16) << spp;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/transport/answers.h"
 
 namespace seamline::renderer {
@@ -8,8 +8,8 @@ namespace seamline::renderer {
 /// its own point. `depth` may be null when the recipe asks nothing of the depth mesh. `truth` must have been
 /// rendered with the same samples per pixel and seed; where the depth mesh does not change which samples the
 /// object covers, its sums are used instead of tracing again.
-[[nodiscard]] StimulusLayers render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry,
-                                             const Geometry* depth, const TruthLayers& truth,
-                                             const Recipe& recipe, const PassOptions& options);
+[[nodiscard]] StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry,
+                                           const Geometry* depth, const TruthSums& truth,
+                                           const Recipe& recipe, const PassOptions& options);
 
 }  // namespace seamline::renderer

@@ -1,4 +1,4 @@
-#include "renderer/transport/needed_light.h"
+#include "renderer/transport/light_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ LightFacts light_facts(const TruthScene& scene) {
                    .sky_is_dark = scene.light.environment_radiance.isZero(0.0F),
                    .bounces = scene.light.bounces,
                    .suns = static_cast<int>(scene.light.suns.size())};
-  const auto look = [&](const std::vector<std::shared_ptr<const Part>>& parts) {
-    for (const auto& part : parts) {
-      facts.brightest_albedo = std::max(facts.brightest_albedo, double{part->albedo.maxCoeff()});
-      facts.emits = facts.emits || part->emission.maxCoeff() > 0.0F;
+  const auto look = [&](const std::vector<std::shared_ptr<const SurfaceMesh>>& meshes) {
+    for (const auto& mesh : meshes) {
+      facts.brightest_albedo = std::max(facts.brightest_albedo, double{mesh->albedo.maxCoeff()});
+      facts.emits = facts.emits || mesh->emission.maxCoeff() > 0.0F;
     }
   };
   look(scene.background);

@@ -1,4 +1,4 @@
-#include "renderer/estimators/fast/depth_pass.h"
+#include "renderer/estimators/fast/fast_depth_pass.h"
 
 #include <algorithm>
 #include <mutex>
@@ -8,20 +8,20 @@
 namespace seamline::renderer {
 namespace {
 
-/// Samples of one pixel: those from `first_rest` to `end_rest` ask about the rest, those from `first_object`
-/// to `end_object` about the object.
+/// Samples of one pixel: those from `first_uncovered` to `end_uncovered` ask about light off the object,
+/// those from `first_object` to `end_object` about the object.
 struct PixelSamples {
-  int first_rest = 0, end_rest = 0, first_object = 0, end_object = 0;
+  int first_uncovered = 0, end_uncovered = 0, first_object = 0, end_object = 0;
   bool beside_truth = false;
-  [[nodiscard]] bool asks_rest(int i) const { return i >= first_rest && i < end_rest; }
+  [[nodiscard]] bool asks_uncovered(int i) const { return i >= first_uncovered && i < end_uncovered; }
   [[nodiscard]] bool asks_object(int i) const { return i >= first_object && i < end_object; }
   [[nodiscard]] int first() const {
-    if (first_rest >= end_rest) return first_object;
-    return first_object >= end_object ? first_rest : std::min(first_rest, first_object);
+    if (first_uncovered >= end_uncovered) return first_object;
+    return first_object >= end_object ? first_uncovered : std::min(first_uncovered, first_object);
   }
   [[nodiscard]] int end() const {
-    if (first_rest >= end_rest) return end_object;
-    return first_object >= end_object ? end_rest : std::max(end_rest, end_object);
+    if (first_uncovered >= end_uncovered) return end_object;
+    return first_object >= end_object ? end_uncovered : std::max(end_uncovered, end_object);
   }
 };
 
@@ -34,7 +34,7 @@ class TileAsker {
     const std::size_t pixel = answers_.grid.index(x, y);
     for (int i = samples.first(); i < samples.end(); ++i) {
       ids_.push_back({x, y, i});
-      wanted_.push_back({pixel, samples.asks_rest(i), samples.asks_object(i), samples.beside_truth});
+      wanted_.push_back({pixel, samples.asks_uncovered(i), samples.asks_object(i), samples.beside_truth});
     }
     if (ids_.size() >= at_once) ask();
   }
@@ -42,8 +42,8 @@ class TileAsker {
   void ask() {
     sampler_.look(ids_, seen_, work_);
     drop_unasked();
-    sampler_.ask_depth(seen_, parts_, work_);
-    for (std::size_t i = 0; i < seen_.size(); ++i) add_part(seen_[i], parts_[i], wanted_[i].pixel);
+    sampler_.ask_depth(seen_, lights_, work_);
+    for (std::size_t i = 0; i < seen_.size(); ++i) add_light(seen_[i], lights_[i], wanted_[i].pixel);
     ids_.clear();
     wanted_.clear();
   }
@@ -54,7 +54,7 @@ class TileAsker {
   static constexpr std::size_t at_once = 32;
   struct Wanted {
     std::size_t pixel;
-    bool rest, object, beside_truth;
+    bool uncovered, object, beside_truth;
   };
 
   /// What a sample shows decides which of its pixel's two numbers of samples counts.
@@ -62,7 +62,7 @@ class TileAsker {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const bool on_object = seen_[i].shows == StimulusSample::Shows::object;
-      if (!(on_object ? wanted_[i].object : wanted_[i].rest)) continue;
+      if (!(on_object ? wanted_[i].object : wanted_[i].uncovered)) continue;
       seen_[kept] = seen_[i], wanted_[kept] = wanted_[i];
       seen_[kept].beside_truth = wanted_[i].beside_truth;
       ++kept;
@@ -70,20 +70,20 @@ class TileAsker {
     seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(kept), seen_.end());
   }
 
-  void add_part(const StimulusSample& sample, const DepthPart& part, std::size_t pixel) {
+  void add_light(const StimulusSample& sample, const DepthLight& light, std::size_t pixel) {
     using Shows = StimulusSample::Shows;
     const auto half = static_cast<std::size_t>(sample.number % 2);
-    DepthSums& sums = answers_.halves[half][pixel];
-    sums.no += part.no;
-    sums.with += part.with;
-    sums.object += part.object;
-    sums.rest += part.rest;
+    DepthPixel& sums = answers_.halves[half][pixel];
+    sums.without_object += light.without_object;
+    sums.with_object += light.with_object;
+    sums.object += light.object;
+    sums.uncovered_surfaces += light.uncovered_surfaces;
     if (sample.shows == Shows::object) sums.covered += 1.0F;
-    if (sample.beside_truth) answers_.object_in_truth[half][pixel] += part.object_in_truth;
+    if (sample.beside_truth) answers_.object_in_truth[half][pixel] += light.object_in_truth;
     if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
     if (answers_.guides.empty()) return;
     if (const SurfacePoint* receiver = sampler_.receiver(sample))
-      answers_.guides[pixel].add(*receiver, part.reach_m);
+      answers_.guides[pixel].add(*receiver, light.reach_m);
   }
 
   const StimulusSampler& sampler_;
@@ -91,7 +91,7 @@ class TileAsker {
   std::vector<SampleId> ids_;
   std::vector<Wanted> wanted_;
   std::vector<StimulusSample> seen_;
-  std::vector<DepthPart> parts_;
+  std::vector<DepthLight> lights_;
   SamplingWork work_;
 };
 
@@ -104,8 +104,8 @@ DepthAnswers empty_answers(const Camera& camera, const Answers& answers,
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);
-  if (asks_depth_for_rest(answers)) out.guides.resize(pixels);
-  out.spp.rest.resize(static_cast<std::size_t>(out.blocks().count()));
+  if (asks_depth_off_object(answers)) out.guides.resize(pixels);
+  out.spp.uncovered.resize(static_cast<std::size_t>(out.blocks().count()));
   out.spp.object.resize(static_cast<std::size_t>(out.blocks().count()));
   out.spp.photograph = photograph_spp;
   if (adds_to_object(answers))
@@ -121,17 +121,18 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     TileAsker asker(sampler, answers);
     for (const int block : blocks_of(answers.grid, tile)) {
       const auto b = static_cast<std::size_t>(block);
-      int &rest = answers.spp.rest[b], &object = answers.spp.object[b];
+      int &uncovered = answers.spp.uncovered[b], &object = answers.spp.object[b];
       const bool beside_truth =
           !answers.object_in_truth[0].empty() && wanted.object[b] < wanted.photograph[b];
-      const PixelSamples with_object = {rest, wanted.rest[b], object, wanted.object[b], beside_truth};
-      const PixelSamples without_object = {rest, wanted.rest[b], 0, 0};
+      const PixelSamples with_object = {uncovered, wanted.uncovered[b], object, wanted.object[b],
+                                        beside_truth};
+      const PixelSamples without_object = {uncovered, wanted.uncovered[b], 0, 0};
       if (with_object.first() >= with_object.end()) continue;
       const BlockGrid::Rectangle r = answers.blocks().rectangle(block);
       for (int y = r.top; y < r.bottom; ++y)
         for (int x = r.left; x < r.right; ++x)
           asker.add(x, y, shows_object[answers.grid.index(x, y)] != 0 ? with_object : without_object);
-      rest = std::max(rest, wanted.rest[b]);
+      uncovered = std::max(uncovered, wanted.uncovered[b]);
       object = std::max(object, wanted.object[b]);
     }
     asker.ask();
@@ -149,7 +150,7 @@ namespace {
 /// The order in one tile.
 void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectTile& tile,
                    const TileGrid::Rectangle& r, const Geometry& object, const Geometry& depth,
-                   std::uint64_t seed, std::array<std::vector<OrderSums>, 2>& order) {
+                   std::uint64_t seed, std::array<std::vector<OrderPixel>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
   std::array<std::optional<SurfacePoint>, rays_a_call> on_object, on_depth;
@@ -175,7 +176,7 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
         for (std::size_t i = 0; i < count; ++i) {
           if (!on_object[i]) continue;  // its very edge
           const bool in_depth = !on_depth[i] || on_object[i]->distance_m < on_depth[i]->distance_m;
-          OrderSums& out = order[halves[i]][place];
+          OrderPixel& out = order[halves[i]][place];
           out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
           out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;
         }

@@ -1,4 +1,4 @@
-#include "renderer/estimators/truth_pass.h"
+#include "renderer/estimators/path/path_truth_pass.h"
 
 #include <atomic>
 
@@ -9,7 +9,7 @@ namespace {
 
 /// Adds one sample of the truth to its pixel's sums.
 void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray,
-                const Sampler& sampler, TruthSums& sums, RayCounts& counts) {
+                const Sampler& sampler, TruthPixel& sums, RayCounts& counts) {
   const std::optional<SurfacePoint> real = geometry.truth.nearest(ray, &counts);
   const std::optional<SurfacePoint> object =
       geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m}, &counts);
@@ -17,15 +17,15 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
     ++sums.covered;
     const RealQuestion truth{&geometry.truth, &*object};
     sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler, &counts);
-    sums.behind +=
-        real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts).no.total()
-             : scene.light.environment_radiance;
+    sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
+                              .without_object.total()
+                        : scene.light.environment_radiance;
   } else if (real) {
     const RadiancePair pair =
         leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler, &counts);
-    ++sums.rest;
-    sums.no += pair.no;
-    sums.with += pair.with;
+    ++sums.uncovered_surfaces;
+    sums.without_object += pair.without_object;
+    sums.with_object += pair.with_object;
   } else {
     sums.sky += scene.light.environment_radiance;
   }
@@ -45,26 +45,24 @@ ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
   return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};
 }
 
-TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
-                         const PassOptions& options) {
+TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options) {
   const Camera& camera = scene.camera;
-  TruthLayers layers{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
+  TruthSums sums{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
-  for (auto& half : layers.halves) half.resize(pixels);
-  layers.guides.resize(pixels);
-  layers.object_ids.resize(pixels);
+  for (auto& half : sums.halves) half.resize(pixels);
+  sums.guides.resize(pixels);
+  sums.object_ids.resize(pixels);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     RayCounts counts;
     for (int x = 0; x < camera.width_px; ++x) {
-      const std::size_t pixel = layers.index(x, y);
-      layers.object_ids[pixel] =
-          id_at_centre(geometry, centre_ray(camera, x, y), layers.guides[pixel], counts);
+      const std::size_t pixel = sums.index(x, y);
+      sums.object_ids[pixel] = id_at_centre(geometry, centre_ray(camera, x, y), sums.guides[pixel], counts);
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
         add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler,
-                   layers.halves[static_cast<std::size_t>(sample % 2)][pixel], counts);
+                   sums.halves[static_cast<std::size_t>(sample % 2)][pixel], counts);
       }
     }
     rays += counts.traced;
@@ -72,8 +70,8 @@ TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry
   parallel_for(camera.height_px, options.threads, row, [&](int rows) {
     if (options.progress) options.progress(static_cast<double>(rows) / camera.height_px);
   });
-  layers.rays = rays;
-  return layers;
+  sums.rays = rays;
+  return sums;
 }
 
 ByteImage click_map(const TruthScene& scene) {
@@ -101,7 +99,8 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
         const Sampler sampler(options.seed, x, y, sample);
         const std::optional<SurfacePoint> point =
             everything.nearest(camera_ray(camera, x, y, sampler), &counts);
-        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts).no.total()
+        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts)
+                           .without_object.total()
                      : scene.light.environment_radiance;
       }
       reference.radiance.set_rgb(x, y, sum / static_cast<float>(options.spp));

@@ -1,6 +1,6 @@
-#include "renderer/transport/rest_light.h"
+#include "renderer/transport/uncovered_light.h"
 
-#include "renderer/tracing/leaving_ray.h"
+#include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 namespace {
@@ -9,16 +9,18 @@ namespace {
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rgb Split::*part,
            LightRays& rays, RayCounts* counts, std::span<RadiancePair> pairs) {
   rays.drop_blocked_by_real(real, coherence, counts);
-  for (const LightRays::Arriving& light : rays.arriving()) pairs[light.index].no.*part += light.radiance;
+  for (const LightRays::Arriving& light : rays.arriving())
+    pairs[light.index].without_object.*part += light.radiance;
   rays.drop_blocked_by_object(object, coherence, counts);
-  for (const LightRays::Arriving& light : rays.arriving()) pairs[light.index].with.*part += light.radiance;
+  for (const LightRays::Arriving& light : rays.arriving())
+    pairs[light.index].with_object.*part += light.radiance;
   rays.clear();
 }
 
 }  // namespace
 
-void direct_on_rest(std::span<const RestPoint> points, const Geometry& object, const Light& light,
-                    std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts) {
+void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
+                         std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Split emitted{.direct = points[i].emission};
     pairs[i] = {emitted, emitted};

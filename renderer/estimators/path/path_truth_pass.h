@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "renderer/picture/layers.h"
-#include "renderer/scene/camera_ray.h"
+#include "renderer/picture/pixel_sums.h"
+#include "renderer/scene/camera.h"
 #include "renderer/scene/truth_scene.h"
 
 namespace seamline::renderer {
@@ -22,9 +22,10 @@ struct ObjectGeometry {
 };
 [[nodiscard]] ObjectGeometry object_geometry(const TruthScene& scene, int object_index);
 
-/// Renders background, reference and their parts for one virtual object, as one coupled computation.
-[[nodiscard]] TruthLayers render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
-                                       const PassOptions& options);
+/// Renders background and reference of one virtual object, and what they are summed from, as one coupled
+/// computation.
+[[nodiscard]] TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry,
+                                     const PassOptions& options);
 
 /// The reference of a whole scene, all objects in place, and its click map (0 background, 1 left, 2 middle, 3
 /// right).

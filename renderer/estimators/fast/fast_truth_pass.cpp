@@ -1,9 +1,9 @@
-#include "renderer/estimators/fast/scene_pass.h"
+#include "renderer/estimators/fast/fast_truth_pass.h"
 
 #include <mutex>
 
 #include "renderer/common/parallel.h"
-#include "renderer/scene/camera_ray.h"
+#include "renderer/scene/camera.h"
 #include "renderer/transport/path_batch.h"
 
 namespace seamline::renderer {
@@ -93,25 +93,25 @@ class TileSampler {
     const int object = front == nullptr ? 0 : front->object_index;
     const Followed seen{LightOf::front, object, sums_.index(x, y), place, half};
     const Sampler sampler(options_.seed, x, y, sample);
-    const PathPlan plan = path_plan(sampler, options_.tail_every);
+    const PathRules rules = path_rules(sampler, options_.tail_every);
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
-      follow(seen, {set, *front, sampler, plan});
+      follow(seen, {set, *front, sampler, rules});
     }
     if (object != 0) {
       object_tile(object).halves[half][place].covered += 1.0F;
-      add_behind(seen, i, sampler, plan);
+      add_behind(seen, i, sampler, rules);
     }
-    if (options_.who_is_in_front) add_order(seen, {x, y, sample}, i, sampler, plan);
+    if (options_.who_is_in_front) add_order(seen, {x, y, sample}, i, sampler, rules);
   }
 
   /// What an object in front covers.
-  void add_behind(Followed seen, std::size_t i, const Sampler& sampler, const PathPlan& plan) {
+  void add_behind(Followed seen, std::size_t i, const Sampler& sampler, const PathRules& rules) {
     const SurfacePoint* behind = seen_without(i, seen.object);
     if (behind == nullptr) return;
     object_tile(seen.object).halves[seen.half][seen.place].behind_surfaces += 1.0F;
     const WorldSet set = only_world(seen.object) | (options_.who_is_in_front ? only_world(0) : 0);
-    PathPlan own_reach = plan;  // what else is kept must not change what guides the filter
+    PathRules own_reach = rules;  // what else is kept must not change what guides the filter
     own_reach.reach_of = only_world(seen.object);
     seen.light_of = LightOf::behind;
     follow(seen, {set, *behind, sampler, own_reach});
@@ -119,7 +119,7 @@ class TileSampler {
 
   /// Who is in front of whom, and the light of an object that something covers.
   void add_order(const Followed& seen, const SampleId& id, std::size_t i, const Sampler& sampler,
-                 const PathPlan& plan) {
+                 const PathRules& rules) {
     for (int k = 1; k <= 3; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (!hit) continue;
@@ -131,7 +131,7 @@ class TileSampler {
       on_rays.set(id.number, id.x, id.y, covered ? ObjectOnRays::Is::covered : ObjectOnRays::Is::in_front);
       if (k == seen.object) continue;
       there.halves[seen.half][seen.place].hidden_samples += 1.0F;
-      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, plan});
+      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, rules});
     }
   }
 
@@ -149,7 +149,7 @@ class TileSampler {
 
   void add_light(const Followed& followed, const SurfacePoint& point, const PathLight& found) {
     const int object = followed.object;
-    ObjectSums* own = nullptr;
+    ObjectPixel* own = nullptr;
     if (object != 0) own = &object_tile(object).halves[followed.half][followed.place];
     switch (followed.light_of) {
       case LightOf::front:
@@ -172,7 +172,7 @@ class TileSampler {
 
   void see(const Followed& followed, int world, const SurfacePoint& point, const PathLight& found) {
     const auto v = static_cast<std::size_t>(world);
-    WorldSums& sums = sums_.halves[followed.half][followed.pixel];
+    WorldPixel& sums = sums_.halves[followed.half][followed.pixel];
     sums.seen[v] += found.light[v];
     sums.surfaces[v] += 1.0F;
     if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);

@@ -27,15 +27,16 @@ struct StimulusState {
   int round = 0;  ///< those before it
 };
 
-struct StimulusPlan {
+struct NextRound {
   std::vector<int> next_spp;            ///< that each block should have
   std::vector<std::size_t> unfiltered;  ///< tiles that go without the filter from now on
 };
 
-/// As `plan_samples`; and tiles go without the filter whose bias costs the fewest samples to be rid of, as
-/// many as make the plan cheapest. There, samples have to do what the filter did: as many as the photograph
-/// has, or the tile's noise would show as a patch. Where the photograph's own error takes nearly all that is
-/// allowed, samples gain little: what a round adds at least doubles from one to the next.
-[[nodiscard]] StimulusPlan plan_stimulus(const StimulusState& state);
+/// Samples as `next_samples` gives them, and tiles that are filtered no longer. These are first the tiles
+/// that are not good enough because of their bias, then those where it takes the fewest samples to replace
+/// the filter; as many tiles as make the round cheapest. A tile without filter gets as many samples as the
+/// photograph has, or its noise would show as a patch. Where the photograph's own error takes nearly all that
+/// is allowed, samples gain little: what a round adds at least doubles from one to the next.
+[[nodiscard]] NextRound next_round(const StimulusState& state);
 
 }  // namespace seamline::renderer

@@ -1,0 +1,175 @@
+#include "renderer/estimators/fast/truth_sums.h"
+
+#include "renderer/common/parallel.h"
+
+namespace seamline::renderer {
+namespace {
+
+const ObjectPixel no_object;
+
+/// The sums of one pixel and half, sorted by what one object covers.
+struct PixelOfObject {
+  const ObjectPixel& own;
+  Split without_object, with_object;
+  float uncovered_surfaces;
+
+  PixelOfObject(const WorldPixel& world, const ObjectPixel& object, std::size_t k) : own(object) {
+    uncovered_surfaces = world.surfaces[k] - object.behind_surfaces;
+    if (uncovered_surfaces <= 0.0F) return;
+    without_object = world.seen[k];
+    with_object = world.seen[0];
+    if (object.covered > 0.0F) {
+      without_object -= object.behind;
+      with_object -= object.object;
+    }
+  }
+};
+
+/// Takes one object's truth from the sums of the scene.
+class TruthSumsMaker {
+ public:
+  TruthSumsMaker(const SceneSums& sums, const Camera& camera, const Rgb& sky, int object,
+                 const TruthSumsOptions& options)
+      : sums_(sums), camera_(camera), sky_(sky), k_(static_cast<std::size_t>(object)), options_(options) {}
+
+  TruthSums make() {
+    const std::size_t pixels = sums_.halves[0].size();
+    truth_.width_px = sums_.grid.width_px;
+    truth_.height_px = sums_.grid.height_px;
+    truth_.spp = *std::max_element(sums_.spp.begin(), sums_.spp.end());
+    truth_.rays = sums_.counts.traced;
+    for (auto& half : truth_.halves) half.resize(pixels);
+    truth_.guides.resize(pixels);
+    surfaces_.resize(pixels);
+    texels_.resize(pixels);
+    rows([&](int x, int y) { collect_uncovered(x, y); });
+    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
+    rows([&](int x, int y) { write_uncovered(x, y); });
+    std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
+    std::fill(texels_.begin(), texels_.end(), BounceTexel{});
+    rows([&](int x, int y) { collect_object(x, y); });
+    filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_,
+                  tiles_of_object(sums_, static_cast<int>(k_)));
+    rows([&](int x, int y) { write_object(x, y); });
+    return std::move(truth_);
+  }
+
+ private:
+  template <class Work>
+  void rows(const Work& work) {
+    parallel_for(truth_.height_px, options_.threads, [&](int y) {
+      for (int x = 0; x < truth_.width_px; ++x) work(x, y);
+    });
+  }
+
+  [[nodiscard]] const ObjectTile* object_tile(int x, int y) const {
+    return sums_.objects[k_ - 1][static_cast<std::size_t>(sums_.grid.square_of(x, y))].get();
+  }
+  [[nodiscard]] PixelOfObject parts(int x, int y, std::size_t half) const {
+    const ObjectTile* tile = object_tile(x, y);
+    return {sums_.halves[half][sums_.index(x, y)],
+            tile == nullptr ? no_object : tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))],
+            k_};
+  }
+  /// Scale from a pixel's own number of samples to the truth's.
+  [[nodiscard]] float scale(int x, int y) const {
+    return static_cast<float>(truth_.spp) / static_cast<float>(sums_.samples_at(x, y));
+  }
+
+  void collect_uncovered(int x, int y) {
+    const std::size_t i = sums_.index(x, y);
+    float samples = 0;
+    for (const auto& half : sums_.halves) samples += half[i].surfaces[k_];
+    const Surface surface = surface_of(sums_.guides[k_ - 1][i], samples, camera_, x, y);
+    surfaces_[i] = surface;
+    truth_.guides[i] = {surface.normal, surface.distance_m};
+    if (samples <= 0.0F) return;
+    for (std::size_t half = 0; half < 2; ++half) {
+      const PixelOfObject pixel = parts(x, y, half);
+      const WorldPixel& world = sums_.halves[half][i];
+      texels_[i].without_object(half) = world.seen[k_].bounce / surface.albedo;
+      texels_[i].without_samples(half) = world.surfaces[k_];
+      if (pixel.uncovered_surfaces <= 0.0F) continue;
+      texels_[i].change(half) = (pixel.with_object.bounce - pixel.without_object.bounce) / surface.albedo;
+      texels_[i].change_samples(half) = pixel.uncovered_surfaces;
+    }
+  }
+
+  void write_uncovered(int x, int y) {
+    const std::size_t i = sums_.index(x, y);
+    const float to_sums = scale(x, y);
+    const float half_samples = 0.5F * static_cast<float>(sums_.samples_at(x, y));
+    for (std::size_t half = 0; half < 2; ++half) {
+      PixelOfObject pixel = parts(x, y, half);
+      const ObjectPixel& own = pixel.own;
+      TruthPixel& out = truth_.halves[half][i];
+      const float behind_sky = own.covered - own.behind_surfaces;
+      const Rgb filtered_without =
+          mean(texels_[i].without_object(half), texels_[i].without_samples(half)) * surfaces_[i].albedo;
+      if (options_.filter.levels > 0) {
+        pixel.without_object.bounce = filtered_without * pixel.uncovered_surfaces;
+        pixel.with_object.bounce =
+            pixel.without_object.bounce + mean(texels_[i].change(half), texels_[i].change_samples(half)) *
+                                              surfaces_[i].albedo * pixel.uncovered_surfaces;
+      }
+      const Rgb behind_bounce =
+          options_.filter.levels > 0 ? Rgb(filtered_without * own.behind_surfaces) : own.behind.bounce;
+      out.without_object = to_sums * pixel.without_object;
+      out.with_object = to_sums * pixel.with_object;
+      out.sky = to_sums * (half_samples - own.covered - pixel.uncovered_surfaces) * sky_;
+      out.behind = to_sums * (own.behind.direct + behind_bounce + behind_sky * sky_);
+      out.covered = to_sums * own.covered;
+      out.uncovered_surfaces = to_sums * pixel.uncovered_surfaces;
+    }
+  }
+
+  void collect_object(int x, int y) {
+    const ObjectTile* tile = object_tile(x, y);
+    if (tile == nullptr) return;
+    const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+    const std::size_t i = sums_.index(x, y);
+    const float covered = tile->halves[0][place].covered + tile->halves[1][place].covered;
+    surfaces_[i] = surface_of(tile->guides[place], covered, camera_, x, y);
+    if (covered <= 0.0F) return;
+    for (std::size_t half = 0; half < 2; ++half) {
+      const ObjectPixel& own = tile->halves[half][place];
+      texels_[i].without_object(half) = own.object.bounce / surfaces_[i].albedo;
+      texels_[i].without_samples(half) = own.covered;
+    }
+  }
+
+  void write_object(int x, int y) {
+    const ObjectTile* tile = object_tile(x, y);
+    if (tile == nullptr) return;
+    const std::size_t i = sums_.index(x, y);
+    for (std::size_t half = 0; half < 2; ++half) {
+      const ObjectPixel& own = tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))];
+      if (own.covered <= 0.0F) continue;
+      Split object = own.object;
+      if (options_.filter.levels > 0)
+        object.bounce = mean(texels_[i].without_object(half), texels_[i].without_samples(half)) *
+                        surfaces_[i].albedo * own.covered;
+      truth_.halves[half][i].object = scale(x, y) * object;
+    }
+  }
+
+  static Rgb mean(const Rgb& sum, float samples) { return samples > 0.0F ? Rgb(sum / samples) : Rgb::Zero(); }
+
+  const SceneSums& sums_;
+  const Camera& camera_;
+  const Rgb& sky_;
+  const std::size_t k_;
+  const TruthSumsOptions& options_;
+  TruthSums truth_;
+  std::vector<Surface> surfaces_;
+  std::vector<BounceTexel> texels_;
+};
+
+}  // namespace
+
+TruthSums truth_sums(const SceneSums& sums, const Camera& camera, const Rgb& environment_radiance, int object,
+                     const TruthSumsOptions& options) {
+  return TruthSumsMaker(sums, camera, environment_radiance, object, options).make();
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,20 @@
+#pragma once
+#include "renderer/picture/bounce_filter.h"
+#include "renderer/picture/pixel_sums.h"
+#include "renderer/picture/scene_sums.h"
+
+namespace seamline::renderer {
+
+/// How the truth of one object is taken from the sums of a scene.
+struct TruthSumsOptions {
+  FilterStrength filter = {};
+  int threads = 1;
+};
+
+/// The truth of one object (1 to 3), taken from the sums of the truth pass, its bounce light filtered.
+/// Scaled as if every tile had the most samples that one has.
+[[nodiscard]] TruthSums truth_sums(const SceneSums& sums, const Camera& camera,
+                                   const Rgb& environment_radiance, int object,
+                                   const TruthSumsOptions& options);
+
+}  // namespace seamline::renderer
