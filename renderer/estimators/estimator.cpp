@@ -4,6 +4,18 @@
 
 namespace seamline::renderer {
 
+ByteImage click_map(const TruthScene& scene) {
+  const Camera& camera = scene.camera;
+  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  ByteImage ids{camera.width_px, camera.height_px, 1, {}};
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::optional<SurfacePoint> centre = everything.nearest(centre_ray(camera, x, y));
+      ids.values.push_back(static_cast<std::uint8_t>(centre ? centre->object_index : 0));
+    }
+  return ids;
+}
+
 std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,
                                                const EstimateOptions& options) {
   switch (kind) {

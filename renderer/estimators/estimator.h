@@ -4,11 +4,31 @@
 #include <optional>
 
 #include "renderer/estimators/estimator_choices.h"
-#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/picture/composite.h"
 #include "renderer/transport/omissions.h"
+#include "renderer/transport/scene_geometry.h"
+#include "support/files/image.h"
 
 namespace seamline::renderer {
+
+/// How a pass over all pixels runs.
+struct PassOptions {
+  int spp = 64;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::function<void(double share_done)> progress = {};  ///< called on the calling thread
+};
+
+/// The reference of a whole scene, all objects in place, and its click map (0 background, 1 left, 2 middle, 3
+/// right).
+struct SceneReference {
+  Image radiance;
+  ByteImage object_ids;
+  std::int64_t rays = 0;
+};
+
+/// The click map alone.
+[[nodiscard]] ByteImage click_map(const TruthScene& scene);
 
 /// What an estimator made of one stimulus.
 struct EstimatedStimulus {

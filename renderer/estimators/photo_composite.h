@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/estimators/path/path_truth_pass.h"
+#include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 
 namespace seamline::renderer {

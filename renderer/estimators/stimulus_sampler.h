@@ -2,10 +2,11 @@
 #include <span>
 #include <vector>
 
-#include "renderer/estimators/path/path_truth_pass.h"
+#include "renderer/picture/pixel_sums.h"
 #include "renderer/transport/answers.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
+#include "renderer/transport/scene_geometry.h"
 #include "renderer/transport/uncovered_light.h"
 #include "renderer/transport/worlds.h"
 

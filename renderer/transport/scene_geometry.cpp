@@ -11,4 +11,8 @@ SceneGeometry::SceneGeometry(const TruthScene& scene)
              scene.geometry(false, {1, 2}, Edges::loose)},
       worlds{&room, &objects, {&others[0], &others[1], &others[2]}, 3} {}
 
+ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
+  return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};
+}
+
 }  // namespace seamline::renderer

@@ -21,4 +21,11 @@ struct SceneGeometry {
   Worlds worlds;
 };
 
+/// The truth of one virtual object: T (background and the two others) and the object alone.
+struct ObjectGeometry {
+  Geometry truth;
+  Geometry object;
+};
+[[nodiscard]] ObjectGeometry object_geometry(const TruthScene& scene, int object_index);
+
 }  // namespace seamline::renderer

@@ -1,8 +1,8 @@
 #pragma once
-#include "renderer/estimators/path/path_truth_pass.h"
 #include "renderer/picture/error_estimate.h"
 #include "renderer/picture/pixel_sums.h"
 #include "renderer/picture/scene_sums.h"
+#include "renderer/transport/scene_geometry.h"
 
 namespace seamline::renderer {
 

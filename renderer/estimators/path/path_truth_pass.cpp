@@ -41,10 +41,6 @@ std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide&
 
 }  // namespace
 
-ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
-  return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};
-}
-
 TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options) {
   const Camera& camera = scene.camera;
   TruthSums sums{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
@@ -72,18 +68,6 @@ TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, 
   });
   sums.rays = rays;
   return sums;
-}
-
-ByteImage click_map(const TruthScene& scene) {
-  const Camera& camera = scene.camera;
-  const Geometry everything = scene.geometry(true, {1, 2, 3});
-  ByteImage ids{camera.width_px, camera.height_px, 1, {}};
-  for (int y = 0; y < camera.height_px; ++y)
-    for (int x = 0; x < camera.width_px; ++x) {
-      const std::optional<SurfacePoint> centre = everything.nearest(centre_ray(camera, x, y));
-      ids.values.push_back(static_cast<std::uint8_t>(centre ? centre->object_index : 0));
-    }
-  return ids;
 }
 
 SceneReference render_reference(const TruthScene& scene, const PassOptions& options) {
