@@ -1,9 +1,13 @@
 #include "renderer/set/contact_sheet.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "stimuli/set/manifest_pictures.h"
 #include "support/files/image.h"
@@ -11,7 +15,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26;
+constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26, condition_label_px = 110;
 constexpr std::uint8_t paper_code = 255, ink_code = 20;
 
 /// A rectangle of pixels, ends excluded.
@@ -115,30 +119,49 @@ void place(const ByteImage& from, const Box& window, ByteImage& sheet, int left,
       }
 }
 
-using Row = std::map<int, const ManifestStimulus*, std::greater<>>;  // by width, the finest first
+/// The stimuli of one object under one condition, by level, the least noticeable first.
+struct SheetRow {
+  std::string condition;  ///< empty where the set has one
+  std::map<double, const ManifestStimulus*> by_level;
+};
 
-ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& manifest,
-                   const std::map<std::pair<std::string, int>, Row>& rows) {
-  std::set<int, std::greater<>> widths;
-  for (const auto& [key, row] : rows)
-    for (const auto& [width_px, record] : row) widths.insert(width_px);
-  const int columns = static_cast<int>(widths.size()) + 1;
+/// By which levels are columns from left to right, beginning with what ought to be noticed least.
+double column_order(const Stimulus& stimulus) {
+  return facts(stimulus.quantity).noticeability == Direction::increasing ? stimulus.level : -stimulus.level;
+}
+
+std::string column_label(const Stimulus& stimulus) {
+  if (stimulus.quantity != Quantity::depth_width_px) return level_text(stimulus.quantity, stimulus.level);
+  return fmt::format("{} x {}", stimulus.depth.width_px, stimulus.depth.height_px());
+}
+
+using SheetRows =
+    std::map<std::tuple<std::string, int, std::size_t>, SheetRow>;  // scene, object, condition's place
+
+ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& manifest, const SheetRows& rows) {
+  std::map<double, std::string> labels;  // by column_order
+  bool conditions = false;
+  for (const auto& [key, row] : rows) {
+    conditions = conditions || !row.condition.empty();
+    for (const auto& [order, record] : row.by_level) labels.emplace(order, column_label(record->stimulus));
+  }
+  const int margin_px = conditions ? condition_label_px : 0;
+  const int columns = static_cast<int>(labels.size()) + 1;
   const int row_height = cell_height_px + gap_px;
-  ByteImage sheet{columns * (cell_width_px + gap_px) + gap_px,
+  ByteImage sheet{margin_px + columns * (cell_width_px + gap_px) + gap_px,
                   static_cast<int>(rows.size()) * row_height + label_px + gap_px,
                   3,
                   {}};
   sheet.values.assign(
       static_cast<std::size_t>(sheet.width_px) * static_cast<std::size_t>(sheet.height_px) * 3, paper_code);
-  const auto left_of = [](int column) { return gap_px + column * (cell_width_px + gap_px); };
+  const auto left_of = [&](int column) { return margin_px + gap_px + column * (cell_width_px + gap_px); };
   int column = 0;
-  for (const int width_px : widths)
-    draw_text(sheet, left_of(column++) + 4, 19,
-              std::to_string(width_px) + " x " + std::to_string(width_px / 2), 16, ink_code);
+  for (const auto& [order, label] : labels) draw_text(sheet, left_of(column++) + 4, 19, label, 16, ink_code);
   draw_text(sheet, left_of(column) + 4, 19, "reference", 16, ink_code);
   int top = label_px;
   for (const auto& [key, row] : rows) {
-    const ManifestStimulus& coarsest = *row.rbegin()->second;
+    const ManifestStimulus& coarsest = *row.by_level.rbegin()->second;
+    if (conditions) draw_text(sheet, gap_px, top + cell_height_px / 2, row.condition, 16, ink_code);
     const auto picture_of = [&](const ManifestStimulus& record) {
       return read_manifest_picture(set_folder, stimulus_picture(manifest, record));
     };
@@ -146,8 +169,8 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
         set_folder, reference_picture(manifest, reference_of(set_folder, manifest, coarsest.stimulus)));
     const Box window = artifact_window(picture_of(coarsest), reference);
     column = 0;
-    for (const int width_px : widths) {
-      if (const auto found = row.find(width_px); found != row.end())
+    for (const auto& [order, label] : labels) {
+      if (const auto found = row.by_level.find(order); found != row.by_level.end())
         place(picture_of(*found->second), window, sheet, left_of(column), top);
       ++column;
     }
@@ -161,11 +184,19 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
 
 void write_contact_sheets(const std::filesystem::path& set_folder) {
   const Manifest manifest = read_manifest(set_folder);
+  std::vector<std::string> conditions;  // in the study's order
   for (const Artifact artifact : every_artifact) {
-    std::map<std::pair<std::string, int>, Row> rows;
-    for (const ManifestStimulus& record : manifest.stimuli)
-      if (record.stimulus.artifact == artifact)
-        rows[{record.stimulus.scene, record.stimulus.object_index}][record.stimulus.depth.width_px] = &record;
+    SheetRows rows;
+    for (const ManifestStimulus& record : manifest.stimuli) {
+      const Stimulus& stimulus = record.stimulus;
+      if (stimulus.artifact != artifact) continue;
+      const auto place = static_cast<std::size_t>(
+          std::find(conditions.begin(), conditions.end(), stimulus.condition) - conditions.begin());
+      if (place == conditions.size()) conditions.push_back(stimulus.condition);
+      SheetRow& row = rows[{stimulus.scene, stimulus.object_index, place}];
+      row.condition = stimulus.condition;
+      row.by_level[column_order(stimulus)] = &record;
+    }
     if (!rows.empty())
       write_png(set_folder / ("contact-" + std::string(word(artifact)) + ".png"),
                 sheet_of(set_folder, manifest, rows));

@@ -54,6 +54,67 @@ TEST(Render, SameBytesForOneAndTwoThreads) {
   EXPECT_EQ(run_seamline("verify " + (folder / "one").string()).status, 0);
 }
 
+/// The bedroom alone at two widths, with conditions or without.
+std::string bedroom_study(const std::string& conditions) {
+  std::string text = test::quick_study_with({{"width_px = 480", "width_px = 96"},
+                                             {"height_px = 270", "height_px = 54"},
+                                             {"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
+  text.erase(text.find("# Types 2 and 4"));
+  return text + conditions;
+}
+
+TEST(Render, ConditionsShareTheTruthOfOneLightAndCostOthersNothing) {
+  const fs::path folder = fresh_folder("conditions");
+  test::write_text(folder / "study.toml", bedroom_study(""));
+  ASSERT_EQ(run_seamline(render(folder, "without", "")).status, 0);
+  test::write_text(
+      folder / "study.toml",
+      bedroom_study("[[condition]]\nname = \"plain\"\n[[condition]]\nname = \"turned\"\nyaw_texels = 5\n"
+                    "[[condition]]\nname = \"soft\"\nsun_radius_deg = 2.0\n"));
+  const test::Outcome outcome = run_seamline(render(folder, "with", "--contact-sheet"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const nlohmann::json manifest = nlohmann::json::parse(read_text(folder / "with/manifest.json"));
+  EXPECT_EQ(manifest["version"], 2);
+  ASSERT_EQ(manifest["references"].size(), 2U);
+  ASSERT_EQ(manifest["stimuli"].size(), 18U);
+  EXPECT_TRUE(read_text(folder / "without/references/bedroom.png") ==
+              read_text(folder / "with/references/bedroom-plain.png"));
+  EXPECT_TRUE(read_text(folder / "without/references/bedroom.png") !=
+              read_text(folder / "with/references/bedroom-soft.png"));
+  for (const char* level : {"0064", "0512"}) {
+    const auto picture = [&](const std::string& set, const std::string& condition) {
+      return read_text(folder / set / ("stimuli/bedroom-receiver-statue-" + condition + level) += ".png");
+    };
+    EXPECT_TRUE(picture("without", "") == picture("with", "plain-")) << level;
+    EXPECT_TRUE(picture("without", "") != picture("with", "soft-")) << level;
+  }
+  EXPECT_EQ(run_seamline("verify " + (folder / "with").string()).status, 0);
+}
+
+TEST(Render, ALevelOfNoneIsTheFullMesh) {
+  const fs::path folder = fresh_folder("tolerances");
+  test::write_text(
+      folder / "study.toml",
+      test::quick_study_with(
+          {{"width_px = 480", "width_px = 96"},
+           {"height_px = 270", "height_px = 54"},
+           {"mesh = \"adaptive\"\n", ""},
+           {"mesh_tolerance = 1e-4\n", ""},
+           {"depth_width_px = [64, 256, 512, 1024, 4096]",
+            "depth_width_px = 256\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0, 0.1]"}}));
+  ASSERT_EQ(run_seamline(render(folder, "set", "--only 'bedroom*'")).status, 0);
+  const nlohmann::json manifest = nlohmann::json::parse(read_text(folder / "set/manifest.json"));
+  ASSERT_EQ(manifest["stimuli"].size(), 6U);
+  EXPECT_EQ(manifest["stimuli"][0]["id"], "bedroom-receiver-statue-0p000000000");
+  EXPECT_EQ(manifest["stimuli"][0]["mesh"]["max_relative_error"], 0);
+  EXPECT_GT(manifest["stimuli"][0]["mesh"]["triangles"], 100000);
+  EXPECT_LT(manifest["stimuli"][1]["mesh"]["triangles"], 50000);
+  const test::Outcome refused = run_seamline(render(folder, "other", "--mesh full"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output,
+              testing::HasSubstr("--mesh: wanted a study whose conditions and levels leave the mesh"));
+}
+
 TEST(Render, ContinuesWhereItWasStoppedAndEndsWithTheSameBytes) {
   const fs::path folder = fresh_folder("continue");
   test::write_text(folder / "study.toml", tiny_study());
