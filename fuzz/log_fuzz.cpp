@@ -16,9 +16,9 @@ using namespace study;
 namespace {
 
 constexpr const char* rows = R"sql(
-  INSERT INTO study VALUES (1, 'fuzz', 'h', 's', '/nowhere', 'format = "seamline study 1"', '0');
-  INSERT INTO stimuli VALUES (0, 'room-shadow-a-0064', 'room', 'shadow', 'a', 2, 64, 0, '0'),
-                             (1, 'room-overlap-b-0512', 'room', 'overlap', 'b', 3, 512, 0, '0');
+  INSERT INTO study VALUES (1, 'fuzz', 'h', 's', '/nowhere', 'format = "seamline study 1"', '0', 'depth_width_px', 'falls');
+  INSERT INTO stimuli VALUES (0, 'room-shadow-a-0064', 'room', 'shadow', 'a', 2, 64, 0, '0', '', 64),
+                             (1, 'room-overlap-b-0512', 'room', 'overlap', 'b', 3, 512, 0, '0', 'soft', 512);
   INSERT INTO participants VALUES (1, 'p01', 0, 0, 0, 1, NULL, NULL, NULL),
                                   (2, 'sim-1', 1, 0, 0, 1, 'threshold', 7, NULL);
   INSERT INTO sessions VALUES (1, 1, 100, 200, 0, 0, '0'), (2, 2, 100, 200, 0, 0, '0');
@@ -72,6 +72,10 @@ constexpr const char* hostile_writes[] = {"UPDATE answers SET chosen_index = ?",
                                           "UPDATE stimuli SET object_index = ?",
                                           "UPDATE stimuli SET depth_width_px = ?",
                                           "UPDATE stimuli SET artifact = ?",
+                                          "UPDATE stimuli SET condition = ?",
+                                          "UPDATE stimuli SET level = ?",
+                                          "UPDATE study SET quantity = ?",
+                                          "UPDATE study SET noticeability = ?",
                                           "UPDATE trials SET kind = ?",
                                           "UPDATE participants SET code = ?",
                                           "UPDATE participants SET slot = ?",
@@ -123,7 +127,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const LogContents log = read_log(path);
     for (const Answer& answer : log.answers)
       if (answer.chosen_index < 1 || answer.chosen_index > 3 || answer.rating < 1 || answer.rating > 4 ||
-          answer.object_index < 1 || answer.object_index > 3 || answer.depth_width_px < 2)
+          answer.object_index < 1 || answer.object_index > 3 || answer.depth_width_px < 2 ||
+          !(answer.level >= 0 && answer.level <= 16384))
         abort();
     if (status_text(log).empty()) abort();
   });

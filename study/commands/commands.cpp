@@ -9,6 +9,7 @@
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
 #include "study/log/recovery/log_recovery.h"
+#include "study/log/recovery/log_upgrade.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/simulation.h"
 #include "study/trials/rendered_set.h"
@@ -29,7 +30,7 @@ struct StudyOptions {
 };
 
 struct LogOptions {
-  std::string log, exclude, forget, recover, set;
+  std::string log, exclude, forget, recover, upgrade, set;
   bool status = false, tracks = false;
 };
 
@@ -89,14 +90,19 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
 
 void administer(const LogOptions& options) {
   const bool does_something = options.status || options.tracks || !options.exclude.empty() ||
-                              !options.forget.empty() || !options.recover.empty();
+                              !options.forget.empty() || !options.recover.empty() || !options.upgrade.empty();
   if (!does_something)
-    throw input_error({.field = "seamline log",
-                       .wanted = "--status, --tracks, --exclude CODE, --forget CODE or --recover OUT",
-                       .found = "none"});
+    throw input_error(
+        {.field = "seamline log",
+         .wanted = "--status, --tracks, --exclude CODE, --forget CODE, --recover OUT or --upgrade NEW",
+         .found = "none"});
   if (!options.recover.empty()) {
     const LogRecovery recovery = recover_log(options.log, options.recover, options.set);
     fmt::print("{}", recovery_text(recovery, options.log, options.recover));
+    return;
+  }
+  if (!options.upgrade.empty()) {
+    fmt::print("{}", upgrade_text(upgrade_log(options.log, options.upgrade), options.log, options.upgrade));
     return;
   }
   if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
@@ -150,6 +156,9 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   CLI::Option* recover =
       log->add_option("--recover", log_options->recover,
                       "save what can be read of a damaged log into a new one, and say what is lost");
+  log->add_option("--upgrade", log_options->upgrade,
+                  "make a log of today's schema of one that an older seamline began, with every answer")
+      ->excludes(recover);
   log->add_option("--set", log_options->set, "for --recover: the set, where the log's own study is lost")
       ->needs(recover);
   log->callback([log_options] { administer(*log_options); });

@@ -9,9 +9,32 @@ namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
+Quantity quantity_of(const std::string& text, const fs::path& file) {
+  const std::optional<Quantity> quantity = quantity_from_key(text);
+  if (!quantity)
+    throw input_error({.file = file.string(),
+                       .field = "study.quantity",
+                       .wanted = "a known quantity",
+                       .found = "\"" + printable(text, 40) + "\""});
+  return *quantity;
+}
+
+Direction noticeability_of(const std::string& text, const fs::path& file) {
+  for (const Direction direction : {Direction::decreasing, Direction::increasing})
+    if (text == noticeability_word(direction)) return direction;
+  throw input_error({.file = file.string(),
+                     .field = "study.noticeability",
+                     .wanted = "\"falls\" or \"rises\"",
+                     .found = "\"" + printable(text, 40) + "\""});
+}
+
 void read_study_row(SQLite::Database& database, LogContents& log) {
-  SQLite::Statement row(database,
-                        "SELECT study_name, study_hash, set_hash, set_folder, study_text FROM study");
+  const bool since_3 = schema_version_of(database) >= 3;
+  SQLite::Statement row(database, since_3
+                                      ? "SELECT study_name, study_hash, set_hash, set_folder, study_text, "
+                                        "quantity, noticeability FROM study"
+                                      : "SELECT study_name, study_hash, set_hash, set_folder, study_text, "
+                                        "'depth_width_px' AS quantity, 'falls' AS noticeability FROM study");
   if (!row.executeStep())
     throw input_error({.file = log.file.string(), .field = "study", .wanted = "a study", .found = "none"});
   const LogValues values(row, log.file, "study");
@@ -20,6 +43,8 @@ void read_study_row(SQLite::Database& database, LogContents& log) {
   log.set_hash = values.text(2);
   log.set_folder = row.getColumn(3).getString();
   log.study_text = row.getColumn(4).getString();
+  log.quantity = quantity_of(row.getColumn(5).getString(), log.file);
+  log.noticeability = noticeability_of(row.getColumn(6).getString(), log.file);
 }
 
 std::vector<FormAnswer> read_form(SQLite::Database& database, std::int64_t participant) {
@@ -80,15 +105,28 @@ Artifact artifact_of(const std::string& text, const fs::path& file) {
   return *artifact;
 }
 
-std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file) {
-  SQLite::Statement row(database, R"sql(
+constexpr const char* answers_sql = R"sql(
       SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
-             chosen_index, rating, choice_ns, rating_ns, image_scale
+             chosen_index, rating, choice_ns, rating_ns, image_scale, condition, level
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind = 'stimulus'
-      ORDER BY participant, trial_index)sql");
+      ORDER BY participant, trial_index)sql";
+
+/// The widths are the levels.
+constexpr const char* answers_sql_of_version_2 = R"sql(
+      SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
+             chosen_index, rating, choice_ns, rating_ns, image_scale, '' AS condition,
+             CAST(depth_width_px AS REAL) AS level
+      FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
+                   JOIN participants USING (participant)
+      WHERE kind = 'stimulus'
+      ORDER BY participant, trial_index)sql";
+
+std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file, Quantity quantity) {
+  SQLite::Statement row(database, schema_version_of(database) >= 3 ? answers_sql : answers_sql_of_version_2);
   const LogValues values(row, file, "answers");
+  const QuantityFacts& level = facts(quantity);
   std::vector<Answer> answers;
   while (row.executeStep())
     answers.push_back({.participant = values.text(0),
@@ -99,7 +137,8 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                        .object = values.text(5),
                        .object_index = values.number(6, 1, 3),
                        .depth_width_px = values.number(7, 2),
-                       .level = static_cast<double>(values.number(7, 2)),  // the schema knows no other
+                       .condition = values.text(13),
+                       .level = values.real(14, level.least, level.most),
                        .chosen_index = values.number(8, 1, 3),
                        .rating = values.number(9, 1, 4),
                        .choice_ns = values.time(10),
@@ -139,7 +178,7 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   log.file = path;
   read_study_row(database, log);
   log.participants = read_participants(database, path);
-  log.answers = read_answers(database, path);
+  log.answers = read_answers(database, path, log.quantity);
   log.catches = read_catches(database, path);
   log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();
   log.declined_visits = database.execAndGet("SELECT count(*) FROM declines").getInt();

@@ -84,7 +84,8 @@ struct LogContents {
 };
 
 /// Reads a log, also while a session is writing to it. Throws InputError when the file is missing, is not
-/// SQLite, is damaged, or is of another schema version.
+/// SQLite, is damaged, or is of a schema version that is not known. In a log of schema version 2 every level
+/// is a depth width, without a condition.
 [[nodiscard]] LogContents read_log(const std::filesystem::path& path);
 
 }  // namespace seamline::study

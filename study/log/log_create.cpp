@@ -66,7 +66,7 @@ SQLite::Database open_or_create(const fs::path& path, const std::function<void(S
   SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
   make_durable(database);
   if (is_blank(database)) create_tables(database, fill);
-  check_log_format(database, path);
+  check_log_format(database, path, log_schema_version);
   use_write_ahead_log(database, path);  // also for a log whose maker was killed before it came to this
   return database;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <vector>
 
 #include "study/log/log_place.h"
@@ -26,19 +27,28 @@ InputError damaged(const fs::path& path, std::string found) {
 
 /// In a few words what of a schema is not ours; empty: it is ours exactly. Names in it are somebody else's
 /// and are not repeated.
-std::string other_than_ours(SQLite::Database& database) {
+std::string other_than_ours(SQLite::Database& database, int version) {
   const std::multiset<SchemaEntry> found = schema_of(database);
+  const std::multiset<SchemaEntry>& ours = log_schema(version);
   std::vector<SchemaEntry> missing, foreign;
-  std::set_difference(log_schema().begin(), log_schema().end(), found.begin(), found.end(),
-                      std::back_inserter(missing));
-  std::set_difference(found.begin(), found.end(), log_schema().begin(), log_schema().end(),
-                      std::back_inserter(foreign));
+  std::set_difference(ours.begin(), ours.end(), found.begin(), found.end(), std::back_inserter(missing));
+  std::set_difference(found.begin(), found.end(), ours.begin(), ours.end(), std::back_inserter(foreign));
   if (!missing.empty()) return "other tables";
   if (foreign.empty()) return "";
   for (const char* kind : {"trigger", "view", "index"})
     for (const SchemaEntry& entry : foreign)
       if (std::get<0>(entry) == kind) return fmt::format("also something that is not: a {}", kind);
   return "also something that is not: a table";
+}
+
+/// What to do with a log of a version that does not serve.
+const char* advice_for(int version) {
+  if (version > log_schema_version) return "written by a newer seamline: use that one";
+  if (version >= oldest_log_schema_version)
+    return "written by an older seamline: `seamline log LOG --upgrade NEW` makes a log of it that sessions "
+           "go "
+           "on in, with every answer; nothing in this one was changed";
+  return "written by an older seamline: go on with that one, or begin a new log; nothing in it was changed";
 }
 
 SQLite::Database open_for_writing(const fs::path& path, int wait_ms, bool alone) {
@@ -115,13 +125,17 @@ std::multiset<SchemaEntry> schema_of(SQLite::Database& database) {
   return entries;
 }
 
-const std::multiset<SchemaEntry>& log_schema() {
-  static const std::multiset<SchemaEntry> ours = [] {
-    SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    model.exec(log_schema_sql());
-    return schema_of(model);
+const std::multiset<SchemaEntry>& log_schema(int version) {
+  static const std::map<int, std::multiset<SchemaEntry>> ours = [] {
+    std::map<int, std::multiset<SchemaEntry>> schemas;
+    for (int known = oldest_log_schema_version; known <= log_schema_version; ++known) {
+      SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      model.exec(log_schema_sql(known));
+      schemas[known] = schema_of(model);
+    }
+    return schemas;
   }();
-  return ours;
+  return ours.at(version);
 }
 
 void check_is_file(const fs::path& path, EmptyFile empty) {
@@ -145,25 +159,24 @@ bool is_blank(SQLite::Database& database) {
          database.execAndGet("PRAGMA application_id").getInt() == 0;
 }
 
-void check_log_format(SQLite::Database& database, const fs::path& path) {
+int schema_version_of(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt();
+}
+
+void check_log_format(SQLite::Database& database, const fs::path& path, int oldest) {
   if (database.execAndGet("PRAGMA application_id").getInt() != log_application_id)
     throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
-  const int version = database.execAndGet("PRAGMA user_version").getInt();
-  if (version != log_schema_version)
+  const int version = schema_version_of(database);
+  if (version < oldest || version > log_schema_version)
+    throw input_error({.file = path.string(),
+                       .field = "user_version",
+                       .wanted = fmt::format("a log of schema version {}", log_schema_version),
+                       .found = fmt::format("version {} ({})", version, advice_for(version))});
+  if (const std::string found = other_than_ours(database, version); !found.empty())
     throw input_error(
         {.file = path.string(),
-         .field = "user_version",
-         .wanted = fmt::format("a log of schema version {}", log_schema_version),
-         .found = fmt::format("version {} ({})", version,
-                              version < log_schema_version
-                                  ? "written by an older seamline: go on with that one, or begin "
-                                    "a new log; nothing in it was changed"
-                                  : "written by a newer seamline: use that one")});
-  if (const std::string found = other_than_ours(database); !found.empty())
-    throw input_error({.file = path.string(),
-                       .wanted = fmt::format("the tables of schema version {} and nothing else {}",
-                                             log_schema_version, saving),
-                       .found = found});
+         .wanted = fmt::format("the tables of schema version {} and nothing else {}", version, saving),
+         .found = found});
 }
 
 void check_undamaged(SQLite::Database& database, const fs::path& path) {

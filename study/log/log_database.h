@@ -17,9 +17,12 @@ namespace seamline::study {
 
 /// The log's format: a SQLite database with this application_id and, in user_version, this schema version.
 /// Raise the version with every change of the tables in log_schema.cpp. Version 2 has kinds of trials,
-/// consents, forms, displays and training.
+/// consents, forms, displays and training; version 3 the quantity of the study and the conditions and levels
+/// of its stimuli. A log of version 2 is of depth widths alone: it is read, and participants are excluded and
+/// forgotten in it, but sessions go on in a log of today's version only (`upgrade_log`).
 inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
-inline constexpr int log_schema_version = 2;
+inline constexpr int log_schema_version = 3;
+inline constexpr int oldest_log_schema_version = 2;
 
 /// How long to wait for other writers.
 inline constexpr int log_patience_ms = 5000;
@@ -38,13 +41,13 @@ enum class LogAccess {
 /// The real path of the file that was opened.
 [[nodiscard]] std::filesystem::path place_of(SQLite::Database& database);
 
-/// Opens a log that exists, made durable. Throws InputError (missing, not SQLite, another program's, another
-/// schema version, no permission, in use).
+/// Opens a log that exists, of any version since `oldest_log_schema_version`, made durable. Throws InputError
+/// (missing, not SQLite, another program's, another schema version, no permission, in use).
 [[nodiscard]] SQLite::Database open_log_database(const std::filesystem::path& path, LogAccess access);
 
-/// The same, but where there is no file, or an empty one, a log is made: its tables and what `fill` enters
-/// are one transaction, so no other program ever sees a log that belongs to no set. When that fails no file
-/// is left.
+/// The same for a log of today's version alone; where there is no file, or an empty one, a log is made: its
+/// tables and what `fill` enters are one transaction, so no other program ever sees a log that belongs to no
+/// set. When that fails no file is left.
 [[nodiscard]] SQLite::Database open_or_create_log_database(
     const std::filesystem::path& path, const std::function<void(SQLite::Database&)>& fill);
 
@@ -57,10 +60,14 @@ void check_is_file(const std::filesystem::path& path, EmptyFile empty);
 /// Nobody has written anything into the database yet.
 [[nodiscard]] bool is_blank(SQLite::Database& database);
 
-/// Throws InputError unless the database is a log of our schema version, with all its tables and indexes and
-/// nothing else: what others wrote into a schema (a trigger, a view, an index of an expression) would run
-/// while the log is read or written to.
-void check_log_format(SQLite::Database& database, const std::filesystem::path& path);
+/// Throws InputError unless the database is a log of schema version `oldest` to today's, with all its tables
+/// and indexes and nothing else: what others wrote into a schema (a trigger, a view, an index of an
+/// expression) would run while the log is read or written to.
+void check_log_format(SQLite::Database& database, const std::filesystem::path& path,
+                      int oldest = oldest_log_schema_version);
+
+/// What `check_log_format` found.
+[[nodiscard]] int schema_version_of(SQLite::Database& database);
 
 /// Throws InputError unless every page can be read, every row keeps its table's rules and no row refers to
 /// one that is missing. Takes about a second for a million answers.
@@ -70,16 +77,17 @@ void check_undamaged(SQLite::Database& database, const std::filesystem::path& pa
 /// file.
 void make_durable(SQLite::Database& database);
 
-/// The tables of schema version `log_schema_version`, as SQL.
-[[nodiscard]] std::string log_schema_sql();
+/// The tables of a schema version since `oldest_log_schema_version`, as SQL: word for word what logs of that
+/// version were made with.
+[[nodiscard]] std::string log_schema_sql(int version = log_schema_version);
 
 /// One table or index of a schema: its kind, its name and table, and its SQL (empty for those that SQLite
 /// makes by itself).
 using SchemaEntry = std::tuple<std::string, std::string, std::string, std::string>;
 
-/// What a database's schema has, and what a log's has. Runs nothing of it.
+/// What a database's schema has, and what a log's of a version has. Runs nothing of it.
 [[nodiscard]] std::multiset<SchemaEntry> schema_of(SQLite::Database& database);
-[[nodiscard]] const std::multiset<SchemaEntry>& log_schema();
+[[nodiscard]] const std::multiset<SchemaEntry>& log_schema(int version = log_schema_version);
 
 /// What went wrong with the file or the disk, as one sentence about the log; none when it is a mistake of
 /// ours.

@@ -17,6 +17,8 @@ std::string word_list(const Words& words) {
 
 // STRICT tables refuse values of another type. Participants are codes, and codes have no room for a name with
 // spaces. Rows of a participant hang on the participant, so that forgetting one is one DELETE.
+// What later versions add stands at the end of its table: a row of version 2, read by the words of version 3,
+// has NULL there (`study/log/recovery/log_salvage.h`).
 constexpr const char* schema = R"sql(
 CREATE TABLE study (
   id              INTEGER PRIMARY KEY CHECK (id = 1),
@@ -25,7 +27,7 @@ CREATE TABLE study (
   set_hash        TEXT NOT NULL CHECK (length(set_hash) > 0),
   set_folder      TEXT NOT NULL,
   study_text      TEXT NOT NULL,
-  program_version TEXT NOT NULL
+  program_version TEXT NOT NULL{study_since_3}
 ) STRICT;
 
 CREATE TABLE stimuli (
@@ -37,7 +39,7 @@ CREATE TABLE stimuli (
   object_index    INTEGER NOT NULL CHECK (object_index BETWEEN 1 AND 3),
   depth_width_px  INTEGER NOT NULL CHECK (depth_width_px >= 2 AND depth_width_px % 2 = 0),
   yaw_texels      INTEGER NOT NULL,
-  sha256          TEXT NOT NULL
+  sha256          TEXT NOT NULL{stimuli_since_3}
 ) STRICT;
 
 CREATE TABLE participants (
@@ -176,13 +178,24 @@ CREATE TABLE deletions (  -- that someone was forgotten, and when; not who
 ) STRICT;
 )sql";
 
+constexpr const char* study_since_3 = R"sql(,
+  quantity        TEXT NOT NULL CHECK (length(quantity) > 0),  -- what the levels are values of
+  noticeability   TEXT NOT NULL CHECK (noticeability IN ('falls', 'rises')))sql";
+
+constexpr const char* stimuli_since_3 = R"sql(,
+  condition       TEXT NOT NULL,                               -- '' where the study has one condition
+  level           REAL NOT NULL CHECK (level >= 0 AND level < 9e999))sql";
+
 }  // namespace
 
-std::string log_schema_sql() {
+std::string log_schema_sql(int version) {
+  const bool since_3 = version >= 3;
   return fmt::format("{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
                      fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(every_artifact)),
-                                 fmt::arg("kinds", word_list(every_trial_kind))),
-                     log_application_id, log_schema_version);
+                                 fmt::arg("kinds", word_list(every_trial_kind)),
+                                 fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
+                                 fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : "")),
+                     log_application_id, version);
 }
 
 }  // namespace seamline::study

@@ -44,6 +44,14 @@ double LogValues::positive(int column) const {
   return number;
 }
 
+double LogValues::real(int column, double least, double most) const {
+  const SQLite::Column value = row_.getColumn(column);
+  const double number = value.getDouble();
+  if (!value.isFloat() || !(number >= least && number <= most))
+    throw out_of_range(log_, table_, value, fmt::format("a number from {} to {}", least, most));
+  return number;
+}
+
 std::string LogValues::text(int column) const {
   return printable(row_.getColumn(column).getString());
 }

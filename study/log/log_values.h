@@ -22,6 +22,7 @@ class LogValues {
   /// Nanoseconds or seconds: 0 or more.
   [[nodiscard]] std::int64_t time(int column, std::int64_t least = 0) const;
   [[nodiscard]] double positive(int column) const;
+  [[nodiscard]] double real(int column, double least, double most) const;
   [[nodiscard]] bool flag(int column) const { return number(column, 0, 1) != 0; }
   /// A text that is shown to people: as `printable` has it.
   [[nodiscard]] std::string text(int column) const;

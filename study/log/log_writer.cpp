@@ -24,22 +24,24 @@ void check_same(const fs::path& path, const char* field, const std::string& want
 
 std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
   SQLite::Statement insert(
-      database, "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
+      database,
+      "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
   std::int64_t entered = 0;
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i].stimulus;
     run(insert, static_cast<std::int64_t>(i), stimuli[i].id, stimulus.scene,
         std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index, stimulus.depth.width_px,
-        stimulus.depth.yaw_texels, stimuli[i].sha256);
+        stimulus.depth.yaw_texels, stimuli[i].sha256, stimulus.condition, stimulus.level);
     entered += insert.getChanges();
   }
   return entered;
 }
 
 void enter_study_row(SQLite::Database& database, const RenderedSet& set) {
-  SQLite::Statement insert(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)");
   run(insert, set.study.name, set.manifest.study_hash, set.set_hash, set.folder.string(), set.study_text,
-      program_version());
+      program_version(), std::string(facts(set.study.level.quantity).key),
+      std::string(noticeability_word(set.study.level.noticeability)));
 }
 
 namespace {
@@ -59,7 +61,8 @@ void enter_study(SQLite::Database& database, const RenderedSet& set) {
 void check_stimuli(SQLite::Database& database, const fs::path& path,
                    const std::vector<ManifestStimulus>& wanted) {
   SQLite::Statement row(database, R"sql(
-      SELECT stimulus, stimulus_id, scene, artifact, object, object_index, depth_width_px, yaw_texels, sha256
+      SELECT stimulus, stimulus_id, scene, artifact, object, object_index, depth_width_px, yaw_texels, sha256,
+             condition, level
       FROM stimuli ORDER BY stimulus)sql");
   std::size_t same = 0;
   while (row.executeStep() && same < wanted.size()) {
@@ -72,7 +75,8 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
         row.getColumn(5).getInt64() != stimulus.object_index ||
         row.getColumn(6).getInt64() != stimulus.depth.width_px ||
         row.getColumn(7).getInt64() != stimulus.depth.yaw_texels ||
-        row.getColumn(8).getString() != record.sha256)
+        row.getColumn(8).getString() != record.sha256 || row.getColumn(9).getString() != stimulus.condition ||
+        row.getColumn(10).getDouble() != stimulus.level)
       break;
     ++same;
   }

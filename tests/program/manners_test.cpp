@@ -48,9 +48,9 @@ TEST(Manners, OneFunctionWritesFiles) {
                                          "study/app/screens/trace.cpp", "study/log/log_create.cpp",
                                          "study/log/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
-  // A recovered log takes its name when it is whole, too.
+  // A log that is recovered or upgraded takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
-            (std::set<std::string>{"support/files/atomic_file.cpp", "study/log/recovery/log_recovery.cpp"}));
+            (std::set<std::string>{"support/files/atomic_file.cpp", "study/log/recovery/new_log.cpp"}));
   // Libraries that could open files for writing by themselves give their bytes to it.
   for (const std::string& file : files_with(R"(ImageOutput::create|WriteGltfSceneToFile|set output)"))
     EXPECT_NE(sources().at(file).find("write_file_atomically"), std::string::npos) << file;
@@ -95,8 +95,8 @@ TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
 
 TEST(Manners, SqlIsNeverPutTogetherFromValues) {
   // The only SQL that is formatted is the schema, from the words of two enumerations, and that of recovering
-  // a log, from the names of its tables and columns; the only one that is joined, a list of columns in
-  // log_records.cpp. Values are always bound.
+  // and upgrading a log, from the names of its tables and columns; the only one that is joined, a list of
+  // columns in log_records.cpp. Values are always bound.
   const std::regex sql_word(R"re("[^"\n]*\b(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE TABLE)\b[^"\n]*")re");
   const std::regex formatted(
       R"re((fmt::)?format(_to)?\(\s*(fmt::runtime\()?"[^"]*\b(SELECT|INSERT|UPDATE|DELETE)\b)re");
@@ -111,7 +111,8 @@ TEST(Manners, SqlIsNeverPutTogetherFromValues) {
   }
   EXPECT_GE(with_sql, 6);
   EXPECT_EQ(formatting, (std::set<std::string>{"study/log/recovery/log_recovery.cpp",
-                                               "study/log/recovery/log_salvage.cpp"}));
+                                               "study/log/recovery/log_salvage.cpp",
+                                               "study/log/recovery/log_upgrade.cpp"}));
   EXPECT_EQ(joining, (std::set<std::string>{"study/log/log_records.cpp"}));
   // What is joined there is a constant of the file.
   const std::string records = sources().at("study/log/log_records.cpp");

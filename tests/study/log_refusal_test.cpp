@@ -84,7 +84,9 @@ TEST_F(LogTest, StimuliThatAreNotThoseOfTheSetAreRefused) {
   for (const char* change :
        {"UPDATE stimuli SET stimulus = 1000 WHERE stimulus = 5",
         "INSERT INTO stimuli SELECT 1000, 'more', scene, artifact, object, object_index, "
-        "depth_width_px, yaw_texels, sha256 FROM stimuli WHERE stimulus = 5",
+        "depth_width_px, yaw_texels, sha256, condition, level FROM stimuli WHERE stimulus = 5",
+        "UPDATE stimuli SET condition = 'soft' WHERE stimulus = 5",
+        "UPDATE stimuli SET level = 65 WHERE stimulus = 5",
         "UPDATE stimuli SET depth_width_px = 66 WHERE stimulus = 5"}) {
     write_file_atomically(path, whole);
     SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
@@ -119,7 +121,7 @@ TEST_F(LogTest, FilesThatAreNotLogsAreRefused) {
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
   refused("written by an older seamline");
   { LogWriter log(path, set); }
-  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 4");
   refused("written by a newer seamline");
   { LogWriter log(path, set); }
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE)

@@ -72,7 +72,7 @@ TEST_F(LogTest, IsWrittenSafely) {
   LogWriter log(path, set);
   SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
   EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "wal");
-  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 2);
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 3);
   EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x5345414d);
 }
 

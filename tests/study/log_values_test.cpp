@@ -41,6 +41,10 @@ TEST(LogValues, WhatTheTablesWouldNotLetInIsRefused) {
            {"UPDATE stimuli SET object_index = 0", "stimuli"},
            {"UPDATE stimuli SET depth_width_px = -64", "stimuli"},
            {"UPDATE stimuli SET artifact = 'glow'", "stimuli"},
+           {"UPDATE stimuli SET level = -1", "stimuli"},
+           {"UPDATE stimuli SET level = 9e999", "stimuli"},
+           {"UPDATE study SET quantity = 'glow'", "study"},
+           {"UPDATE study SET noticeability = 'stays'", "study"},
            {"UPDATE trials SET kind = 'lunch' WHERE trial_index = 0", "trials"},
            {"UPDATE participants SET code = '<script>' WHERE participant = 1", "participants"},
            {"UPDATE participants SET excluded = 7", "participants"}})

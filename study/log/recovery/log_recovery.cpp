@@ -12,6 +12,7 @@
 #include "study/log/log_place.h"
 #include "study/log/log_tables.h"
 #include "study/log/recovery/log_salvage.h"
+#include "study/log/recovery/new_log.h"
 #include "study/trials/rendered_set.h"
 #include "support/files/temporary_folder.h"
 
@@ -185,13 +186,6 @@ void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
                      .found = "none"});
 }
 
-/// Nor may a write-ahead log or journal lie there: SQLite would take it for the new log's.
-void check_is_free(const fs::path& out) {
-  for (const fs::path& file : {out, ahead_file(out), journal_file(out)})
-    if (fs::exists(fs::symlink_status(file)))
-      throw input_error({.file = file.string(), .wanted = "a file that does not exist yet", .found = "one"});
-}
-
 }  // namespace
 
 LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::path& set_folder) {
@@ -209,7 +203,7 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
     recovery.participants = lost_answers(database);
     database.exec("PRAGMA journal_mode = DELETE");  // one file, whole; the next session makes it WAL again
   });
-  fs::rename(made, out);
+  take_name(made, out);
   return recovery;
 }
 

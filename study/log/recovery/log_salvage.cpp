@@ -19,22 +19,6 @@ namespace {
 constexpr std::int64_t most_keys_asked = 2000000;
 constexpr std::size_t page_size_at = 16, page_count_at = 28, change_counter_at = 24, valid_for_at = 92;
 
-LogRow row_of(SQLite::Statement& statement) {
-  LogRow row;
-  for (int i = 0; i < statement.getColumnCount(); ++i) {
-    const SQLite::Column column = statement.getColumn(i);
-    if (column.isNull())
-      row.emplace_back();
-    else if (column.isInteger())
-      row.emplace_back(column.getInt64());
-    else if (column.isFloat())
-      row.emplace_back(column.getDouble());
-    else
-      row.emplace_back(column.getString());
-  }
-  return row;
-}
-
 SQLite::Database open_to_salvage(const fs::path& copy) {
   SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
   sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
@@ -58,7 +42,7 @@ class TableReader {
       ask_for_keys_between();
     }
     std::vector<LogRow> rows;
-    for (auto& [key, row] : rows_) rows.push_back(std::move(row));
+    for (auto& [key, row] : rows_) rows.push_back(row_of_today(table_.name, std::move(row)));
     return rows;
   }
 
@@ -143,11 +127,14 @@ class TableReader {
 /// Puts our words into the place of a schema that is not ours, so that nothing of it is ever run: columns
 /// that are computed, views in the place of tables. Of each of our tables the pages are kept; triggers, and
 /// tables and indexes of others, are no longer known. A schema that cannot be read stays as it is: it is a
-/// damaged one.
+/// damaged one. The words are those of today's version: rows of an older one have NULL in the columns that
+/// came later.
 void make_schema_ours(const fs::path& copy) {
   SQLite::Database database = open_to_salvage(copy);
   try {
-    if (schema_of(database) == log_schema()) return;
+    const std::multiset<SchemaEntry> found = schema_of(database);
+    for (int version = oldest_log_schema_version; version <= log_schema_version; ++version)
+      if (found == log_schema(version)) return;
   } catch (const SQLite::Exception&) {
     return;
   }
@@ -203,13 +190,13 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at, int size) {
 }
 
 /// Puts a new log's schema into a file: header, and every page that says what tables there are and where they
-/// begin. Tables begin at the same pages in every log of this schema that nobody was deleted from.
-void renew_schema(const fs::path& copy, const fs::path& scratch) {
-  const fs::path model = scratch / "model.sqlite";
+/// begin. Tables begin at the same pages in every log of a schema version that nobody was deleted from.
+void renew_schema(const fs::path& copy, const fs::path& scratch, int version) {
+  const fs::path model = scratch / fmt::format("model-{}.sqlite", version);
   std::set<std::uint32_t> roots;  // of tables and indexes: in an empty log the other pages are the schema's
   if (!fs::exists(model)) {
     SQLite::Database database(model.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    database.exec(log_schema_sql());
+    database.exec(log_schema_sql(version));
   }
   {
     SQLite::Database database(model.string(), SQLite::OPEN_READONLY);
@@ -246,15 +233,52 @@ bool is_better(const SalvagedLog& one, const SalvagedLog& other) {
   return worth(one) > worth(other);
 }
 
-fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, bool new_schema) {
-  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_schema ? 1 : 0);
+/// With the schema's pages made anew as a version has them; 0: as they are.
+fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahead, int new_schema) {
+  const fs::path copy = scratch / fmt::format("copy-{}{}.sqlite", with_ahead ? 1 : 0, new_schema);
   copy_log(damaged, copy);
   if (!with_ahead) fs::remove(ahead_file(copy));
-  if (new_schema) renew_schema(copy, scratch);
+  if (new_schema != 0) renew_schema(copy, scratch, new_schema);
   return copy;
 }
 
+/// Version 3 put its columns behind those that were there.
+void fill_behind(LogRow& row, std::size_t columns_before, const LogRow& missing) {
+  if (row.size() < columns_before) return;  // no row of a log's
+  row.resize(std::max(row.size(), columns_before + missing.size()));
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    if (std::holds_alternative<std::monostate>(row[columns_before + i])) row[columns_before + i] = missing[i];
+}
+
 }  // namespace
+
+LogRow row_of(SQLite::Statement& statement) {
+  LogRow row;
+  for (int i = 0; i < statement.getColumnCount(); ++i) {
+    const SQLite::Column column = statement.getColumn(i);
+    if (column.isNull())
+      row.emplace_back();
+    else if (column.isInteger())
+      row.emplace_back(column.getInt64());
+    else if (column.isFloat())
+      row.emplace_back(column.getDouble());
+    else
+      row.emplace_back(column.getString());
+  }
+  return row;
+}
+
+LogRow row_of_today(const std::string& table, LogRow row) {
+  constexpr std::size_t study_columns = 7, stimuli_columns = 9, width = 6;
+  if (table == "study")
+    fill_behind(row, study_columns, {std::string("depth_width_px"), std::string("falls")});
+  if (table == "stimuli" && row.size() >= stimuli_columns) {
+    const auto* width_px = std::get_if<std::int64_t>(&row[width]);
+    fill_behind(row, stimuli_columns,
+                {std::string(), width_px == nullptr ? LogValue() : static_cast<double>(*width_px)});
+  }
+  return row;
+}
 
 const std::vector<LogTable>& log_tables() {
   static const std::vector<LogTable> tables = {
@@ -279,7 +303,7 @@ const std::vector<LogTable>& log_tables() {
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   const bool has_ahead = fs::exists(ahead_file(damaged));
   SalvagedLog best;
-  for (const bool new_schema : {false, true})
+  for (const int new_schema : {0, log_schema_version, oldest_log_schema_version})
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
       Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));
