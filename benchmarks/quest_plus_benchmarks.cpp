@@ -21,7 +21,7 @@ struct Track {
 Track make_track(PlacementOutcome outcome, int rating_steps) {
   QuestPlusDefinition definition;
   definition.outcome = outcome;
-  definition.threshold_px = {32, 8192, 41};
+  definition.threshold = {32, 8192, 41};
   definition.scale = {0.125, 2, 9};
   definition.lapse = {0, 0.08, 5};
   definition.rating_step = {0.25, rating_steps == 1 ? 0.25 : 1, rating_steps};
@@ -31,7 +31,7 @@ Track make_track(PlacementOutcome outcome, int rating_steps) {
   const QuestPlusGrid grid = make_grid(definition);
   Track track{.definition = definition,
               .grid = grid,
-              .tables = make_width_tables(definition, grid, width_px),
+              .tables = make_level_tables(definition, grid, {width_px.begin(), width_px.end()}),
               .posterior = uniform_posterior(grid.points())};
   for (int trial = 0; trial < 10; ++trial) learn(track.posterior, track.tables, 15 + trial, trial % 2);
   return track;

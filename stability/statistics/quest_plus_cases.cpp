@@ -26,10 +26,10 @@ struct Track {
 
 Track make_track(PlacementOutcome outcome = PlacementOutcome::correct) {
   QuestPlusDefinition definition;
-  definition.threshold_px = {32, 8192, 41};
+  definition.threshold = {32, 8192, 41};
   definition.outcome = outcome;
   const QuestPlusGrid grid = make_grid(definition);
-  return {definition, grid, make_width_tables(definition, grid, widths_px)};
+  return {definition, grid, make_level_tables(definition, grid, {widths_px.begin(), widths_px.end()})};
 }
 
 double total(const QuestPlusPosterior& posterior) {

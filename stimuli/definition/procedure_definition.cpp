@@ -14,7 +14,7 @@ std::string further_text(const QuestPlusDefinition& definition) {
   std::string out;
   if (definition.axis == Axis::linear) out += "axis linear\n";
   if (definition.direction == Direction::increasing) out += "noticeability rises\n";
-  out += canonical_text(definition.threshold_px, "threshold") + canonical_text(definition.scale, "scale") +
+  out += canonical_text(definition.threshold, "threshold") + canonical_text(definition.scale, "scale") +
          canonical_text(definition.lapse, "lapse") + canonical_text(definition.guess, "guess");
   if (definition.outcome == PlacementOutcome::noticeability)
     out += canonical_text(definition.rating_step, "rating_step");
@@ -33,7 +33,7 @@ std::string quest_plus_text(const QuestPlusDefinition& definition) {
       static_cast<int>(definition.sigmoid), definition.max_shows_per_image, definition.min_trials,
       definition.max_trials, text(definition.stop_interval), text(definition.stop_entropy_nats),
       definition.edge_share);
-  out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold_px), text(definition.scale),
+  out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold), text(definition.scale),
                      text(definition.lapse), text(definition.guess));
   if (definition.outcome == PlacementOutcome::noticeability)
     out += fmt::format("ratings {}\n", text(definition.rating_step));

@@ -31,15 +31,15 @@ struct QuestPlusDefinition {
   PlacementOutcome outcome = PlacementOutcome::correct;
   PlacementTrack track = PlacementTrack::artifact;
   Sigmoid sigmoid = Sigmoid::logistic;
-  Axis axis = Axis::log2;                       ///< of the width
-  Direction direction = Direction::decreasing;  ///< of the noticeability, as the width grows
+  Axis axis = Axis::log2;                       ///< of the level
+  Direction direction = Direction::decreasing;  ///< of the noticeability, as the level grows
   /// In equal ratios on the log2 axis and equal steps on the linear one, unless it says otherwise; as read,
-  /// an octave more than the tested widths each way.
-  ParameterRange threshold_px = {};
-  ParameterRange scale = {0.125, 2, 9};              ///< on the axis (octaves or px), equal ratios
-  ParameterRange lapse = {0, 0.08, 5};               ///< equal steps
+  /// an octave more than the tested levels each way. In the level's unit.
+  ParameterRange threshold = {};
+  ParameterRange scale = {0.125, 2, 9};  ///< on the axis (octaves or the level's unit), equal ratios
+  ParameterRange lapse = {0, 0.08, 5};   ///< equal steps
   ParameterRange guess = {1.0 / 3.0, 1.0 / 3.0, 1};  ///< equal steps
-  /// `noticeability` only, on the axis, equal ratios: the width at which a rating of at least k is as likely
+  /// `noticeability` only, on the axis, equal ratios: the level at which a rating of at least k is as likely
   /// as not lies (k - 1) steps beyond the threshold, where more is noticed, k = 2, 3, 4. Not known
   /// beforehand, because people use the words of a rating as they like; a step that is taken for known and is
   /// not biases the threshold.

@@ -96,7 +96,7 @@ DifferenceFloors difference_floors(const Manifest& manifest, const VisibleDiffer
 }
 
 std::string floor_key(const Stimulus& stimulus) {
-  return stimulus.scene + "/" + stimulus.object;
+  return truth_of(stimulus) + "/" + stimulus.object;
 }
 
 }  // namespace seamline::inline stimuli

@@ -28,7 +28,7 @@ struct VisibleDifference {
 /// Stimuli by id.
 using VisibleDifferences = std::map<std::string, VisibleDifference>;
 
-/// Pooled FLIP of `none` stimuli, by scene and object: rendering noise, which is not a seam.
+/// Pooled FLIP of `none` stimuli, by truth and object: rendering noise, which is not a seam.
 using DifferenceFloors = std::map<std::string, double>;
 
 /// The visible difference of every stimulus of a set from its reference. `floors` are used as well as the
@@ -39,11 +39,11 @@ using DifferenceFloors = std::map<std::string, double>;
                                                      const Manifest& manifest, double pixels_per_degree,
                                                      const DifferenceFloors& floors = {}, int threads = 0);
 
-/// The floors that a set's `none` stimuli tell: the mean over those of one scene and object.
+/// The floors that a set's `none` stimuli tell: the mean over those of one truth and object.
 [[nodiscard]] DifferenceFloors difference_floors(const Manifest& manifest,
                                                  const VisibleDifferences& differences);
 
-/// What a floor is known by: "bedroom/statue".
+/// What a floor is known by, the truth and the object: "bedroom/statue".
 [[nodiscard]] std::string floor_key(const Stimulus& stimulus);
 
 }  // namespace seamline::inline stimuli

@@ -40,7 +40,7 @@ std::string length_key(const TomlTable& table, const std::string& name, const Ax
 }
 
 void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
-  const std::int64_t points = std::int64_t{1} * quest.threshold_px.count * quest.scale.count *
+  const std::int64_t points = std::int64_t{1} * quest.threshold.count * quest.scale.count *
                               quest.lapse.count * quest.guess.count * quest.rating_step.count;
   if (points > most_points)
     throw table.complaint("threshold_px",
@@ -102,8 +102,8 @@ void read_grid(const TomlTable& table, const LevelDefinition& level, QuestPlusDe
                          : level.quantity == Quantity::depth_width_px ? 1e-3
                                                                       : 1e-12,
                          1e9, axis.level.unit};
-  quest.threshold_px = read_range(table, axis.in_unit("threshold").c_str(), around,
-                                  {thresholds, linear ? Steps::equal : Steps::ratios});
+  quest.threshold = read_range(table, axis.in_unit("threshold").c_str(), around,
+                               {thresholds, linear ? Steps::equal : Steps::ratios});
   quest.scale = read_range(table, length_key(table, "scale", axis).c_str(), quest.scale,
                            {axis.bounds(), Steps::ratios});
   quest.lapse = read_range(table, "lapse", quest.lapse, {{0, 0.5}, Steps::equal, true});

@@ -1,5 +1,7 @@
 #include "study/observers/observer.h"
 
+#include <fmt/core.h>
+
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -14,13 +16,24 @@
 namespace seamline::study {
 namespace {
 
-double midpoint_width_px(const ObserverDefinition& definition, Artifact artifact) {
-  const auto found = definition.midpoint.find(artifact);
-  if (found == definition.midpoint.end())
-    throw input_error({.field = "observer.midpoint_width_px",
-                       .wanted = "a width for the artifact " + std::string(word(artifact)),
-                       .found = "none"});
-  return found->second;
+/// The study file's key of a midpoint.
+std::string midpoint_key(const LevelPlace& place, bool of_condition) {
+  std::string table = place.quantity == Quantity::depth_width_px ? "midpoint_width_px" : "midpoint";
+  if (of_condition) table = "condition_midpoint." + place.condition;
+  return "observer." + table + "." + std::string(word(place.artifact));
+}
+
+double midpoint_of(const ObserverDefinition& definition, const LevelPlace& place) {
+  const auto own = definition.condition_midpoint.find(place.condition);
+  const bool of_condition = own != definition.condition_midpoint.end();
+  const std::map<Artifact, double>& midpoints = of_condition ? own->second : definition.midpoint;
+  if (const auto found = midpoints.find(place.artifact); found != midpoints.end()) return found->second;
+  const std::string unit(facts(place.quantity).unit);
+  throw input_error({.field = midpoint_key(place, of_condition),
+                     .wanted = fmt::format("the {} at which the artifact {} is seen half of the time{}",
+                                           facts(place.quantity).name, word(place.artifact),
+                                           unit.empty() ? "" : ", in " + unit),
+                     .found = "none"});
 }
 
 double gain_of(const ObserverDefinition& definition) {
@@ -31,12 +44,18 @@ double gain_of(const ObserverDefinition& definition) {
 }
 
 /// P(seen) of the person whose shift is 0.
-PsychometricFunction average_person(const ObserverDefinition& definition, Artifact artifact) {
+PsychometricFunction average_person(const ObserverDefinition& definition, const LevelPlace& place) {
+  const Axis axis = facts(place.quantity).axis;
   return {.sigmoid = Sigmoid::logistic,
-          .axis = Axis::log2,
+          .axis = axis,
           .direction = definition.direction,
-          .threshold = midpoint_width_px(definition, artifact),
-          .scale = definition.scale_octaves};
+          .threshold = midpoint_of(definition, place),
+          .scale = axis == Axis::log2 ? definition.scale_octaves : definition.scale_linear};
+}
+
+/// P(seen) of everybody at a level that stands apart, at minus infinity.
+double seen_apart(const ObserverDefinition& definition) {
+  return definition.direction == Direction::decreasing ? 1 : 0;
 }
 
 Response guess(Random& random) {
@@ -50,9 +69,15 @@ Response seeing_response(double seen, const Stimulus& stimulus, Random& random) 
 }
 
 Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus, Random& random) {
-  PsychometricFunction person = average_person(observer.definition, stimulus.artifact);
-  person.threshold *= std::exp2(observer.shift_octaves);
-  return seeing_response(response_probability(person, stimulus.depth.width_px), stimulus, random);
+  const LevelPlace place = place_of(stimulus);
+  PsychometricFunction person = average_person(observer.definition, place);
+  if (stands_apart(person.axis, place.level))
+    return seeing_response(seen_apart(observer.definition), stimulus, random);
+  if (person.axis == Axis::log2)
+    person.threshold *= std::exp2(observer.shift_octaves);
+  else
+    person.threshold += observer.shift_linear;
+  return seeing_response(response_probability(person, place.level), stimulus, random);
 }
 
 Response image_response(const ImageObserver& observer, const Stimulus& stimulus, Random& random) {
@@ -99,12 +124,22 @@ double mean_over_people_by_parts(double z0, double r) {
   return expected_score(1) - sum * step;
 }
 
-/// The mean over people of whom the average one sees with P = logistic(-octaves / scale), and the others
-/// differ by a shift of the octaves.
-double mean_over_people(const ObserverDefinition& definition, double octaves_past_midpoint) {
-  const double sd = definition.people_sd_octaves, scale = definition.scale_octaves;
-  if (sd <= 0) return expected_score(sigmoid_value(Sigmoid::logistic, -octaves_past_midpoint / scale));
-  const double threshold_z = octaves_past_midpoint / sd;
+/// How people differ, on one axis.
+struct Spread {
+  double scale = 0, sd = 0;
+};
+
+Spread spread_on(const ObserverDefinition& definition, Axis axis) {
+  return axis == Axis::log2 ? Spread{definition.scale_octaves, definition.people_sd_octaves}
+                            : Spread{definition.scale_linear, definition.people_sd_linear};
+}
+
+/// The mean over people of whom the average one sees with P = logistic(-distance / scale), and the others
+/// differ by a shift of the distance.
+double mean_over_people(const Spread& spread, double past_midpoint) {
+  const auto [scale, sd] = spread;
+  if (sd <= 0) return expected_score(sigmoid_value(Sigmoid::logistic, -past_midpoint / scale));
+  const double threshold_z = past_midpoint / sd;
   const double relative_scale = scale / sd;
   return relative_scale > 1 ? mean_over_people_direct(threshold_z, relative_scale)
                             : mean_over_people_by_parts(threshold_z, relative_scale);
@@ -135,9 +170,12 @@ std::optional<ObserverKind> observer_kind_from_word(std::string_view text) {
 Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
                        std::shared_ptr<const VisibleDifferences> differences) {
   switch (kind) {
-    case ObserverKind::threshold:
+    case ObserverKind::threshold: {
+      const double shift_sd = random.normal();
       return ThresholdObserver{.definition = definition,
-                               .shift_octaves = definition.people_sd_octaves * random.normal()};
+                               .shift_octaves = definition.people_sd_octaves * shift_sd,
+                               .shift_linear = definition.people_sd_linear * shift_sd};
+    }
     case ObserverKind::image:
       assert(differences != nullptr);
       return ImageObserver{.definition = definition,
@@ -176,12 +214,26 @@ Response respond_to_reference(Random& random) {
   return guess(random);
 }
 
+LevelPlace place_of(const Stimulus& stimulus) {
+  return {.artifact = stimulus.artifact,
+          .condition = stimulus.condition,
+          .quantity = stimulus.quantity,
+          .level = stimulus.level};
+}
+
+double expected_noticeability(const ObserverDefinition& definition, const LevelPlace& place) {
+  const double midpoint = midpoint_of(definition, place);
+  const Axis axis = facts(place.quantity).axis;
+  if (stands_apart(axis, place.level)) return expected_score(seen_apart(definition));
+  const double past_midpoint =
+      axis == Axis::log2 ? std::log2(place.level) - std::log2(midpoint) : place.level - midpoint;
+  // Shifts to either side are as likely, so who sees more with the level is the mirror image.
+  return mean_over_people(spread_on(definition, axis),
+                          definition.direction == Direction::decreasing ? past_midpoint : -past_midpoint);
+}
+
 double expected_noticeability(const ObserverDefinition& definition, Artifact artifact, double width_px) {
-  const double octaves_past_midpoint =
-      std::log2(width_px) - std::log2(midpoint_width_px(definition, artifact));
-  // Shifts to either side are as likely, so who sees more with the width is the mirror image.
-  return mean_over_people(definition, definition.direction == Direction::decreasing ? octaves_past_midpoint
-                                                                                    : -octaves_past_midpoint);
+  return expected_noticeability(definition, LevelPlace{.artifact = artifact, .level = width_px});
 }
 
 void require_image_gain(const ObserverDefinition& definition) {
@@ -189,7 +241,8 @@ void require_image_gain(const ObserverDefinition& definition) {
 }
 
 double expected_noticeability_of_difference(const ObserverDefinition& definition, double visible_difference) {
-  return mean_over_people(definition, -std::log2(gain_of(definition) * visible_difference));
+  return mean_over_people(spread_on(definition, Axis::log2),
+                          -std::log2(gain_of(definition) * visible_difference));
 }
 
 }  // namespace seamline::study

@@ -21,12 +21,15 @@ inline constexpr std::array<ObserverKind, 4> every_observer_kind = {
 [[nodiscard]] std::string_view word(ObserverKind kind);
 [[nodiscard]] std::optional<ObserverKind> observer_kind_from_word(std::string_view text);
 
-/// Sees the seam with probability P = psi(W), a logistic in log2 W that falls unless the definition says that
-/// it rises (study/placement/psychometric_function.h). When it is seen: the right object, rated 1 +
-/// Binomial(3, P). When not: a uniform guess of the three, rated 1.
+/// Sees the seam with probability P = psi(x), a logistic of the level on the axis of its quantity, which
+/// falls unless the definition says that it rises (study/placement/psychometric_function.h). A level of 0 on
+/// a log2 axis ("none") lies at minus infinity: always seen where noticeability falls, never where it rises.
+/// When it is seen: the right object, rated 1 + Binomial(3, P). When not: a uniform guess of the three,
+/// rated 1.
 struct ThresholdObserver {
   ObserverDefinition definition;
   double shift_octaves = 0;  ///< this person's: added to log2 of every midpoint
+  double shift_linear = 0;   ///< the same on linear axes, in the level's unit
 };
 
 /// Looks at the pictures: sees the seam with probability P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)),
@@ -52,8 +55,8 @@ struct Response {
   int rating = 0;        ///< 1..4
 };
 
-/// One simulated person of a kind. Draws the person's shift, Normal(0, people_sd_octaves), from `random`.
-/// `differences` is needed by `image` alone.
+/// One simulated person of a kind. Draws the person's shift, Normal(0, people_sd) on either axis, from
+/// `random`. `differences` is needed by `image` alone.
 [[nodiscard]] Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, Random& random,
                                      std::shared_ptr<const VisibleDifferences> differences = nullptr);
 
@@ -68,13 +71,26 @@ struct Response {
 /// The answer to a reference trial, where there is nothing to see: everybody guesses, rated 1.
 [[nodiscard]] Response respond_to_reference(Random& random);
 
-/// Planted value of the `threshold` observer: its exact mean noticeability over people at one depth width,
+/// Where a stimulus lies on the psychometric functions of a study.
+struct LevelPlace {
+  Artifact artifact = Artifact::none;
+  std::string condition = {};
+  Quantity quantity = Quantity::depth_width_px;
+  double level = 0;
+};
+[[nodiscard]] LevelPlace place_of(const Stimulus& stimulus);
+
+/// Planted value of the `threshold` observer: its exact mean noticeability over people at one level x,
 ///
-///     E = integral over s of N(s; 0, people_sd^2) [ P (1 + 3P) + (1 - P) / 3 ] ds,   P = P(seen | W, shift
+///     E = integral over s of N(s; 0, people_sd^2) [ P (1 + 3P) + (1 - P) / 3 ] ds,   P = P(seen | x, shift
 ///     s)
 ///
 /// where (1 - P) / 3 is the floor from guessing: right by chance one time in three, and then rated 1.
-/// Absolute error under 1e-12. Throws InputError when the definition has no midpoint for the artifact.
+/// Absolute error under 1e-12. Throws InputError when the definition has no midpoint for the artifact
+/// (and condition).
+[[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, const LevelPlace& place);
+
+/// The same at a depth width of a study of one condition.
 [[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, Artifact artifact,
                                             double width_px);
 

@@ -8,49 +8,49 @@
 namespace seamline::study {
 namespace {
 
-/// Tracks without widths and images, and the track of each stimulus.
+/// Tracks without levels and images, and the track of each stimulus.
 void find_tracks(QuestPlusDesign& design, const std::vector<Stimulus>& stimuli) {
   const bool by_object = design.definition.track == PlacementTrack::object;
-  std::map<std::tuple<Artifact, std::string, std::string>, int> track_of;
+  std::map<std::tuple<Artifact, std::string, std::string, std::string>, int> track_of;
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i];
     const std::string scene = by_object ? stimulus.scene : "", object = by_object ? stimulus.object : "";
-    const auto [found, is_new] =
-        track_of.try_emplace({stimulus.artifact, scene, object}, static_cast<int>(design.tracks.size()));
+    const auto [found, is_new] = track_of.try_emplace({stimulus.artifact, scene, object, stimulus.condition},
+                                                      static_cast<int>(design.tracks.size()));
     if (is_new)
       design.tracks.push_back({.artifact = stimulus.artifact,
                                .scene = scene,
                                .object = object,
-                               .width_px = {},
+                               .condition = stimulus.condition,
+                               .levels = {},
                                .images = {},
                                .tables = {}});
-    design.places[i] = {.track = found->second, .width = 0, .object_index = stimulus.object_index};
+    design.places[i] = {.track = found->second, .level = 0, .object_index = stimulus.object_index};
   }
 }
 
-/// Sorts the stimuli of each track by their width.
-void find_widths(QuestPlusDesign& design, const std::vector<Stimulus>& stimuli) {
-  std::vector<std::map<int, std::vector<int>>> images(design.tracks.size());  // of each track, by width
+/// Sorts the stimuli of each track by their level.
+void find_levels(QuestPlusDesign& design, const std::vector<Stimulus>& stimuli) {
+  std::vector<std::map<double, std::vector<int>>> images(design.tracks.size());  // of each track, by level
   for (std::size_t i = 0; i < stimuli.size(); ++i)
-    images[static_cast<std::size_t>(design.places[i].track)][stimuli[i].depth.width_px].push_back(
-        static_cast<int>(i));
+    images[static_cast<std::size_t>(design.places[i].track)][stimuli[i].level].push_back(static_cast<int>(i));
   for (std::size_t t = 0; t < images.size(); ++t)
-    for (auto& [width_px, at_width] : images[t]) {
+    for (auto& [level, at_level] : images[t]) {
       TrackDesign& track = design.tracks[t];
-      for (const int i : at_width)
-        design.places[static_cast<std::size_t>(i)].width = static_cast<int>(track.width_px.size());
-      track.width_px.push_back(width_px);
-      track.images.push_back(std::move(at_width));
+      for (const int i : at_level)
+        design.places[static_cast<std::size_t>(i)].level = static_cast<int>(track.levels.size());
+      track.levels.push_back(level);
+      track.images.push_back(std::move(at_level));
     }
 }
 
 void make_tables(QuestPlusDesign& design) {
-  std::map<std::vector<int>, std::shared_ptr<const QuestPlusTables>> tables_of;
+  std::map<std::vector<double>, std::shared_ptr<const QuestPlusTables>> tables_of;
   for (TrackDesign& track : design.tracks) {
-    std::shared_ptr<const QuestPlusTables>& tables = tables_of[track.width_px];
+    std::shared_ptr<const QuestPlusTables>& tables = tables_of[track.levels];
     if (!tables)
-      tables = std::make_shared<QuestPlusTables>(
-          make_width_tables(design.definition, design.grid, track.width_px));
+      tables =
+          std::make_shared<QuestPlusTables>(make_level_tables(design.definition, design.grid, track.levels));
     track.tables = tables;
   }
 }
@@ -64,14 +64,14 @@ QuestPlusDesign make_quest_plus_design(const QuestPlusDefinition& definition,
                          .tracks = {},
                          .places = std::vector<QuestPlusDesign::Place>(stimuli.size())};
   find_tracks(design, stimuli);
-  find_widths(design, stimuli);
+  find_levels(design, stimuli);
   make_tables(design);
   return design;
 }
 
 std::string name_of(const TrackDesign& track) {
   std::string name(word(track.artifact));
-  for (const std::string& part : {track.scene, track.object})
+  for (const std::string& part : {track.scene, track.object, track.condition})
     if (!part.empty()) name += " " + part;
   return name;
 }

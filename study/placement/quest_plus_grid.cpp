@@ -65,7 +65,7 @@ QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
     grid.log_prior[axis] = log_prior_of(range, usual);
   };
   const bool log2 = definition.axis == Axis::log2;
-  set(Parameter::threshold, definition.threshold_px, log2 ? Steps::ratios : Steps::equal, log2);
+  set(Parameter::threshold, definition.threshold, log2 ? Steps::ratios : Steps::equal, log2);
   set(Parameter::scale, definition.scale, Steps::ratios, false);
   set(Parameter::lapse, definition.lapse, Steps::equal, false);
   set(Parameter::guess, definition.guess, Steps::equal, false);

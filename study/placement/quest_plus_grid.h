@@ -18,8 +18,8 @@ inline constexpr std::array<Parameter, 5> every_parameter = {
 
 /// Every combination of the parameters' values is a point.
 struct QuestPlusGrid {
-  /// Rising. As made from a study: thresholds on its axis (log2 px or px), scales and rating steps in its
-  /// unit (octaves or px), rates as shares.
+  /// Rising. As made from a study: thresholds on its axis (log2 of the level, or the level), scales and
+  /// rating steps in its unit (octaves or the level's), rates as shares.
   std::array<std::vector<double>, 5> values;
   /// ln of the prior mass of each value, -infinity for none; empty where all have the same. The prior of a
   /// point is their product.

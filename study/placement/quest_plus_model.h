@@ -14,25 +14,24 @@ namespace seamline::study {
 [[nodiscard]] int outcome_of(const QuestPlusDefinition& definition, const TrialAnswer& answer,
                              int object_index);
 
-/// The width that stands for a place on the axis.
-[[nodiscard]] double width_px_of(Axis axis, double on_axis);
+/// The level that stands for a place on the axis.
+[[nodiscard]] double level_of(Axis axis, double on_axis);
 
-/// Probability of each outcome at a width W, for one point of the grid: threshold t and scale s on the axis
-/// a(W) = log2 W or W, lapse l, guess g, rating step r, with a sigmoid F that is 0.5 at 0, and d = -1 where
-/// noticeability falls with the width, 1 where it rises.
+/// Probability of each outcome at a level x, for one point of the grid: threshold t and scale s on the axis
+/// a(x) = log2 x or x, lapse l, guess g, rating step r, with a sigmoid F that is 0.5 at 0, and d = -1 where
+/// noticeability falls with the level, 1 where it rises.
 ///
-///     P(noticeability >= 1) = g + (1 - g - l) F(d (a(W) - t) / s)
-///     P(noticeability >= k) = (1 - l / (1 - g)) F(d (a(W) - t) / s - (k - 1) r / s),   k = 2, 3, 4
+///     P(noticeability >= 1) = g + (1 - g - l) F(d (a(x) - t) / s)
+///     P(noticeability >= k) = (1 - l / (1 - g)) F(d (a(x) - t) / s - (k - 1) r / s),   k = 2, 3, 4
 ///
 /// The first line is the psychometric function of study/placement/psychometric_function.h, and all there is
 /// when the outcome is binary. The lines below it say of the same person: in a share l / (1 - g) of the
 /// trials they do not look, and who guesses right without having seen rates 1.
 [[nodiscard]] std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition,
-                                                        const QuestPlusGrid& grid, int point,
-                                                        double width_px);
+                                                        const QuestPlusGrid& grid, int point, double level);
 
-/// The tables of a track whose stimuli are these widths.
-[[nodiscard]] QuestPlusTables make_width_tables(const QuestPlusDefinition& definition,
-                                                const QuestPlusGrid& grid, const std::vector<int>& width_px);
+/// The tables of a track whose stimuli have these levels, above 0 on the log2 axis.
+[[nodiscard]] QuestPlusTables make_level_tables(const QuestPlusDefinition& definition,
+                                                const QuestPlusGrid& grid, const std::vector<double>& levels);
 
 }  // namespace seamline::study

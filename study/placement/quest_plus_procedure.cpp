@@ -16,7 +16,7 @@ Item draw(const std::vector<Item>& items, Random& random) {
   return items[static_cast<std::size_t>(random.below(items.size()))];
 }
 
-/// The images of a width that may be shown again and have been shown least.
+/// The images of a level that may be shown again and have been shown least.
 std::vector<int> freshest_images(const QuestPlusProcedure& procedure, const std::vector<int>& images) {
   std::vector<int> freshest;
   int fewest = procedure.design->definition.max_shows_per_image - 1;
@@ -30,15 +30,15 @@ std::vector<int> freshest_images(const QuestPlusProcedure& procedure, const std:
   return freshest;
 }
 
-std::optional<std::size_t> best_width(const QuestPlusProcedure& procedure, std::size_t track) {
+std::optional<std::size_t> best_level(const QuestPlusProcedure& procedure, std::size_t track) {
   const TrackDesign& design = procedure.design->tracks[track];
   const std::vector<double> expected =
       expected_entropies_nats(*design.tables, procedure.tracks[track].posterior);
   std::optional<std::size_t> best;
-  for (std::size_t width = 0; width < expected.size(); ++width)
-    if ((!best || expected[width] < expected[*best]) &&
-        !freshest_images(procedure, design.images[width]).empty())
-      best = width;
+  for (std::size_t level = 0; level < expected.size(); ++level)
+    if ((!best || expected[level] < expected[*best]) &&
+        !freshest_images(procedure, design.images[level]).empty())
+      best = level;
   return best;
 }
 
@@ -60,8 +60,8 @@ std::optional<int> next_stimulus(const QuestPlusProcedure& procedure) {
   if (turn.empty()) return std::nullopt;
   Random random(procedure.seed, static_cast<std::uint64_t>(procedure.answered));
   const std::size_t track = draw(turn, random);
-  const std::size_t width = best_width(procedure, track).value();
-  return draw(freshest_images(procedure, procedure.design->tracks[track].images[width]), random);
+  const std::size_t level = best_level(procedure, track).value();
+  return draw(freshest_images(procedure, procedure.design->tracks[track].images[level]), random);
 }
 
 bool has_image_left(const QuestPlusProcedure& procedure, const TrackDesign& track) {
@@ -92,7 +92,7 @@ void take_in(QuestPlusProcedure& procedure, int stimulus, const TrialAnswer& ans
   const QuestPlusDesign::Place& place = design.places[static_cast<std::size_t>(stimulus)];
   QuestPlusTrack& track = procedure.tracks[static_cast<std::size_t>(place.track)];
   const TrackDesign& track_design = design.tracks[static_cast<std::size_t>(place.track)];
-  learn(track.posterior, *track_design.tables, place.width,
+  learn(track.posterior, *track_design.tables, place.level,
         outcome_of(design.definition, answer, place.object_index));
   ++track.answered;
   ++procedure.shows[static_cast<std::size_t>(stimulus)];
@@ -150,7 +150,7 @@ int most_trials(const QuestPlusProcedure& procedure) {
   for (std::size_t t = 0; t < procedure.tracks.size(); ++t) {
     const QuestPlusTrack& track = procedure.tracks[t];
     std::size_t images = 0;
-    for (const std::vector<int>& at_width : procedure.design->tracks[t].images) images += at_width.size();
+    for (const std::vector<int>& at_level : procedure.design->tracks[t].images) images += at_level.size();
     const std::size_t shows = images * static_cast<std::size_t>(definition.max_shows_per_image);
     trials += track.stopped
                   ? track.answered

@@ -28,9 +28,9 @@ struct QuestPlusTrack {
 
 /// Tracks of QUEST+, interleaved: the next trial belongs to a track drawn from those unfinished tracks that
 /// have the fewest answers, so that every round visits each of them once, in an order that nobody can
-/// foresee. Its width is the one whose answer is expected to leave the least entropy (the smaller one of two
+/// foresee. Its level is the one whose answer is expected to leave the least entropy (the smaller one of two
 /// equals) among those with an image that the participant has seen fewer than max_shows_per_image times; its
-/// image is drawn from those of the width that the participant has seen least. The draws of trial t come from
+/// image is drawn from those of the level that the participant has seen least. The draws of trial t come from
 /// stream t of the participant's seed, so that the same answers always lead to the same trials.
 struct QuestPlusProcedure {
   std::shared_ptr<const QuestPlusDesign> design;

@@ -26,25 +26,33 @@ std::vector<Parameter> informed_parameters(const QuestPlusGrid& grid) {
   return informed;
 }
 
-TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, const QuestPlusTrack& track) {
+TrackEstimate estimate_of(const QuestPlusDesign& design, std::size_t index, const QuestPlusTrack& track,
+                          Quantity quantity) {
   const Moments threshold = moments(design.grid, track.posterior, Parameter::threshold);
   const Axis axis = design.definition.axis;
   const CredibleInterval interval = interval95(design.grid, track.posterior, Parameter::threshold);
   return {.participant = {},
           .artifact = design.tracks[index].artifact,
+          .condition = design.tracks[index].condition,
           .track = name_of(design.tracks[index]),
           .used = false,
           .trials = track.answered,
-          .threshold_px = width_px_of(axis, threshold.mean),
+          .threshold = level_of(axis, threshold.mean),
           .threshold_sd = threshold.sd,
-          .low_px = width_px_of(axis, interval.low),
-          .high_px = width_px_of(axis, interval.high),
+          .low = level_of(axis, interval.low),
+          .high = level_of(axis, interval.high),
           .scale = moments(design.grid, track.posterior, Parameter::scale).mean,
           .lapse = moments(design.grid, track.posterior, Parameter::lapse).mean,
           .axis = axis,
           .direction = design.definition.direction,
+          .quantity = quantity,
           .informed = informed_parameters(design.grid),
           .alarms = edge_alarms(design.grid, track.posterior, design.definition.edge_share)};
+}
+
+/// Without its unit, which is in the column's name.
+std::string level_number(Quantity quantity, double level) {
+  return facts(quantity).whole ? fmt::format("{:.1f}", level) : fmt::format("{:.4g}", level);
 }
 
 }  // namespace
@@ -76,7 +84,7 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
     const auto& [shown, answers] = trials_of[participant.code];
     const QuestPlusProcedure procedure = resume_quest_plus(fresh, shown, answers);
     for (std::size_t t = 0; t < design->tracks.size(); ++t) {
-      estimates.push_back(estimate_of(*design, t, procedure.tracks[t]));
+      estimates.push_back(estimate_of(*design, t, procedure.tracks[t], study.level.quantity));
       estimates.back().participant = participant.code;
       estimates.back().used = participant.completed && !participant.excluded && !participant.pilot;
     }
@@ -84,8 +92,8 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
   return estimates;
 }
 
-const char* length_unit(Axis axis) {
-  return axis == Axis::log2 ? "octaves" : "px";
+std::string length_unit(Axis axis, Quantity quantity) {
+  return axis == Axis::log2 ? "octaves" : std::string(facts(quantity).unit);
 }
 
 std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
@@ -96,21 +104,36 @@ std::string tracks_text(const std::vector<TrackEstimate>& estimates) {
   }
   const bool linear = !estimates.empty() && estimates.front().axis == Axis::linear;
   const bool rising = !estimates.empty() && estimates.front().direction == Direction::increasing;
-  const std::string scale = linear ? "scale_px" : "scale";
+  const Quantity quantity = estimates.empty() ? Quantity::depth_width_px : estimates.front().quantity;
+  const auto in_unit = [&](const std::string& column) {
+    const std::string unit(facts(quantity).unit_key);
+    return unit.empty() ? column : column + "_" + unit;
+  };
+  const std::string scale = linear ? in_unit("scale") : "scale";
+  const std::string threshold = in_unit("threshold"), interval = in_unit("ci95");
+  const std::size_t threshold_width = std::max<std::size_t>(12, threshold.size());
+  const std::size_t interval_width = std::max<std::size_t>(18, interval.size());
   const std::size_t scale_width = std::max<std::size_t>(7, scale.size());
-  std::string text = rising ? "Noticeability rises with the width of the depth map.\n" : "";
-  text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12}  {:>18}  {:>{}}  {:>6}  alarms\n", "participant",
-                      code, "track", name, "used", "trials", "threshold_px", "ci95_px", scale, scale_width,
-                      "lapse");
+  std::string text = rising ? fmt::format("Noticeability rises with the {}.\n",
+                                          quantity == Quantity::depth_width_px ? "width of the depth map"
+                                                                               : facts(quantity).name)
+                            : "";
+  text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>{}}  {:>{}}  {:>{}}  {:>6}  alarms\n", "participant",
+                      code, "track", name, "used", "trials", threshold, threshold_width, interval,
+                      interval_width, scale, scale_width, "lapse");
   for (const TrackEstimate& estimate : estimates) {
     std::string alarms;
     for (const EdgeAlarm& alarm : estimate.alarms)
       alarms += (alarms.empty() ? "" : "; ") + study::text(alarm);
-    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>12.1f}  {:>18}  {:>{}.2f}  {:>6.3f}  {}\n",
-                        estimate.participant, code, estimate.track, name, estimate.used ? "yes" : "no",
-                        estimate.trials, estimate.threshold_px,
-                        fmt::format("{:.1f} to {:.1f}", estimate.low_px, estimate.high_px), estimate.scale,
-                        scale_width, estimate.lapse, alarms.empty() ? "-" : alarms);
+    text += fmt::format(
+        "{:<{}}  {:<{}}  {:<4}  {:>6}  {:>{}}  {:>{}}  {:>{}}  {:>6.3f}  {}\n", estimate.participant, code,
+        estimate.track, name, estimate.used ? "yes" : "no", estimate.trials,
+        level_number(quantity, estimate.threshold), threshold_width,
+        fmt::format("{} to {}", level_number(quantity, estimate.low), level_number(quantity, estimate.high)),
+        interval_width,
+        quantity == Quantity::depth_width_px || !linear ? fmt::format("{:.2f}", estimate.scale)
+                                                        : fmt::format("{:.3g}", estimate.scale),
+        scale_width, estimate.lapse, alarms.empty() ? "-" : alarms);
   }
   return text;
 }

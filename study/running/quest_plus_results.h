@@ -7,22 +7,24 @@
 
 namespace seamline::study {
 
-/// What the posterior of one participant's track says. Widths are means and intervals on the study's axis,
-/// turned into pixels.
+/// What the posterior of one participant's track says. Levels are means and intervals on the study's
+/// axis, turned into levels.
 struct TrackEstimate {
   std::string participant;
   Artifact artifact = Artifact::none;
-  std::string track;  ///< as `name_of`
-  bool used = true;   ///< completed, not excluded and not a pilot
+  std::string condition;  ///< empty where the study has one
+  std::string track;      ///< as `name_of`
+  bool used = true;       ///< completed, not excluded and not a pilot
   int trials = 0;
-  double threshold_px = 0;         ///< posterior mean: the width at which the object is seen half of the time
-  double threshold_sd = 0;         ///< on the axis: octaves, or px where it is linear
-  double low_px = 0, high_px = 0;  ///< equal-tailed 95 % credible interval
-  double scale = 0;                ///< on the axis
+  double threshold = 0;      ///< posterior mean: the level at which the object is seen half of the time
+  double threshold_sd = 0;   ///< on the axis: octaves, or the level's unit where it is linear
+  double low = 0, high = 0;  ///< equal-tailed 95 % credible interval
+  double scale = 0;          ///< on the axis
   double lapse = 0;
   Axis axis = Axis::log2;
-  Direction direction = Direction::decreasing;  ///< of the noticeability, as the width grows
-  std::vector<Parameter> informed = {};         ///< parameters whose prior was not even
+  Direction direction = Direction::decreasing;   ///< of the noticeability, as the level grows
+  Quantity quantity = Quantity::depth_width_px;  ///< of the levels
+  std::vector<Parameter> informed = {};          ///< parameters whose prior was not even
   std::vector<EdgeAlarm> alarms = {};
 };
 
@@ -31,8 +33,8 @@ struct TrackEstimate {
 /// the study does not list.
 [[nodiscard]] std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log);
 
-/// The unit of lengths on the axis: "octaves" or "px".
-[[nodiscard]] const char* length_unit(Axis axis);
+/// The unit of lengths on the axis: "octaves", or the unit of the quantity, such as "px".
+[[nodiscard]] std::string length_unit(Axis axis, Quantity quantity = Quantity::depth_width_px);
 
 /// The same as a table of text, a line a track.
 [[nodiscard]] std::string tracks_text(const std::vector<TrackEstimate>& estimates);

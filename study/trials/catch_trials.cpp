@@ -19,7 +19,7 @@ std::vector<int> subjects(TrialKind kind, std::span<const Stimulus> set, Random&
   std::vector<int> found;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const int object = kind == TrialKind::attention ? set[i].object_index : 0;
-    if (seen.insert({set[i].scene, object}).second) found.push_back(static_cast<int>(i));
+    if (seen.insert({truth_of(set[i]), object}).second) found.push_back(static_cast<int>(i));
   }
   shuffle(std::span<int>(found), random);
   return found;

@@ -12,9 +12,9 @@ namespace seamline::study {
 /// The catch trials of a participant among `stimulus_trials` others: one in each of as many equal stretches
 /// of the session as there are catch trials, at a place drawn from the stretch. None is the first trial or
 /// the last, and two never stand next to each other, unless there are too few other trials to keep them
-/// apart. The kinds are mixed at random; attention trials go through scenes and objects, reference trials
-/// through scenes, in a random order, each as often as the others. The same for the same key on every
-/// machine.
+/// apart. The kinds are mixed at random; attention trials go through truths (a scene in one light) and
+/// objects, reference trials through truths, in a random order, each as often as the others. The same for the
+/// same key on every machine.
 [[nodiscard]] std::vector<CatchTrial> draw_catch_trials(const CatchDefinition& definition,
                                                         std::span<const Stimulus> set, int stimulus_trials,
                                                         const OrderKey& key);

@@ -11,9 +11,10 @@
 namespace seamline::study {
 namespace {
 
-/// The stimuli of each artifact, the coarsest first, and among equals another object first for each artifact,
-/// so that practice does not teach that it is always the same one.
-std::vector<std::vector<int>> coarsest_first(const RenderedSet& set) {
+/// The stimuli of each artifact, those whose level is noticed most first, and among equals another object
+/// first for each artifact, so that practice does not teach that it is always the same one.
+std::vector<std::vector<int>> most_noticeable_first(const RenderedSet& set) {
+  const double towards_less = set.study.level.noticeability == Direction::decreasing ? 1 : -1;
   std::vector<std::vector<int>> by_artifact;
   std::map<Artifact, std::size_t> place;
   const auto stimulus = [&](int index) -> const Stimulus& {
@@ -29,7 +30,7 @@ std::vector<std::vector<int>> coarsest_first(const RenderedSet& set) {
       const auto rank = [&](int index) {
         const int turn = stimulus(index).object_index + 2 * objects_per_stimulus - 1 -
                          static_cast<int>(a % objects_per_stimulus);
-        return std::pair(stimulus(index).depth.width_px, turn % objects_per_stimulus);
+        return std::pair(towards_less * stimulus(index).level, turn % objects_per_stimulus);
       };
       return rank(one) < rank(other);
     });
@@ -37,7 +38,7 @@ std::vector<std::vector<int>> coarsest_first(const RenderedSet& set) {
 }
 
 std::vector<int> easiest(const RenderedSet& set, int wanted) {
-  const std::vector<std::vector<int>> by_artifact = coarsest_first(set);
+  const std::vector<std::vector<int>> by_artifact = most_noticeable_first(set);
   std::vector<int> chosen;
   for (std::size_t round = 0;; ++round) {
     const std::size_t before = chosen.size();

@@ -40,9 +40,9 @@ TEST(StudyFileProcedure, IsConstantUnlessItIsNamed) {
 TEST(StudyFileProcedure, DefaultsReachAnOctaveBeyondTheWidths) {
   const QuestPlusDefinition quest = quest_plus("");
   EXPECT_EQ(quest.max_shows_per_image, 3);
-  EXPECT_EQ(quest.threshold_px.least, 32);
-  EXPECT_EQ(quest.threshold_px.most, 8192);
-  EXPECT_EQ(quest.threshold_px.count, 41);
+  EXPECT_EQ(quest.threshold.least, 32);
+  EXPECT_EQ(quest.threshold.most, 8192);
+  EXPECT_EQ(quest.threshold.count, 41);
   EXPECT_EQ(quest.guess.least, 1.0 / 3);
   EXPECT_EQ(quest.max_trials, 40);
   EXPECT_FALSE(quest.stop_interval || quest.stop_entropy_nats);
@@ -66,7 +66,7 @@ edge_share = 0.2
   EXPECT_EQ(quest.outcome, PlacementOutcome::noticeability);
   EXPECT_EQ(quest.track, PlacementTrack::object);
   EXPECT_EQ(quest.sigmoid, Sigmoid::gumbel);
-  EXPECT_EQ(quest.threshold_px.most, 20000);
+  EXPECT_EQ(quest.threshold.most, 20000);
   EXPECT_EQ(quest.scale.count, 1);
   EXPECT_EQ(quest.lapse.least, 0.01);
   EXPECT_EQ(quest.guess.count, 3);
@@ -91,8 +91,8 @@ stop_interval_px = 80
 )");
   EXPECT_EQ(quest.axis, Axis::linear);
   EXPECT_EQ(quest.direction, Direction::increasing);
-  EXPECT_EQ(std::get<NormalMass>(quest.threshold_px.prior).mean, 300);
-  EXPECT_EQ(std::get<NormalMass>(quest.threshold_px.prior).sd, 120);
+  EXPECT_EQ(std::get<NormalMass>(quest.threshold.prior).mean, 300);
+  EXPECT_EQ(std::get<NormalMass>(quest.threshold.prior).sd, 120);
   EXPECT_EQ(quest.scale.values, (std::vector<double>{10, 20, 50}));
   EXPECT_EQ(quest.scale.count, 3);
   EXPECT_EQ(std::get<ListedMass>(quest.scale.prior).weights, (std::vector<double>{1, 2, 0}));
@@ -103,9 +103,9 @@ stop_interval_px = 80
   EXPECT_EQ(quest.stop_interval, 80);
 
   const QuestPlusDefinition usual = quest_plus("axis = \"linear\"\n");
-  EXPECT_FALSE(usual.threshold_px.steps);
+  EXPECT_FALSE(usual.threshold.steps);
   EXPECT_LT(usual.scale.least, usual.scale.most);
-  EXPECT_TRUE(std::holds_alternative<EvenMass>(usual.threshold_px.prior));
+  EXPECT_TRUE(std::holds_alternative<EvenMass>(usual.threshold.prior));
 }
 
 TEST(StudyFileProcedure, WhatIsUsualMayBeSaidWithoutAnotherHash) {

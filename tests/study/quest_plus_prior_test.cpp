@@ -18,7 +18,7 @@ using testing::Pointwise;
 
 Task task_of(const QuestPlusDefinition& definition, const std::vector<int>& width_px = seven_widths_px) {
   Task task{.definition = definition, .grid = make_grid(definition), .width_px = width_px, .tables = {}};
-  task.tables = make_width_tables(task.definition, task.grid, width_px);
+  task.tables = make_level_tables(task.definition, task.grid, {width_px.begin(), width_px.end()});
   return task;
 }
 
@@ -48,15 +48,14 @@ TEST(QuestPlusPrior, AnEvenOneIsWhatItWasBitForBit) {
 
 TEST(QuestPlusPrior, ANormalOneIsOnTheAxisOfTheSteps) {
   QuestPlusDefinition definition = usual();
-  definition.threshold_px.prior = NormalMass{.mean = 300, .sd = 0.7};
+  definition.threshold.prior = NormalMass{.mean = 300, .sd = 0.7};
   const QuestPlusGrid octaves = make_grid(definition);
   const Moments on_log2 = moments(octaves, prior_posterior(octaves), Parameter::threshold);
   EXPECT_NEAR(on_log2.mean, std::log2(300), 1e-4);
   EXPECT_NEAR(on_log2.sd, 0.7, 1e-4);
 
   definition.axis = Axis::linear;
-  definition.threshold_px = {
-      .least = 0, .most = 1000, .count = 101, .prior = NormalMass{.mean = 420, .sd = 80}};
+  definition.threshold = {.least = 0, .most = 1000, .count = 101, .prior = NormalMass{.mean = 420, .sd = 80}};
   const QuestPlusGrid linear = make_grid(definition);
   const Moments in_px = moments(linear, prior_posterior(linear), Parameter::threshold);
   EXPECT_NEAR(in_px.mean, 420, 1e-3);
@@ -85,7 +84,7 @@ TEST(QuestPlusPrior, OfRatesAndListedOnes) {
 TEST(QuestPlusPrior, WhatIsRuledOutStaysOutAndWhatIsUnlikelyComesBack) {
   QuestPlusDefinition definition = usual();
   definition.scale.prior = ListedMass{.weights = {0, 1, 1, 1, 1, 1, 1, 1, 1}};
-  definition.threshold_px.prior = NormalMass{.mean = 32, .sd = 0.1};  // masses down to exp(-3200)
+  definition.threshold.prior = NormalMass{.mean = 32, .sd = 0.1};  // masses down to exp(-3200)
   const Task task = task_of(definition);
   QuestPlusPosterior posterior = prior_posterior(task.grid);
   for (int trial = 0; trial < 20000; ++trial) learn(posterior, task.tables, 6, trial % 3 == 0 ? 0 : 1);
@@ -116,8 +115,7 @@ std::vector<double> entropies_as_written(const Task& task, const std::vector<dou
 
 TEST(QuestPlusPrior, ASequenceIsThatOfBayesRuleAsItIsWritten) {
   QuestPlusDefinition definition = usual();
-  definition.threshold_px = {
-      .least = 32, .most = 8192, .count = 21, .prior = NormalMass{.mean = 300, .sd = 1}};
+  definition.threshold = {.least = 32, .most = 8192, .count = 21, .prior = NormalMass{.mean = 300, .sd = 1}};
   definition.scale = {.least = 0.25, .most = 1, .count = 3, .values = {0.25, 0.3, 1}};
   definition.scale.prior = ListedMass{.weights = {1, 2, 1}};
   definition.lapse.prior = BetaMass{.a = 2, .b = 30};
@@ -168,8 +166,8 @@ TEST(QuestPlusPrior, AGoodOneSavesTrialsAndAWrongOneIsOvercome) {
   even.scale.count = 5;
   even.lapse.count = 3;
   QuestPlusDefinition good = even, wrong = even;
-  good.threshold_px.prior = NormalMass{.mean = 300, .sd = 0.6};
-  wrong.threshold_px.prior = NormalMass{.mean = 1200, .sd = 0.6};
+  good.threshold.prior = NormalMass{.mean = 300, .sd = 0.6};
+  wrong.threshold.prior = NormalMass{.mean = 1200, .sd = 0.6};
   for (const Direction direction : {Direction::decreasing, Direction::increasing}) {
     even.direction = good.direction = wrong.direction = direction;
     const double even_early = error_after(even, 20), even_late = error_after(even, 150);
@@ -190,7 +188,7 @@ TEST(QuestPlusPrior, AGoodOneSavesTrialsAndAWrongOneIsOvercome) {
 /// Alarms compare with the prior: one that begins at an edge does not ring there before it has learnt.
 TEST(QuestPlusPrior, IsNoAlarmOfItself) {
   QuestPlusDefinition definition = usual();
-  definition.threshold_px.prior = NormalMass{.mean = 32, .sd = 0.3};
+  definition.threshold.prior = NormalMass{.mean = 32, .sd = 0.3};
   Task task = task_of(definition);
   QuestPlusPosterior posterior = prior_posterior(task.grid);
   EXPECT_GT(marginal(task.grid, posterior, Parameter::threshold).front(), 0.3);
@@ -202,17 +200,17 @@ TEST(QuestPlusPrior, IsNoAlarmOfItself) {
 TEST(QuestPlusAxis, StepsAreEqualWhereTheStudySaysSo) {
   QuestPlusDefinition definition = usual();
   definition.axis = Axis::linear;
-  definition.threshold_px = {.least = 10, .most = 50, .count = 5};
+  definition.threshold = {.least = 10, .most = 50, .count = 5};
   definition.scale = {.least = 1, .most = 7, .count = 4, .steps = Steps::equal};
   definition.lapse = {.least = 0, .most = 0.05, .count = 3, .values = {0, 0.02, 0.05}};
   QuestPlusGrid grid = make_grid(definition);
   EXPECT_THAT(grid.of(Parameter::threshold), ElementsAre(10, 20, 30, 40, 50));
   EXPECT_THAT(grid.of(Parameter::scale), ElementsAre(1, 3, 5, 7));
   EXPECT_THAT(grid.of(Parameter::lapse), ElementsAre(0, 0.02, 0.05));
-  definition.threshold_px.steps = Steps::ratios;
+  definition.threshold.steps = Steps::ratios;
   EXPECT_NEAR(make_grid(definition).of(Parameter::threshold)[2], std::sqrt(500), 1e-12);
   definition.axis = Axis::log2;
-  definition.threshold_px.steps = Steps::equal;
+  definition.threshold.steps = Steps::equal;
   grid = make_grid(definition);
   EXPECT_DOUBLE_EQ(grid.of(Parameter::threshold)[1], std::log2(20));
 }
@@ -240,7 +238,7 @@ TEST(QuestPlusAxis, OutcomesOnALinearAxis) {
 TEST(QuestPlusAxis, FindsThePlantedThresholdOfALinearFunction) {
   QuestPlusDefinition definition = usual();
   definition.axis = Axis::linear;
-  definition.threshold_px = {.least = 0, .most = 4000, .count = 81};
+  definition.threshold = {.least = 0, .most = 4000, .count = 81};
   definition.scale = {.least = 50, .most = 800, .count = 7};
   const std::vector<int> widths = {400, 800, 1200, 1600, 2000, 2400, 2800, 3200, 3600};
   for (const Direction direction : {Direction::decreasing, Direction::increasing}) {
@@ -273,22 +271,22 @@ TEST(QuestPlusAxis, ARisingFunctionMirrorsTheFallingOne) {
         falling.axis = axis;
         falling.outcome = outcome;
         falling.sigmoid = sigmoid;
-        falling.threshold_px.count = 17;
+        falling.threshold.count = 17;
         falling.scale.count = 3;
         falling.lapse.count = 2;
         std::vector<int> widths = seven_widths_px;  // and the thresholds: symmetric about the axis' middle
         if (axis == Axis::linear) {
           widths = {100, 200, 300, 400, 500, 600, 700};
-          falling.threshold_px = {0, 800, 17};
+          falling.threshold = {0, 800, 17};
           falling.scale = {20, 200, 3};
           falling.rating_step = {20, 80, 2};
         }
         std::vector<double> weights(17);
         for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = 1 + static_cast<double>(i % 5 + i);
-        falling.threshold_px.prior = ListedMass{.weights = weights};
+        falling.threshold.prior = ListedMass{.weights = weights};
         QuestPlusDefinition rising = falling;
         rising.direction = Direction::increasing;
-        rising.threshold_px.prior = ListedMass{.weights = {weights.rbegin(), weights.rend()}};
+        rising.threshold.prior = ListedMass{.weights = {weights.rbegin(), weights.rend()}};
         const Task one = task_of(falling, widths), other = task_of(rising, widths);
         QuestPlusPosterior of_one = prior_posterior(one.grid), of_other = prior_posterior(other.grid);
         Random random(7, 0);

@@ -84,21 +84,21 @@ TEST_F(QuestPlusProcedureTest, TracksHoldWhatIsRendered) {
   by_object.track = PlacementTrack::object;
   const QuestPlusDesign one = make_quest_plus_design(definition(), stimuli);
   ASSERT_EQ(one.tracks.size(), 2U);
-  EXPECT_EQ(one.tracks[0].width_px, seven_widths_px);
-  EXPECT_EQ(one.tracks[1].width_px, (std::vector<int>{64, 128, 512, 1024, 2048, 4096}));
+  EXPECT_EQ(one.tracks[0].levels, std::vector<double>(seven_widths_px.begin(), seven_widths_px.end()));
+  EXPECT_EQ(one.tracks[1].levels, (std::vector<double>{64, 128, 512, 1024, 2048, 4096}));
   EXPECT_EQ(one.tracks[1].images[2].size(), 2U);
   EXPECT_EQ(name_of(one.tracks[1]), "overlap");
   const QuestPlusDesign other = make_quest_plus_design(by_object, stimuli);
   ASSERT_EQ(other.tracks.size(), 6U);
   EXPECT_EQ(name_of(other.tracks[4]), "overlap room c");
-  EXPECT_EQ(other.tracks[4].width_px, (std::vector<int>{64, 128, 1024, 2048, 4096}));
+  EXPECT_EQ(other.tracks[4].levels, (std::vector<double>{64, 128, 1024, 2048, 4096}));
   EXPECT_EQ(other.tracks[0].tables, other.tracks[1].tables) << "same widths, same tables";
   for (const QuestPlusDesign* design : {&one, &other})
     for (std::size_t i = 0; i < stimuli.size(); ++i) {
       const QuestPlusDesign::Place& place = design->places[i];
       const TrackDesign& track = design->tracks[static_cast<std::size_t>(place.track)];
       EXPECT_EQ(track.artifact, stimuli[i].artifact);
-      EXPECT_EQ(track.width_px[static_cast<std::size_t>(place.width)], stimuli[i].depth.width_px);
+      EXPECT_EQ(track.levels[static_cast<std::size_t>(place.level)], stimuli[i].level);
       EXPECT_EQ(place.object_index, stimuli[i].object_index);
     }
 }
@@ -125,7 +125,7 @@ TEST_F(QuestPlusProcedureTest, ImagesOfAWidthTakeTurns) {
     const QuestPlusProcedure& before = all.before[trial];
     const QuestPlusDesign::Place& place = before.design->places[static_cast<std::size_t>(all.shown[trial])];
     for (const int image : before.design->tracks[static_cast<std::size_t>(place.track)]
-                               .images[static_cast<std::size_t>(place.width)])
+                               .images[static_cast<std::size_t>(place.level)])
       EXPECT_GE(before.shows[static_cast<std::size_t>(image)],
                 before.shows[static_cast<std::size_t>(all.shown[trial])]);
   }
@@ -139,7 +139,7 @@ TEST_F(QuestPlusProcedureTest, TheWidthIsTheOneThatLeavesTheLeastEntropy) {
     const std::vector<double> expected =
         expected_entropies_nats(*before.design->tracks[static_cast<std::size_t>(place.track)].tables,
                                 before.tracks[static_cast<std::size_t>(place.track)].posterior);
-    EXPECT_EQ(std::min_element(expected.begin(), expected.end()) - expected.begin(), place.width);
+    EXPECT_EQ(std::min_element(expected.begin(), expected.end()) - expected.begin(), place.level);
   }
 }
 

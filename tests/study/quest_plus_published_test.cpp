@@ -87,7 +87,7 @@ TEST(QuestPlusPublished, Example1FromADefinition) {
   definition.axis = Axis::linear;
   definition.direction = Direction::increasing;
   definition.sigmoid = Sigmoid::gumbel;
-  definition.threshold_px = {least_db + shift, 0 + shift, levels_db};
+  definition.threshold = {least_db + shift, 0 + shift, levels_db};
   definition.scale = {scale, scale, 1};
   definition.lapse = {0.02, 0.02, 1};
   definition.guess = {0.5, 0.5, 1};
@@ -137,7 +137,7 @@ TEST(QuestPlusPublished, Example3FromADefinition) {
   definition.axis = Axis::linear;
   definition.direction = Direction::increasing;
   definition.sigmoid = Sigmoid::normal;
-  definition.threshold_px = {-5, 5, 11};
+  definition.threshold = {-5, 5, 11};
   definition.scale = {1, 10, 10, Steps::equal};
   definition.lapse = {0, 0.04, 5};
   definition.guess = {0, 0.04, 5};

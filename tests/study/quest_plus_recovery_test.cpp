@@ -28,6 +28,7 @@ int answer_of_observer(const Task& task, double shift_octaves, int width_px, Ran
   Stimulus stimulus;
   stimulus.artifact = Artifact::occlusion;
   stimulus.object_index = 2;
+  stimulus.level = width_px;
   stimulus.depth.width_px = width_px;
   const Response response = respond(person, stimulus, random);
   return outcome_of(task.definition, {.chosen_index = response.chosen_index, .rating = response.rating}, 2);

@@ -127,9 +127,9 @@ TEST_F(QuestPlusStudyTest, TheLogGivesBackThePlantedThresholds) {
   std::map<Artifact, double> mean;
   for (const TrackEstimate& estimate : estimates) {
     EXPECT_EQ(estimate.trials, 60);
-    EXPECT_LT(estimate.low_px, estimate.threshold_px);
-    EXPECT_GT(estimate.high_px, estimate.threshold_px);
-    mean[estimate.artifact] += std::log2(estimate.threshold_px) / 30;
+    EXPECT_LT(estimate.low, estimate.threshold);
+    EXPECT_GT(estimate.high, estimate.threshold);
+    mean[estimate.artifact] += std::log2(estimate.threshold) / 30;
   }
   const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
   for (const auto& [artifact, log2_px] : mean)  // standard error of 30 people about 0.1 octave
@@ -153,9 +153,9 @@ TEST_F(QuestPlusStudyTest, TheLogGivesBackPlantedThresholdsOfNoticeabilityThatRi
   for (const TrackEstimate& estimate : estimates) {
     EXPECT_EQ(estimate.direction, Direction::increasing);
     EXPECT_EQ(estimate.informed, (std::vector<Parameter>{Parameter::threshold, Parameter::lapse}));
-    EXPECT_LT(estimate.low_px, estimate.threshold_px);
-    EXPECT_GT(estimate.high_px, estimate.threshold_px);
-    mean[estimate.artifact] += std::log2(estimate.threshold_px) / 20;
+    EXPECT_LT(estimate.low, estimate.threshold);
+    EXPECT_GT(estimate.high, estimate.threshold);
+    mean[estimate.artifact] += std::log2(estimate.threshold) / 20;
   }
   const ObserverDefinition observer = read_study_text(log.study_text, "study").observer;
   for (const auto& [artifact, log2_px] : mean)
@@ -173,10 +173,10 @@ TEST_F(QuestPlusStudyTest, EstimatesOnALinearAxisAreInPixels) {
   std::map<Artifact, double> mean_px;
   for (const TrackEstimate& estimate : estimates) {
     EXPECT_EQ(estimate.axis, Axis::linear);
-    EXPECT_LE(estimate.low_px, estimate.threshold_px);
-    EXPECT_GE(estimate.high_px, estimate.threshold_px);
+    EXPECT_LE(estimate.low, estimate.threshold);
+    EXPECT_GE(estimate.high, estimate.threshold);
     EXPECT_GT(estimate.threshold_sd, 1);  // px
-    mean_px[estimate.artifact] += estimate.threshold_px / 12;
+    mean_px[estimate.artifact] += estimate.threshold / 12;
   }
   EXPECT_LT(mean_px[Artifact::shadow], mean_px[Artifact::occlusion]);  // 180 and 620 px are planted
   EXPECT_NEAR(mean_px[Artifact::occlusion], 620, 250);

@@ -11,7 +11,7 @@ inline const std::vector<int> seven_widths_px = {64, 128, 256, 512, 1024, 2048, 
 /// The defaults of a study file for these widths.
 inline QuestPlusDefinition definition_for(const std::vector<int>& width_px) {
   QuestPlusDefinition definition;
-  definition.threshold_px = {width_px.front() / 2.0, width_px.back() * 2.0, 41};
+  definition.threshold = {width_px.front() / 2.0, width_px.back() * 2.0, 41};
   definition.max_shows_per_image = 1000;
   return definition;
 }
@@ -34,7 +34,7 @@ inline Task make_task(PlacementOutcome outcome, const std::vector<int>& width_px
   Task task{.definition = definition_for(width_px), .grid = {}, .width_px = width_px, .tables = {}};
   task.definition.outcome = outcome;
   task.grid = make_grid(task.definition);
-  task.tables = make_width_tables(task.definition, task.grid, width_px);
+  task.tables = make_level_tables(task.definition, task.grid, {width_px.begin(), width_px.end()});
   return task;
 }
 

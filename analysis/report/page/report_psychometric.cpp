@@ -77,7 +77,7 @@ std::string tracks_html(const ReportNumbers& numbers) {
     std::string alarms;
     for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     lines.push_back({track.participant, track.track, track.used ? "yes" : "no", std::to_string(track.trials),
-                     with_interval(pixels(track.threshold_px), pixels(track.low_px), pixels(track.high_px)),
+                     with_interval(pixels(track.threshold), pixels(track.low), pixels(track.high)),
                      decimal_text(track.scale, 2), percent_text(track.lapse), alarms.empty() ? "–" : alarms});
   }
   const study::TrackEstimate& first = numbers.tracks.front();

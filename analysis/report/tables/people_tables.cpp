@@ -77,8 +77,8 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
     std::string alarms;
     for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
     table.rows.push_back({track.participant, std::string(word(track.artifact)), track.track,
-                          whole(track.used), whole(track.trials), track.threshold_px, track.low_px,
-                          track.high_px, track.threshold_sd, track.scale, track.lapse, alarms});
+                          whole(track.used), whole(track.trials), track.threshold, track.low, track.high,
+                          track.threshold_sd, track.scale, track.lapse, alarms});
   }
   return table;
 }
