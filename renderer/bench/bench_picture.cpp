@@ -7,9 +7,9 @@
 #include "renderer/bench/bench.h"
 #include "renderer/common/stopwatch.h"
 #include "renderer/convergence/convergence_runs.h"
+#include "renderer/error/true_error.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
-#include "renderer/picture/true_error.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
 

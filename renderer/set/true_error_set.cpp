@@ -7,10 +7,10 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/depth/local_scene.h"
+#include "renderer/error/true_error.h"
+#include "renderer/error/worst_tile.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
-#include "renderer/picture/true_error.h"
-#include "renderer/picture/worst_tile.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "renderer/depth/local_scene.h"
+#include "renderer/error/error_estimate.h"
 #include "renderer/picture/composite.h"
-#include "renderer/picture/error_estimate.h"
 #include "renderer/scene/scene_file.h"
 #include "renderer/scene/truth_scene.h"
 #include "stability/common/groups.h"

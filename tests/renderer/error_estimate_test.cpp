@@ -1,11 +1,11 @@
-#include "renderer/picture/error_estimate.h"
+#include "renderer/error/error_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "renderer/error/sampling_rounds.h"
 #include "renderer/picture/bounce_filter.h"
-#include "renderer/picture/sampling_rounds.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::renderer {

@@ -2,11 +2,11 @@
 // only where and as often as the picture needs it.
 #include <tuple>
 
+#include "renderer/error/error_estimate.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/estimators/fast/truth_sums.h"
-#include "renderer/picture/error_estimate.h"
 
 namespace seamline::renderer {
 namespace {

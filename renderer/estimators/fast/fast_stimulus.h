@@ -1,11 +1,11 @@
 #pragma once
 #include <optional>
 
+#include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
 #include "renderer/estimators/fast/truth_sums.h"
-#include "renderer/picture/sampling_rounds.h"
 
 namespace seamline::renderer {
 

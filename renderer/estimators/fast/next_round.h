@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator_choices.h"
-#include "renderer/picture/sampling_rounds.h"
 
 namespace seamline::renderer {
 

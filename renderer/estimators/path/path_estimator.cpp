@@ -1,8 +1,8 @@
 // The unbiased estimator: every path traced to its end, nothing filtered.
+#include "renderer/error/error_estimate.h"
+#include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/path/path_depth_pass.h"
-#include "renderer/picture/error_estimate.h"
-#include "renderer/picture/sampling_rounds.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "renderer/picture/error_estimate.h"
+#include "renderer/error/error_estimate.h"
 
 namespace seamline::renderer {
 

@@ -1,4 +1,4 @@
-#include "renderer/picture/error_estimate.h"
+#include "renderer/error/error_estimate.h"
 
 #include <cmath>
 

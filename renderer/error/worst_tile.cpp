@@ -1,4 +1,4 @@
-#include "renderer/picture/worst_tile.h"
+#include "renderer/error/worst_tile.h"
 
 #include <algorithm>
 

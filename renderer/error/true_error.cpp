@@ -1,11 +1,11 @@
-#include "renderer/picture/true_error.h"
+#include "renderer/error/true_error.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "renderer/common/tiles.h"
-#include "renderer/picture/error_estimate.h"
+#include "renderer/error/error_estimate.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/picture/sampling_rounds.h"
+#include "renderer/error/sampling_rounds.h"
 
 #include <algorithm>
 #include <cmath>
