@@ -1,7 +1,9 @@
+#include "analysis/report/figures/guessing_figure.h"
+
 #include <fmt/format.h>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
 
