@@ -79,7 +79,7 @@ TEST_F(SetFromOutside, AnIdTwiceAndAnOddWidthAreRefused) {
   odd.stimuli[1].stimulus.depth.width_px = 65;
   write_manifest(set_, odd);
   EXPECT_THAT(tried(read_file(set_ / "manifest.json")),
-              HasSubstr("stimuli[1].depth.width_px: wanted an even number, found 65"));
+              HasSubstr("stimuli[1].condition.depth_width_px: wanted an even number, found 65"));
 }
 
 }  // namespace
