@@ -41,4 +41,9 @@ struct StudyDesign {
 [[nodiscard]] StudyDesign study_design(std::span<const study::Answer> answers,
                                        const ParticipantGroups& groups, double reference_width_px);
 
+/// The questions that the design can answer, in link units. `participants` gives groups their degrees of
+/// freedom (participants less groups), everything else has one less than the participants; infinite when
+/// `robust` is false.
+[[nodiscard]] std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust);
+
 }  // namespace seamline::analysis

@@ -17,7 +17,7 @@ struct OrdinalStudyRequest {
 
 /// Where standard errors come from.
 enum class ErrorSource {
-  participants,  ///< leaving out each participant in turn (mixed_fit.cpp)
+  participants,  ///< leaving out each participant in turn (robust_covariance.h)
   model          ///< the likelihood's curvature: only right when participants differ in their level alone
 };
 

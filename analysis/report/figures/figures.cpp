@@ -7,10 +7,7 @@
 #include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/figures/guessing_figure.h"
-#include "analysis/report/figures/psychometric_figure.h"
-#include "analysis/report/figures/times_figure.h"
-#include "analysis/report/text/threshold_text.h"
+#include "analysis/report/numbers/threshold_rows.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 

@@ -1,9 +1,7 @@
-#include "analysis/report/figures/guessing_figure.h"
-
 #include <fmt/format.h>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/text/threshold_text.h"
+#include "analysis/report/numbers/threshold_rows.h"
 
 namespace seamline::analysis {
 

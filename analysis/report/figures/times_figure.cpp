@@ -1,5 +1,3 @@
-#include "analysis/report/figures/times_figure.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

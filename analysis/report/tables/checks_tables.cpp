@@ -4,13 +4,17 @@
 
 #include <cmath>
 
+#include "analysis/report/numbers/threshold_rows.h"
 #include "analysis/report/tables/table_columns.h"
-#include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/angular_resolution.h"
 
 namespace seamline::analysis {
 
 namespace {
+
+CsvValue px(std::optional<double> value) {
+  return value ? CsvValue(*value) : CsvValue(std::monostate{});
+}
 
 /// The columns of an estimate: name_px, its interval and the reason why there is none.
 void add_columns(CsvTable& table, const std::string& name, const std::string& meaning) {
@@ -22,7 +26,7 @@ void add_columns(CsvTable& table, const std::string& name, const std::string& me
 }
 
 void add_values(std::vector<CsvValue>& row, const WidthEstimate& estimate) {
-  row.push_back(px(estimate));
+  row.push_back(estimate.log2_px ? CsvValue(std::exp2(*estimate.log2_px)) : CsvValue(std::monostate{}));
   row.push_back(px(bound_px(estimate.ci95.low_log2_px)));
   row.push_back(px(bound_px(estimate.ci95.high_log2_px)));
   row.emplace_back(estimate.reason);
@@ -82,7 +86,7 @@ CsvTable corrected_curves_table(const Analysis& analysis) {
     for (std::size_t w = 0; w < curve.cells.size(); ++w)
       table.rows.push_back({std::string(word(curve.artifact)), whole(curve.width_px[w]),
                             analysis.data.artifacts[i].cells[w].mean, curve.cells[w].saw,
-                            curve.cells[w].mean_rating_of_seen(), curve.cells[w].noticeability,
+                            curve.cells[w].noticeability / curve.cells[w].saw, curve.cells[w].noticeability,
                             source_text(analysis)});
   }
   return table;

@@ -1,7 +1,6 @@
-#include "analysis/report/tables/psychometric_tables.h"
-
 #include <cmath>
 
+#include "analysis/report/tables/section_tables.h"
 #include "analysis/report/tables/table_columns.h"
 
 namespace seamline::analysis {
@@ -93,9 +92,11 @@ CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers
                  .rows = {}};
   for (const ChoiceCurve& curve : numbers.choices)
     for (const LevelResidual& level : curve.goodness.residuals)
-      table.rows.push_back({std::string(word(curve.artifact)), whole(level.counts.level),
-                            level.counts.correct, level.counts.trials, level.counts.share(), level.fitted,
-                            level.deviance_residual, source_text(analysis)});
+      table.rows.push_back(
+          {std::string(word(curve.artifact)), whole(level.counts.level), level.counts.correct,
+           level.counts.trials,
+           static_cast<double>(level.counts.correct) / static_cast<double>(level.counts.trials), level.fitted,
+           level.deviance_residual, source_text(analysis)});
   return table;
 }
 

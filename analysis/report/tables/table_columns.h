@@ -1,10 +1,8 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 
-#include "analysis/statistics/estimate.h"
 #include "support/text/csv.h"
 
 namespace seamline::analysis {
@@ -29,14 +27,6 @@ inline const CsvColumn source_column{"source", "text", "who answered: participan
 /// The number, or an empty cell when it is NaN or infinite (an open end).
 [[nodiscard]] inline CsvValue finite(double value) {
   return std::isfinite(value) ? CsvValue(value) : CsvValue(std::monostate{});
-}
-
-/// A width in px, or an empty cell where there is none.
-[[nodiscard]] inline CsvValue px(std::optional<double> value) {
-  return value ? CsvValue(*value) : CsvValue(std::monostate{});
-}
-[[nodiscard]] inline CsvValue px(const std::optional<WidthEstimate>& estimate) {
-  return estimate && estimate->log2_px ? CsvValue(std::exp2(*estimate->log2_px)) : CsvValue(std::monostate{});
 }
 
 }  // namespace seamline::analysis

@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/log_analysis/choice_curves.h"
+#include "analysis/log_analysis/response_times.h"
+#include "analysis/ordinal/contrasts/study_model.h"
+#include "analysis/report/numbers/participant_rows.h"
+#include "study/running/quest_plus_results.h"
+
+namespace seamline::analysis {
+
+/// What a report says beside the thresholds, computed once; HTML, CSV, JSON and figures are written from it.
+struct ReportNumbers {
+  std::vector<ChoiceCurve> choices;         ///< one an artifact, in the order of the analysis
+  std::optional<OrdinalStudy> comparisons;  ///< none: see `comparisons_missing`
+  std::string comparisons_missing;          ///< a sentence
+  ResponseTimes times;
+  std::vector<ParticipantRow> participants;
+  std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs
+};
+
+/// Never throws because of what the answers are: what cannot be computed is missing, with a sentence.
+[[nodiscard]] ReportNumbers report_numbers(const Analysis& analysis);
+
+}  // namespace seamline::analysis

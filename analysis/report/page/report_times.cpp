@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/report/page/report_html.h"
+#include "analysis/report/page/report_parts.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+/// Tenths, and two digits of what is shorter.
+std::string short_text(double seconds) {
+  return std::abs(seconds) < 0.1 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.1f}", seconds);
+}
+
+std::string quartiles_text(const Quartiles& times) {
+  if (!std::isfinite(times.median_s)) return "–";
+  return fmt::format("{} ({} to {})", short_text(times.median_s), short_text(times.lower_s),
+                     short_text(times.upper_s));
+}
+
+}  // namespace
+
+std::string times_html(const ReportNumbers& numbers, const std::vector<Figure>& figures) {
+  std::string html = "<h2 id=\"times\">Response times</h2>\n";
+  if (!numbers.times.missing.empty()) return html + html_paragraph(numbers.times.missing);
+  std::vector<std::vector<std::string>> lines;
+  for (const ResponseTime& row : numbers.times.rows)
+    if (!row.artifact)
+      lines.push_back({row.which == TimedAnswers::all ? std::to_string(row.width_px) : "",
+                       std::string(word(row.which)), std::to_string(row.answers), std::to_string(row.people),
+                       quartiles_text(row.choice), quartiles_text(row.rating)});
+  return html + figure_html(figures, "response_times") +
+         html_table({{"W, px"},
+                     {"choices"},
+                     {"answers", true},
+                     {"participants", true},
+                     {"to the choice, s", true},
+                     {"from choice to rating, s", true}},
+                    lines) +
+         "<p class=\"soft\">Median over answers, quartiles in brackets; nothing is cut off. Each artifact’s "
+         "times are in <code>response_times.csv</code>.</p>\n";
+}
+
+}  // namespace seamline::analysis
