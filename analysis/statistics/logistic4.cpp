@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "analysis/statistics/levenberg_marquardt.h"
+#include "analysis/statistics/logistic_polish.h"
 
 namespace seamline::analysis {
 
@@ -69,30 +70,6 @@ void accumulate(const Projection& at, std::span<const double> log2_px, const Eig
     gradient.noalias() += jacobian * residual;
   }
 }
-
-/// The four parameters over fixed widths, within the bounds of the grid.
-struct FourParameters {
-  static constexpr int parameters = 4;
-  using Place = Projection;
-
-  std::span<const double> log2_px;
-  const Eigen::VectorXd& means;
-  const LogisticBox& box;
-
-  void normal_equations(const Projection& at, Eigen::Matrix4d& curvature, Eigen::Vector4d& gradient) const {
-    accumulate(at, log2_px, means, curvature, gradient);
-  }
-  void step(const Projection& from, const Eigen::Vector4d& move, Projection& to) const {
-    project(std::clamp(from.curve.centre_log2_px + move[2], box.lowest_centre, box.highest_centre),
-            std::clamp(from.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)),
-                       box.smallest_scale, box.largest_scale),
-            log2_px, means, to);
-  }
-  static double distance(const Projection& from, const Projection& to) {
-    return std::abs(to.curve.centre_log2_px - from.curve.centre_log2_px) +
-           std::abs(std::log(to.curve.scale_octaves / from.curve.scale_octaves));
-  }
-};
 
 }  // namespace
 
@@ -182,16 +159,35 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
   return starts;
 }
 
-/// Descends within the bounds of the grid. Returns the residual sum of squares.
+/// Levenberg-Marquardt within the bounds of the grid. Returns the residual sum of squares.
 double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorXd& means,
                                Logistic4& curve) const {
   Projection best, tried;
   project(start.centre_log2_px, start.scale_octaves, log2_px_, means, best);
-  const LogisticBox grid{.lowest_centre = centres_.front(),
-                         .highest_centre = centres_.back(),
-                         .smallest_scale = scales_.front(),
-                         .largest_scale = scales_.back()};
-  levenberg_marquardt(FourParameters{.log2_px = log2_px_, .means = means, .box = grid}, best, tried);
+  double damping = 1e-3;
+  Eigen::Matrix4d curvature;
+  Eigen::Vector4d gradient;
+  bool stale = true;  // the normal equations are not those of `best`
+  for (int step = 0; step < LogisticPolish::most_steps && damping < 1e8; ++step) {
+    if (stale) accumulate(best, log2_px_, means, curvature, gradient);
+    Eigen::Matrix4d damped = curvature;
+    damped.diagonal() += damping * (curvature.diagonal().array() + 1e-9).matrix();
+    const Eigen::Vector4d move = damped.inverse() * gradient;
+    project(std::clamp(best.curve.centre_log2_px + move[2], centres_.front(), centres_.back()),
+            std::clamp(best.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)), scales_.front(),
+                       scales_.back()),
+            log2_px_, means, tried);
+    stale = tried.residual_sum_of_squares < best.residual_sum_of_squares;
+    if (!stale) {
+      damping *= 8;
+      continue;
+    }
+    const double moved = std::abs(tried.curve.centre_log2_px - best.curve.centre_log2_px) +
+                         std::abs(std::log(tried.curve.scale_octaves / best.curve.scale_octaves));
+    std::swap(best, tried);
+    damping = std::max(damping / 8, 1e-12);
+    if (moved < LogisticPolish::smallest_move) break;
+  }
   curve = best.curve;
   return best.residual_sum_of_squares;
 }
