@@ -200,7 +200,7 @@ TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
   for (const CorrectedCurve& curve : correction.curves) {
     EXPECT_FALSE(curve.above_chance) << word(curve.artifact);
     EXPECT_EQ(curve.estimates.perceptual.reason, "below at every width") << word(curve.artifact);
-    EXPECT_EQ(curve.estimates.perceptual.ci95.low_log2_px, below_every_width);
+    EXPECT_EQ(curve.estimates.perceptual.ci95.low_x, below_every_level);
   }
   EXPECT_THAT(correction.notes, Contains(HasSubstr("not chosen more often than by guessing")));
 }
@@ -237,10 +237,10 @@ TEST(GuessCorrection, IsTheSameForAnyNumberOfThreads) {
   const GuessCorrection one = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 1});
   const GuessCorrection three = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 3});
   for (std::size_t a = 0; a < 4; ++a) {
-    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_log2_px,
-              three.curves[a].perceptual_bootstrap.low_log2_px);
-    EXPECT_EQ(one.curves[a].estimates.inflection.ci95.high_log2_px,
-              three.curves[a].estimates.inflection.ci95.high_log2_px);
+    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_x,
+              three.curves[a].perceptual_bootstrap.low_x);
+    EXPECT_EQ(one.curves[a].estimates.inflection.ci95.high_x,
+              three.curves[a].estimates.inflection.ci95.high_x);
   }
 }
 

@@ -61,7 +61,7 @@ std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Ei
 
 OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const ParticipantGroups& groups,
                                const OrdinalStudyRequest& request) {
-  OrdinalStudy study{.design = study_design(answers, groups, request.reference_width_px),
+  OrdinalStudy study{.design = study_design(answers, groups, request.reference_level, request.axis, request.conditions),
                      .fit = {},
                      .errors = ErrorSource::participants,
                      .coefficients = {},
