@@ -20,7 +20,7 @@ CsvTable threshold_table(const Prediction& prediction) {
                              {"paper", "px", ""},
                              {"predicted / paper", "octaves", ""}},
                  .rows = {}};
-  const auto add = [&](Artifact artifact, const char* quantity, const LevelEstimate& estimate,
+  const auto add = [&](Artifact artifact, const char* quantity, const ThresholdEstimate& estimate,
                        std::optional<int> paper_px) {
     std::vector<CsvValue> row{std::string(artifact_title(artifact)), std::string(quantity)};
     if (estimate.level_x)

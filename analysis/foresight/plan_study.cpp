@@ -196,7 +196,7 @@ std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study) {
   double low = std::log2(all.back()), high = std::log2(all.front());
   for (const auto& [artifact, objects] : objects_of_artifacts(study)) {
     const CurveThresholds planted = planted_thresholds(study.observer, artifact, all);
-    for (const LevelEstimate* estimate : {&planted.perceptual, &planted.slightly_noticeable}) {
+    for (const ThresholdEstimate* estimate : {&planted.perceptual, &planted.slightly_noticeable}) {
       if (!estimate->level_x) continue;
       low = std::min(low, *estimate->level_x);
       high = std::max(high, *estimate->level_x);

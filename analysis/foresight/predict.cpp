@@ -51,7 +51,7 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
 }
 
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
-double log2_or_beyond(const LevelEstimate& estimate) {
+double log2_or_beyond(const ThresholdEstimate& estimate) {
   if (estimate.level_x) return *estimate.level_x;
   return estimate.reason.starts_with("above") ? above_every_level : below_every_level;
 }

@@ -6,7 +6,8 @@ namespace seamline::analysis {
 namespace {
 
 void give_reason(CurveThresholds& estimates, const std::string& reason) {
-  for (LevelEstimate* width : {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
+  for (ThresholdEstimate* width :
+       {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
     width->reason = reason;
 }
 
@@ -27,7 +28,8 @@ void set_aside_adaptive(Analysis& analysis) {
               .cells = {},
               .left_out = {}};
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
-    give_reason(analysis.thresholds.back().estimates, in_words_of(scores.axis, "widths were placed by the answers"));
+    give_reason(analysis.thresholds.back().estimates,
+                in_words_of(scores.axis, "widths were placed by the answers"));
   }
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }

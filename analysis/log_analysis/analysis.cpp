@@ -124,9 +124,8 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   require_answers(analysis.log, analysis.people);
   analysis.adaptive = is_adaptive(study);
   if (!analysis.adaptive)
-    analysis.screened =
-        thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling,
-                                    analysis.conditions);
+    analysis.screened = thresholds_with_and_without(analysis.log, analysis.people, analysis.screening,
+                                                    resampling, analysis.conditions);
   if (options.exclude_screened) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people, analysis.conditions);

@@ -118,9 +118,8 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
         "participants need at least two.",
         artifact, of_condition, curve.people == 0 ? "no" : "one");
   else if (choices.level.size() < 2)
-    curve.missing =
-        fmt::format("No psychometric function of '{}'{} is fitted: it was tested at one {} only.", artifact,
-                    of_condition, level_word(axis));
+    curve.missing = fmt::format("No psychometric function of '{}'{} is fitted: it was tested at one {} only.",
+                                artifact, of_condition, level_word(axis));
   if (!curve.missing.empty()) return curve;
   FitOptions options = options_for_alternatives(study::objects_per_stimulus);
   options.axis = facts(axis.quantity).axis;
@@ -164,8 +163,8 @@ std::vector<ChoiceCurve> choice_curves(const Analysis& analysis) {
     curves[i].missing = fmt::format(
         "No function of everybody's answers to '{}'{} is fitted: {}s were placed by the answers, so people "
         "differ from {} to {}. The thresholds of each participant's track are given instead.",
-        word(scores.artifact), in_condition(scores.condition), level_word(scores.axis), level_word(scores.axis),
-        level_word(scores.axis));
+        word(scores.artifact), in_condition(scores.condition), level_word(scores.axis),
+        level_word(scores.axis), level_word(scores.axis));
   });
   return curves;
 }

@@ -16,7 +16,8 @@ struct BandPoint {
   double low = 0, high = 0;  ///< 0 to 1
 };
 
-/// The psychometric function of one artifact and condition: right choices against the level, everybody's answers together.
+/// The psychometric function of one artifact and condition: right choices against the level, everybody's
+/// answers together.
 struct ChoiceCurve {
   Artifact artifact = Artifact::none;
   std::string condition;            ///< empty where the study has one
@@ -41,9 +42,10 @@ struct ChoiceCurve {
 inline constexpr int most_band_replicates = 1000;
 inline constexpr int deviance_replicates = 1000;
 
-/// Fits every artifact and condition of `analysis`, in its order: cumulative normal along the axis, guess 1/3,
-/// lapse free to 0.1, in the direction of the log. A level that stands apart is no part of the sigmoid. Bands are percentiles over participants drawn with replacement, each replicate fitted again.
-/// Same numbers for any number of threads. Adaptive logs have no curves; each says so in `missing`.
+/// Fits every artifact and condition of `analysis`, in its order: cumulative normal along the axis, guess
+/// 1/3, lapse free to 0.1, in the direction of the log. A level that stands apart is no part of the sigmoid.
+/// Bands are percentiles over participants drawn with replacement, each replicate fitted again. Same numbers
+/// for any number of threads. Adaptive logs have no curves; each says so in `missing`.
 [[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis);
 
 }  // namespace seamline::analysis

@@ -67,10 +67,11 @@ ResponseTimes response_times(const Analysis& analysis) {
     for (int artifact : {-1, static_cast<int>(answer.artifact)})
       for (TimedAnswers which :
            {TimedAnswers::all, answer.correct() ? TimedAnswers::right : TimedAnswers::wrong}) {
-        TimeTally& tally = tallies[{.artifact = artifact,
-                                    .condition = artifact < 0 ? 0 : static_cast<int>(place - conditions.begin()),
-                                    .level = answer.level,
-                                    .which = which}];
+        TimeTally& tally =
+            tallies[{.artifact = artifact,
+                     .condition = artifact < 0 ? 0 : static_cast<int>(place - conditions.begin()),
+                     .level = answer.level,
+                     .which = which}];
         tally.people.insert(answer.participant);
         tally.choice_s.push_back(static_cast<double>(answer.choice_ns) * 1e-9);
         tally.rating_s.push_back(static_cast<double>(answer.rating_ns - answer.choice_ns) * 1e-9);

@@ -38,8 +38,8 @@ struct LevelOrder {
 template <class Value>
 using ByLevel = std::map<double, Value, LevelOrder>;
 
-using PersonTallies = std::map<int, AnswerTally>;                       // person -> answers
-using ObjectTallies = std::map<ObjectKey, ByLevel<PersonTallies>>;      // object -> level -> person
+using PersonTallies = std::map<int, AnswerTally>;                           // person -> answers
+using ObjectTallies = std::map<ObjectKey, ByLevel<PersonTallies>>;          // object -> level -> person
 using PersonMeans = std::map<int, std::vector<std::pair<double, double>>>;  // person -> objects' means
 
 ObjectTallies tally_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people,
@@ -193,9 +193,10 @@ std::vector<std::string> conditions_of(const study::LogContents& log, const std:
   for (const study::Answer& answer : log.answers)
     if (seen.insert(answer.condition).second) as_they_appear.push_back(answer.condition);
   std::vector<std::string> conditions;
-  for (const auto* names : {&order, &as_they_appear})
-    for (const std::string& name : *names)
-      if (seen.erase(name) > 0) conditions.push_back(name);
+  for (const std::string& name : order)
+    if (seen.erase(name) > 0) conditions.push_back(name);
+  for (const std::string& name : as_they_appear)
+    if (seen.erase(name) > 0) conditions.push_back(name);
   return conditions;
 }
 
@@ -207,7 +208,8 @@ NoticeabilityData average_answers(const study::LogContents& log, const std::vect
   const ObjectTallies tallies = tallies_of_somebody(log, people, data.conditions);
   std::map<std::pair<Artifact, int>, ByLevel<PersonMeans>> by_artifact;
   for (const auto& [key, levels] : tallies) {
-    data.objects.push_back(object_curve(key, data.conditions[static_cast<std::size_t>(key.condition)], levels));
+    data.objects.push_back(
+        object_curve(key, data.conditions[static_cast<std::size_t>(key.condition)], levels));
     ByLevel<PersonMeans>& curve =
         by_artifact.try_emplace({key.artifact, key.condition}, LevelOrder{data.axis}).first->second;
     for (const auto& [level, persons] : levels)
@@ -215,8 +217,8 @@ NoticeabilityData average_answers(const study::LogContents& log, const std::vect
         curve[level][person].emplace_back(tally.noticeability / tally.answers, tally.correct / tally.answers);
   }
   for (const auto& [key, levels] : by_artifact)
-    data.artifacts.push_back(artifact_scores(
-        key.first, data.conditions[static_cast<std::size_t>(key.second)], levels, people));
+    data.artifacts.push_back(
+        artifact_scores(key.first, data.conditions[static_cast<std::size_t>(key.second)], levels, people));
   return data;
 }
 

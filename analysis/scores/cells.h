@@ -33,7 +33,7 @@ struct ObjectCurve {
 /// One line of the paper's Fig. 7 together with the people behind it: what thresholds are computed from.
 struct ArtifactScores {
   Artifact artifact = Artifact::none;
-  std::string condition;              ///< empty where the study has one
+  std::string condition;  ///< empty where the study has one
   LevelAxis axis;
   std::vector<double> level;          ///< in the order of `comes_before`: widths rise
   std::vector<std::string> people;    ///< codes, in the log's order

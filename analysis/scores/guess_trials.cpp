@@ -40,8 +40,7 @@ std::vector<Placed> placed_answers(const study::LogContents& log, const Noticeab
         static_cast<int>(c);
   std::set<std::tuple<Artifact, std::string, std::string>> on_curve;
   for (const ArtifactScores& scores : data.artifacts)
-    for (const std::string& code : scores.people) 
-      on_curve.insert({scores.artifact, scores.condition, code});
+    for (const std::string& code : scores.people) on_curve.insert({scores.artifact, scores.condition, code});
 
   std::vector<Placed> placed;
   for (const study::Answer& answer : log.answers)

@@ -40,7 +40,8 @@ struct LevelAxis {
 /// x of those levels that do not stand apart. `levels` are in the order of `comes_before`.
 [[nodiscard]] std::vector<double> x_of_levels(const LevelAxis& axis, const std::vector<double>& levels);
 
-/// A difference of two x as one of levels: in octaves (positive: the larger level), or in the quantity's unit.
+/// A difference of two x as one of levels: in octaves (positive: the larger level), or in the quantity's
+/// unit.
 [[nodiscard]] double difference_at(const LevelAxis& axis, double difference_x);
 
 /// A range of levels; an infinite end is open, also at the lower end of a log2 axis.

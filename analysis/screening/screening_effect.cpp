@@ -44,8 +44,9 @@ std::vector<ScreenedThresholds> thresholds_with_and_without(const study::LogCont
     const auto same = std::find_if(results.begin(), result, [&](const ScreenedThresholds& earlier) {
       return earlier.left_out == result->left_out;
     });
-    result->thresholds =
-        same != result ? same->thresholds : thresholds_of(log, leave_out(people, result->left_out), request, order);
+    result->thresholds = same != result
+                             ? same->thresholds
+                             : thresholds_of(log, leave_out(people, result->left_out), request, order);
   }
   return results;
 }

@@ -17,7 +17,7 @@ struct LevelInterval {
 };
 
 /// A width read off a curve, or the reason why there is none.
-struct LevelEstimate {
+struct ThresholdEstimate {
   std::optional<double> level_x;
   std::string reason;  ///< why `level_x` is empty, e.g. "above at every width"
   LevelInterval ci95;

@@ -88,8 +88,7 @@ LevelInterval level_interval(double level, const std::vector<double>& level_x, c
       level, level_x, people, isotonic_steps_per_gap,
       [&](std::size_t left, double t) { return isotonic_at(level, left, t, fit, means, variance_of); });
   const double estimate = largest_x_at(level, level_x, fit.value);
-  return {.low_x = std::min(interval.low_x, estimate),
-          .high_x = std::max(interval.high_x, estimate)};
+  return {.low_x = std::min(interval.low_x, estimate), .high_x = std::max(interval.high_x, estimate)};
 }
 
 LevelInterval invert_level_test(double level, const std::vector<double>& level_x, int people,

@@ -43,10 +43,7 @@ void project(double centre_x, double scale_octaves, std::span<const double> leve
     square += centred * centred;
   }
   const double fall = product / square, lower = mean_y - fall * mean_f;
-  into.curve = {.upper = lower + fall,
-                .lower = lower,
-                .centre_x = centre_x,
-                .scale_octaves = scale_octaves};
+  into.curve = {.upper = lower + fall, .lower = lower, .centre_x = centre_x, .scale_octaves = scale_octaves};
   into.residual_sum_of_squares = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i) {
     const double residual = means[static_cast<Eigen::Index>(i)] - (lower + fall * into.fallen[i]);
@@ -74,8 +71,8 @@ void accumulate(const Projection& at, std::span<const double> level_x, const Eig
 }  // namespace
 
 double value_at(const Logistic4& curve, double level_x) {
-  return curve.lower + (curve.upper - curve.lower) *
-                           falling_logistic((level_x - curve.centre_x) / curve.scale_octaves);
+  return curve.lower +
+         (curve.upper - curve.lower) * falling_logistic((level_x - curve.centre_x) / curve.scale_octaves);
 }
 
 std::string reason(const Logistic4Fit& fit, std::span<const double> level_x) {
@@ -232,8 +229,7 @@ Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
     found = true;
   }
   if (!found)
-    best.curve = {
-        .upper = y.mean(), .lower = y.mean(), .centre_x = level_x_.front(), .scale_octaves = 1};
+    best.curve = {.upper = y.mean(), .lower = y.mean(), .centre_x = level_x_.front(), .scale_octaves = 1};
   return best;
 }
 

@@ -21,9 +21,9 @@ LevelInterval logistic_level_range(double level, const Logistic4Fit& fit, std::s
   return {.low_x = width, .high_x = width};
 }
 
-LevelEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
-                                      std::span<const double> level_x) {
-  LevelEstimate estimate;
+ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
+                                          std::span<const double> level_x) {
+  ThresholdEstimate estimate;
   const LevelInterval range = logistic_level_range(level, fit, level_x);
   if (range.low_x == above_every_level)
     estimate.reason = "above at every width";

@@ -20,7 +20,7 @@ namespace seamline::analysis {
                                                  std::span<const double> level_x);
 
 /// The same as an estimate, with the reason where there is none; its interval is left open.
-[[nodiscard]] LevelEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
-                                                    std::span<const double> level_x);
+[[nodiscard]] ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
+                                                        std::span<const double> level_x);
 
 }  // namespace seamline::analysis

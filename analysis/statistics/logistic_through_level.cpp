@@ -122,11 +122,9 @@ LogisticThroughLevel fit_through_level(double level, double at_x, const std::vec
   }
   const double scale = std::exp(shape.log_scale);
   const double lower = level - best.fall * falling_logistic((at_x - shape.centre) / scale);
-  return {.curve = {.upper = lower + best.fall,
-                    .lower = lower,
-                    .centre_x = shape.centre,
-                    .scale_octaves = scale},
-          .residual_sum_of_squares = std::max(0.0, best.residual)};
+  return {
+      .curve = {.upper = lower + best.fall, .lower = lower, .centre_x = shape.centre, .scale_octaves = scale},
+      .residual_sum_of_squares = std::max(0.0, best.residual)};
 }
 
 }  // namespace seamline::analysis

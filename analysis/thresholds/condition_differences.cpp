@@ -37,11 +37,12 @@ Ranges ranges_of(const Logistic4Fitter& fitter, std::span<const double> means) {
     const double x = largest_x_at(level, level_x, fit.value);
     return within({.low_x = x, .high_x = x}, level_x);
   };
-  return {crossing(perceptual_level), crossing(slight_level), within(fitter.fit(means).centre_range, level_x)};
+  return {crossing(perceptual_level), crossing(slight_level),
+          within(fitter.fit(means).centre_range, level_x)};
 }
 
-/// What a is more than b, when each lies anywhere in its range. No end is infinite less infinite: a low end is
-/// never above every level, a high end never below.
+/// What a is more than b, when each lies anywhere in its range. No end is infinite less infinite: a low end
+/// is never above every level, a high end never below.
 LevelInterval difference(const LevelInterval& a, const LevelInterval& b) {
   return {.low_x = a.low_x - b.high_x, .high_x = a.high_x - b.low_x};
 }
@@ -150,8 +151,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
       if (range.low_x == range.high_x && std::isfinite(range.low_x)) found.estimate = found.bounds.low;
       std::vector<LevelInterval> drawn;
       for (const std::vector<Ranges>& replicate : replicates) drawn.push_back(replicate[c][q]);
-      if (!drawn.empty())
-        found.ci95 = turned_back(axis, percentile_interval(drawn, expanded_levels(people)));
+      if (!drawn.empty()) found.ci95 = turned_back(axis, percentile_interval(drawn, expanded_levels(people)));
       found.text = text_of(found);
       differences.push_back(found);
     }

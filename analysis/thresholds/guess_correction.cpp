@@ -26,8 +26,7 @@ std::vector<CellRange> ranges_of(const NoticeabilityData& data) {
   std::vector<CellRange> ranges;
   std::size_t first = 0;
   for (const ArtifactScores& scores : data.artifacts) {
-    ranges.push_back(
-        {.first = first, .count = scores.level.size(), .level_x = levels_on_axis(scores)});
+    ranges.push_back({.first = first, .count = scores.level.size(), .level_x = levels_on_axis(scores)});
     first += scores.level.size();
   }
   return ranges;
@@ -71,7 +70,7 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
   return scores;
 }
 
-LevelInterval including(LevelInterval interval, const LevelEstimate& estimate) {
+LevelInterval including(LevelInterval interval, const ThresholdEstimate& estimate) {
   if (estimate.level_x) {
     interval.low_x = std::min(interval.low_x, *estimate.level_x);
     interval.high_x = std::max(interval.high_x, *estimate.level_x);
@@ -114,8 +113,8 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   }
   curve.above_chance = right_above_chance(trials, range, guessers);
   if (means.empty()) {
-    for (LevelEstimate* estimate : {&curve.estimates.perceptual, &curve.estimates.slightly_noticeable,
-                                    &curve.estimates.inflection})
+    for (ThresholdEstimate* estimate :
+         {&curve.estimates.perceptual, &curve.estimates.slightly_noticeable, &curve.estimates.inflection})
       estimate->reason = "no level on the axis was shown";
     return curve;
   }
@@ -124,8 +123,8 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   if (formula.rows() < 2) return curve;
   const MeanVector formula_means = mean_and_covariance(formula);
   const int people = static_cast<int>(formula.rows());
-  LevelEstimate& pt = curve.estimates.perceptual;
-  LevelEstimate& sn = curve.estimates.slightly_noticeable;
+  ThresholdEstimate& pt = curve.estimates.perceptual;
+  ThresholdEstimate& sn = curve.estimates.slightly_noticeable;
   pt.ci95 = including(level_interval(perceptual_level, range.level_x, formula_means, people), pt);
   sn.ci95 = including(level_interval(slight_level, range.level_x, formula_means, people), sn);
   return curve;

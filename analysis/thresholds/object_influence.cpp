@@ -10,8 +10,8 @@ namespace {
 
 bool shows(const study::Answer& answer, const ObjectCurve& object) {
   return answer.artifact == object.artifact && answer.condition == object.condition &&
-         answer.scene == object.scene &&
-         answer.object_index == object.object_index && answer.object == object.object;
+         answer.scene == object.scene && answer.object_index == object.object_index &&
+         answer.object == object.object;
 }
 
 /// The artifact's curve without one of its objects; none when nobody answered all that is left.
@@ -24,7 +24,8 @@ std::optional<ArtifactScores> scores_without(const study::LogContents& log,
   rest.noticeability = log.noticeability;
   rest.participants = log.participants;
   for (const study::Answer& answer : log.answers)
-    if (answer.artifact == object.artifact && answer.condition == object.condition && !shows(answer, object)) rest.answers.push_back(answer);
+    if (answer.artifact == object.artifact && answer.condition == object.condition && !shows(answer, object))
+      rest.answers.push_back(answer);
   NoticeabilityData data = average_answers(rest, people);
   if (data.artifacts.front().people.empty()) return std::nullopt;
   data.artifacts.front().axis = axis;  // with the unit of the whole log

@@ -27,7 +27,8 @@ struct ObjectInfluence {
       inflection;  ///< none when there is one object
 };
 
-/// One entry an artifact and condition, in the order of `data` (`average_answers` of the same log and people).
+/// One entry an artifact and condition, in the order of `data` (`average_answers` of the same log and
+/// people).
 [[nodiscard]] std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
                                                                 const std::vector<ParticipantUse>& people,
                                                                 const NoticeabilityData& data);

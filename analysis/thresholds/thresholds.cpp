@@ -12,10 +12,10 @@ namespace seamline::analysis {
 
 namespace {
 
-LevelEstimate level_estimate(double level, const std::vector<double>& level_x,
-                             const std::vector<double>& fit) {
+ThresholdEstimate level_estimate(double level, const std::vector<double>& level_x,
+                                 const std::vector<double>& fit) {
   const double width = largest_x_at(level, level_x, fit);
-  LevelEstimate estimate;
+  ThresholdEstimate estimate;
   if (std::isfinite(width)) estimate.level_x = width;
   if (width == above_every_level) estimate.reason = "above at every width";
   if (width == below_every_level) estimate.reason = "below at every width";
@@ -50,10 +50,11 @@ std::string reason_in(const LevelAxis& axis, const Logistic4Fit& fit, const std:
 
 /// The reasons of a curve whose levels are not widths, in its own words.
 void say_in_levels(const LevelAxis& axis, const std::vector<double>& level_x, CurveThresholds& found) {
-  for (LevelEstimate* estimate :
+  for (ThresholdEstimate* estimate :
        {&found.perceptual, &found.slightly_noticeable, &found.perceptual_logistic,
         &found.slightly_noticeable_logistic, &found.inflection}) {
-    const bool of_curve = estimate->reason.starts_with("above at") || estimate->reason.starts_with("below at");
+    const bool of_curve =
+        estimate->reason.starts_with("above at") || estimate->reason.starts_with("below at");
     if (!estimate->reason.empty())
       estimate->reason =
           of_curve ? in_words_of(axis, estimate->reason) : reason_in(axis, found.logistic, level_x);
@@ -120,9 +121,11 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
                             .perceptual_logistic_bootstrap = {},
                             .slightly_noticeable_logistic_bootstrap = {}};
   if (means.empty()) {
-    const LevelEstimate nothing{.level_x = {}, .reason = scores.cells.empty() ? in_words_of(scores.axis, "nobody answered at every width")
-                                                        : "no level on the axis was shown",
-                                .ci95 = {}};
+    const ThresholdEstimate nothing{.level_x = {},
+                                    .reason = scores.cells.empty()
+                                                  ? in_words_of(scores.axis, "nobody answered at every width")
+                                                  : "no level on the axis was shown",
+                                    .ci95 = {}};
     result.estimates.perceptual = result.estimates.slightly_noticeable = result.estimates.inflection =
         result.estimates.perceptual_logistic = result.estimates.slightly_noticeable_logistic = nothing;
     return result;

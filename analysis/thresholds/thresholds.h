@@ -15,11 +15,11 @@ inline constexpr double slight_level = 1.0;  ///< SN: "slightly noticeable"
 
 /// What a curve of mean noticeability says: estimates only, from people or from an observer's expected means.
 struct CurveThresholds {
-  LevelEstimate perceptual;                    ///< PT
-  LevelEstimate slightly_noticeable;           ///< SN
-  LevelEstimate inflection;                    ///< IP
-  LevelEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
-  LevelEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
+  ThresholdEstimate perceptual;                    ///< PT
+  ThresholdEstimate slightly_noticeable;           ///< SN
+  ThresholdEstimate inflection;                    ///< IP
+  ThresholdEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
+  ThresholdEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
   IsotonicFit isotonic;
   Logistic4Fit logistic;
 };

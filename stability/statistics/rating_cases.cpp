@@ -24,13 +24,13 @@ namespace {
 ArtifactScores scores_of(const Eigen::MatrixXd& noticeability) {
   ArtifactScores scores;
   scores.artifact = Artifact::receiver;
-  scores.width_px = widths_px;
+  scores.level.assign(widths_px.begin(), widths_px.end());
   scores.noticeability = noticeability;
   for (Eigen::Index p = 0; p < noticeability.rows(); ++p) scores.people.push_back("p" + std::to_string(p));
   for (Eigen::Index w = 0; w < noticeability.cols(); ++w) {
     const Eigen::VectorXd column = noticeability.col(w);
     scores.cells.push_back(mean_over_participants({column.begin(), column.end()}));
-    scores.cells.back().width_px = widths_px[static_cast<std::size_t>(w)];
+    scores.cells.back().level = widths_px[static_cast<std::size_t>(w)];
   }
   return scores;
 }
@@ -66,7 +66,7 @@ Finding try_one_participant() {
   const ArtifactScores scores = simulated_scores(1, 4);
   const ArtifactThresholds thresholds = estimate_thresholds(scores, {.replicates = 200, .threads = 1});
   int wrong = std::isnan(scores.cells.front().sem) ? 0 : 1;
-  for (const LevelEstimate* estimate :
+  for (const ThresholdEstimate* estimate :
        {&thresholds.estimates.perceptual, &thresholds.estimates.slightly_noticeable,
         &thresholds.estimates.inflection, &thresholds.estimates.perceptual_logistic})
     wrong += is_open(estimate->ci95) ? 0 : 1;
@@ -80,7 +80,7 @@ Finding try_one_participant() {
 
 Finding try_ten_thousand_participants(int threads) {
   const ArtifactScores scores = simulated_scores(10'000, 2);
-  const LevelEstimate found =
+  const ThresholdEstimate found =
       estimate_thresholds(scores, {.replicates = 200, .threads = threads}).estimates.perceptual;
   std::vector<double> means;
   for (const int width_px : widths_px)
@@ -97,7 +97,7 @@ Finding try_constant_ratings() {
   for (const double rating : {0.0, 2.0, 4.0}) {
     const ArtifactScores scores = scores_of(Eigen::MatrixXd::Constant(20, 7, rating));
     const ArtifactThresholds thresholds = estimate_thresholds(scores, {.replicates = 200, .threads = 1});
-    for (const LevelEstimate* estimate :
+    for (const ThresholdEstimate* estimate :
          {&thresholds.estimates.perceptual, &thresholds.estimates.slightly_noticeable,
           &thresholds.estimates.inflection})
       wrong += !estimate->level_x && !estimate->reason.empty() ? 0 : 1;

@@ -21,10 +21,10 @@ struct CoverageTally {
       ++held;
     open += std::isfinite(interval.low_x) && std::isfinite(interval.high_x) ? 0 : 1;
   }
-  void add(const LevelInterval& interval, const LevelEstimate& planted) {
+  void add(const LevelInterval& interval, const ThresholdEstimate& planted) {
     if (planted.level_x) add(interval, *planted.level_x);
   }
-  void add(const LevelEstimate& found, const LevelEstimate& planted) {
+  void add(const ThresholdEstimate& found, const ThresholdEstimate& planted) {
     if (planted.level_x) add(found.ci95, *planted.level_x);
     estimated += found.level_x ? 1 : 0;
   }
@@ -32,8 +32,8 @@ struct CoverageTally {
   [[nodiscard]] double percent() const { return share(held); }
 
   /// A line of the documentation's tables; `other` is an interval of the same quantity for comparison.
-  void print(const char* population, const char* artifact, const char* quantity, const LevelEstimate& planted,
-             const CoverageTally* other) const {
+  void print(const char* population, const char* artifact, const char* quantity,
+             const ThresholdEstimate& planted, const CoverageTally* other) const {
     if (!planted.level_x) {
       std::printf("| %s | %s | %s | %s |  |  |  |  |  |\n", population, artifact, quantity,
                   planted.reason.c_str());

@@ -64,8 +64,7 @@ TEST(Interval, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.estimates.inflection.ci95.low_x, many.estimates.inflection.ci95.low_x);
     EXPECT_EQ(one.estimates.inflection.ci95.high_x, many.estimates.inflection.ci95.high_x);
     EXPECT_EQ(one.perceptual_bootstrap.low_x, many.perceptual_bootstrap.low_x);
-    EXPECT_EQ(one.slightly_noticeable_bootstrap.high_x,
-              many.slightly_noticeable_bootstrap.high_x);
+    EXPECT_EQ(one.slightly_noticeable_bootstrap.high_x, many.slightly_noticeable_bootstrap.high_x);
   }
 }
 

@@ -37,8 +37,7 @@ TEST(Logistic4, BeatsAFineGridOnNoisyData) {
   const Logistic4Fitter fitter(octaves);
   Random random(7);
   for (int trial = 0; trial < 20; ++trial) {
-    std::vector<double> values =
-        values_of({.upper = 4, .lower = 0.3, .centre_x = 8.5, .scale_octaves = 0.6});
+    std::vector<double> values = values_of({.upper = 4, .lower = 0.3, .centre_x = 8.5, .scale_octaves = 0.6});
     for (double& value : values) value += 0.4 * random.normal();
     const Logistic4Fit fit = fitter.fit(values);
     if (fit.verdict == Centre::step) continue;

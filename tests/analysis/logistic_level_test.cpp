@@ -21,7 +21,7 @@ TEST(LogisticLevel, IsWhereTheCurveHasTheLevel) {
   std::vector<double> means;
   for (double x : octaves) means.push_back(value_at(planted, x));
   for (double level : {0.5, 1.0, 2.0}) {
-    const LevelEstimate found = logistic_level_estimate(level, fitted(means), octaves);
+    const ThresholdEstimate found = logistic_level_estimate(level, fitted(means), octaves);
     ASSERT_TRUE(found.level_x) << level;
     EXPECT_NEAR(value_at(planted, *found.level_x), level, 1e-4);
   }

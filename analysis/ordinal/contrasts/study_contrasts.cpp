@@ -15,7 +15,7 @@ class Builder {
   Builder(const StudyDesign& design, bool robust) : design_(design), robust_(robust) {}
 
   [[nodiscard]] std::vector<ContrastFamily> families() const {
-    std::vector<ContrastFamily> all = {width_family(), level_family(),           slope_family(),
+    std::vector<ContrastFamily> all = {width_family(),     level_family(),           slope_family(),
                                        condition_family(), condition_slope_family(), object_family(),
                                        group_family()};
     std::erase_if(all, [](const ContrastFamily& family) { return family.contrasts.empty(); });
@@ -79,7 +79,8 @@ class Builder {
 
   /// "with every doubling of the width", "with every degree more".
   [[nodiscard]] std::string each_step() const {
-    if (!is_linear(design_.axis)) return fmt::format("with every doubling of the {}", level_word(design_.axis));
+    if (!is_linear(design_.axis))
+      return fmt::format("with every doubling of the {}", level_word(design_.axis));
     return fmt::format("with every {} more", slope_text(design_.axis).substr(4));
   }
 
@@ -108,7 +109,8 @@ class Builder {
                           .differences = true};
     const std::vector<WholeArtifact> whole = whole_artifacts();
     for_pairs(whole.size(), [&](std::size_t i, std::size_t j) {
-      family.contrasts.push_back(noticed_more(whole[j].name, whole[i].name, at, whole[j].level - whole[i].level));
+      family.contrasts.push_back(
+          noticed_more(whole[j].name, whole[i].name, at, whole[j].level - whole[i].level));
     });
     return family;
   }
@@ -147,8 +149,8 @@ class Builder {
         .degrees_of_freedom = degrees(1)};
     for_conditions([&](const DesignArtifact& a, const DesignArtifact& first) {
       if (a.slope_column < 0 || first.slope_column < 0) return;
-      family.contrasts.push_back(slope_contrast(name_of(a), name_of(first),
-                                                column(a.slope_column) - column(first.slope_column)));
+      family.contrasts.push_back(
+          slope_contrast(name_of(a), name_of(first), column(a.slope_column) - column(first.slope_column)));
     });
     return family;
   }
@@ -176,9 +178,10 @@ class Builder {
       const DesignArtifact& artifact = design_.artifacts[a];
       if (a > 0 && design_.artifacts[a - 1].artifact == artifact.artifact) continue;
       for_pairs(artifact.objects.size(), [&](std::size_t i, std::size_t j) {
-        Contrast contrast = noticed_more(artifact.objects[j], artifact.objects[i],
-                                         fmt::format("under {}, at equal {}", word(artifact.artifact), level_word(design_.axis)),
-                                         object(artifact, j) - object(artifact, i));
+        Contrast contrast = noticed_more(
+            artifact.objects[j], artifact.objects[i],
+            fmt::format("under {}, at equal {}", word(artifact.artifact), level_word(design_.axis)),
+            object(artifact, j) - object(artifact, i));
         contrast.name =
             fmt::format("{}: {} - {}", word(artifact.artifact), artifact.objects[j], artifact.objects[i]);
         family.contrasts.push_back(std::move(contrast));

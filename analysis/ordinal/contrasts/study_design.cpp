@@ -93,7 +93,8 @@ void plan_columns(StudyDesign& design, const std::vector<std::set<ObjectKey>>& o
     for (const ObjectKey& key : objects[a]) artifact.objects.push_back(object_name(key, objects[a]));
     if (a > 0) {
       artifact.level_column = next();
-      names.push_back(fmt::format("{} - {} {}", name, name_of(design.artifacts.front()), at_reference(design)));
+      names.push_back(
+          fmt::format("{} - {} {}", name, name_of(design.artifacts.front()), at_reference(design)));
     }
     if (several_levels) {
       artifact.slope_column = next();
@@ -189,10 +190,9 @@ StudyDesign study_design(std::span<const study::Answer> given, const Participant
     design.reference_level = of_depth_widths(axis) ? std::round(std::sqrt(smallest * largest))
                                                    : three_digits(middle_of(axis, smallest, largest));
   if (design.reference_level < smallest || design.reference_level > largest)
-    design.notes.push_back(
-        fmt::format("The reference {} {} lies outside the {}s tested, {} to {}{}.", level_word(axis),
-                    at_reference(design).substr(3), level_word(axis), smallest, largest,
-                    of_depth_widths(axis) ? " px" : ""));
+    design.notes.push_back(fmt::format("The reference {} {} lies outside the {}s tested, {} to {}{}.",
+                                       level_word(axis), at_reference(design).substr(3), level_word(axis),
+                                       smallest, largest, of_depth_widths(axis) ? " px" : ""));
   if (smallest == largest)
     design.notes.push_back(fmt::format("Only {} was tested: there are no slopes over {}.",
                                        level_text(axis.quantity, smallest), level_word(axis)));
@@ -208,13 +208,14 @@ StudyDesign study_design(std::span<const study::Answer> given, const Participant
     const study::Answer& answer = answers[i];
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(data.predictors.cols());
     std::size_t a = 0;
-    while (design.artifacts[a].artifact != answer.artifact || design.artifacts[a].condition != answer.condition)
+    while (design.artifacts[a].artifact != answer.artifact ||
+           design.artifacts[a].condition != answer.condition)
       ++a;
     const DesignArtifact& artifact = design.artifacts[a];
     if (artifact.level_column >= 0) row[artifact.level_column] = 1;
     if (artifact.slope_column >= 0)
       row[artifact.slope_column] = is_linear(axis) ? answer.level - design.reference_level
-                                                  : std::log2(answer.level / design.reference_level);
+                                                   : std::log2(answer.level / design.reference_level);
     if (artifact.first_object_column >= 0)
       write_effect(
           row.segment(artifact.first_object_column, static_cast<Eigen::Index>(artifact.objects.size()) - 1),

@@ -44,7 +44,8 @@ struct StudyDesign {
 /// `order` is that of the study's conditions. Answers at a level that stands apart are left out, with a note.
 [[nodiscard]] StudyDesign study_design(std::span<const study::Answer> answers,
                                        const ParticipantGroups& groups, double reference_level,
-                                       const LevelAxis& axis = {}, const std::vector<std::string>& order = {});
+                                       const LevelAxis& axis = {},
+                                       const std::vector<std::string>& order = {});
 
 /// "receiver", or "receiver (soft)".
 [[nodiscard]] std::string name_of(const DesignArtifact& artifact);

@@ -88,8 +88,8 @@ PooledChoices pooled_choices(const study::LogContents& log, const std::vector<st
   const std::set<std::string> counted(codes.begin(), codes.end());
   for (const study::Answer& answer : log.answers) {
     stop_if_interrupted();
-    if (answer.artifact != artifact || answer.condition != condition ||
-        !counted.contains(answer.participant)) continue;
+    if (answer.artifact != artifact || answer.condition != condition || !counted.contains(answer.participant))
+      continue;
     auto& [right, all] = tallies[answer.participant][answer.level];
     right += answer.correct() ? 1 : 0;
     ++all;
@@ -111,7 +111,8 @@ PooledChoices pooled_choices(const study::LogContents& log, const std::vector<st
   return choices;
 }
 
-PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options, const std::string& unit) {
+PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options,
+                             const std::string& unit) {
   if (choices.correct.rows() < 2)
     throw input_error({.field = "participants",
                        .wanted = "at least two, for an interval over participants",

@@ -73,8 +73,8 @@ std::string level_axis_script(const LevelsDrawn& drawn) {
 }
 
 std::string axis_labels(const LevelAxis& axis, const std::string& y) {
-  return fmt::format("set xlabel \"{2}\" textcolor rgb '{0}'\nset ylabel \"{1}\" textcolor rgb '{0}'\n", plot_ink,
-                     y, axis_title(axis));
+  return fmt::format("set xlabel \"{2}\" textcolor rgb '{0}'\nset ylabel \"{1}\" textcolor rgb '{0}'\n",
+                     plot_ink, y, axis_title(axis));
 }
 
 std::vector<Artifact> drawn_artifacts(const NoticeabilityData& data) {

@@ -29,9 +29,9 @@ std::string data_block(const std::string& name, const LevelsDrawn& drawn, const 
                        double shift) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const CellMean& cell : cells)
-    block += gap_before(drawn, cell.level) +
-             fmt::format("{:.6g} {:.6g} {:.6g}\n", place_of(drawn, cell.level, shift), cell.mean,
-                         std::isnan(cell.sem) ? 0.0 : cell.sem);
+    block += gap_before(drawn, cell.level) + fmt::format("{:.6g} {:.6g} {:.6g}\n",
+                                                         place_of(drawn, cell.level, shift), cell.mean,
+                                                         std::isnan(cell.sem) ? 0.0 : cell.sem);
   return block + "EOD\n";
 }
 
@@ -79,12 +79,12 @@ std::string conditions_panel(const Analysis& analysis, Artifact artifact) {
     blocks += data_block(name, drawn, scores.cells, shift(line, count));
     plots += ", \\\n     " + plot_line(name, line++, scores.condition);
   }
-  return blocks +
-         fmt::format(
-             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
-             "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
-             "notitle{2}\n",
-             gnuplot_text(artifact_title(artifact)), ink, plots);
+  return blocks + fmt::format(
+                      "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
+                      "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' "
+                      "lw 1.2 dt '.' "
+                      "notitle{2}\n",
+                      gnuplot_text(artifact_title(artifact)), ink, plots);
 }
 
 /// Panels in rows of two, margins in pixels, so that labels keep their room whatever the number of panels.
@@ -113,11 +113,12 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
       analysis,
       {.name = "fig6_objects",
        .title = "Noticeability by artifact and object",
-       .caption = in_words_of(analysis.data.axis,
-                              "Mean noticeability against depth map width, one panel an artifact and one line an "
-                              "object (1 left, 2 middle, 3 right); bars: one standard error of the mean over "
-                              "participants. Points of one width are moved apart a little.") +
-                  " After Fig. 6 of the paper. Data: " + source_text(analysis) + ".",
+       .caption =
+           in_words_of(analysis.data.axis,
+                       "Mean noticeability against depth map width, one panel an artifact and one line an "
+                       "object (1 left, 2 middle, 3 right); bars: one standard error of the mean over "
+                       "participants. Points of one width are moved apart a little.") +
+           " After Fig. 6 of the paper. Data: " + source_text(analysis) + ".",
        .svg = folder / "fig6_objects.svg"},
       panels);
 }
@@ -130,13 +131,14 @@ Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& 
       analysis,
       {.name = "fig7_averages",
        .title = "Noticeability by artifact and condition",
-       .caption = in_words_of(analysis.data.axis,
-                              "Mean noticeability over objects against depth map width, one panel an artifact "
-                              "and one line a condition; bars: one standard error of the mean over "
-                              "participants. Points of one width are moved apart a little.") +
-                  " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
-                  "Data: " +
-                  source_text(analysis) + ".",
+       .caption =
+           in_words_of(analysis.data.axis,
+                       "Mean noticeability over objects against depth map width, one panel an artifact "
+                       "and one line a condition; bars: one standard error of the mean over "
+                       "participants. Points of one width are moved apart a little.") +
+           " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
+           "Data: " +
+           source_text(analysis) + ".",
        .svg = folder / "fig7_averages.svg"},
       panels);
 }

@@ -15,9 +15,10 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, c
   std::string block = fmt::format("${} << EOD\n", name);
   for (const LevelResidual& level : curve.goodness.residuals) {
     const auto n = static_cast<double>(level.counts.trials);
-    block += fmt::format(
-        "{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level), static_cast<double>(level.counts.correct) / n,
-        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
+    block += fmt::format("{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level),
+                         static_cast<double>(level.counts.correct) / n,
+                         std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))),
+                         level.deviance_residual);
   }
   if (curve.apart)  // no part of the sigmoid: it has no residual
     block += fmt::format("{:.6g} {:.6g} {:.4g} NaN\n", place_of(drawn, 0), curve.apart->k / curve.apart->n,
@@ -28,8 +29,7 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, c
 std::string block_of_band(const std::string& name, const ChoiceCurve& curve) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const BandPoint& point : curve.band)
-    block +=
-        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", point.level, point.fitted, point.low, point.high);
+    block += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", point.level, point.fitted, point.low, point.high);
   return block + "EOD\n";
 }
 
@@ -93,7 +93,8 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
              "'.' notitle, \\\n"
              "     ${3} using 1:4 with impulses lc rgb '{4}' lw 2 notitle, \\\n"
              "     ${3} using 1:4 with points pt 7 ps 0.6 lc rgb '{4}' notitle\n",
-             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, level_tics(drawn, true), axis_title(drawn.axis));
+             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, level_tics(drawn, true),
+             axis_title(drawn.axis));
 }
 
 /// One artifact of a study with conditions: a curve each, and no residuals.
@@ -130,10 +131,11 @@ std::string conditions_panel(const ReportNumbers& numbers, Artifact artifact, co
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {
-  return in_words_of(analysis.data.axis,
-                     "Share of right choices against depth map width: points (area by number of answers), fitted "
-                     "psychometric function with a 95 % band (bootstrap over participants, width by width), "
-                     "and the threshold's 95 % interval as a bar. ") +
+  return in_words_of(
+             analysis.data.axis,
+             "Share of right choices against depth map width: points (area by number of answers), fitted "
+             "psychometric function with a 95 % band (bootstrap over participants, width by width), "
+             "and the threshold's 95 % interval as a bar. ") +
          (conditions ? "One line a condition. Dotted: chance, 1/3. Data: "
                      : "Below each, deviance residuals; dotted: ±1.96, and chance, 1/3, above. Data: ") +
          source_text(analysis) + ".";
@@ -147,14 +149,12 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
       std::count_if(numbers.choices.begin(), numbers.choices.end(),
                     [](const ChoiceCurve& curve) { return curve.pooled.has_value(); }));
   if (fitted == 0) return std::nullopt;
-  Figure figure{
-      .name = "psychometric",
-      .title = "Right choices by artifact",
-      .caption = caption_of(analysis, numbers.conditions),
-      .svg = folder / "psychometric.svg"};
+  Figure figure{.name = "psychometric",
+                .title = "Right choices by artifact",
+                .caption = caption_of(analysis, numbers.conditions),
+                .svg = folder / "psychometric.svg"};
   const std::vector<Artifact> artifacts = drawn_artifacts(analysis.data);
-  const PanelGrid grid =
-      numbers.conditions ? panel_grid(artifacts.size(), 420) : panel_grid(fitted, 490);
+  const PanelGrid grid = numbers.conditions ? panel_grid(artifacts.size(), 420) : panel_grid(fitted, 490);
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   const double residual = largest_residual(numbers.choices);
   std::string script = level_axis_script(drawn) + multiplot(analysis);

@@ -84,9 +84,12 @@ SampleRow sample_row(const std::filesystem::path& set, const Manifest& manifest,
   });
   const Stimulus& first = stimuli.front()->stimulus;
   const ManifestReference& reference = reference_of(set, manifest, first);
-  SampleRow row{
-      .artifact = first.artifact, .condition = first.condition, .scene = first.scene,
-      .object = first.object, .images = {}, .trouble = {}};
+  SampleRow row{.artifact = first.artifact,
+                .condition = first.condition,
+                .scene = first.scene,
+                .object = first.object,
+                .images = {},
+                .trouble = {}};
   if (!scissors.look_at(click_map_picture(manifest, reference), first.object_index, row.trouble)) return row;
   row.images.push_back(scissors.sample(reference_picture(manifest, reference), "reference", ""));
   for (const ManifestStimulus* stimulus : stimuli)

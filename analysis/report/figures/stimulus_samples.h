@@ -18,7 +18,8 @@ struct SampleImage {
   int width_px = 0, height_px = 0;
 };
 
-/// One row of the paper's Fig. 3: one object under one artifact from the least to the most noticeable level, the reference first.
+/// One row of the paper's Fig. 3: one object under one artifact from the least to the most noticeable level,
+/// the reference first.
 struct SampleRow {
   Artifact artifact = Artifact::none;
   std::string condition;  ///< empty where the study has one

@@ -9,8 +9,7 @@ namespace seamline::analysis {
 
 namespace {
 
-std::string block_of(const ResponseTimes& times, const LevelsDrawn& drawn, TimedAnswers which,
-                     double shift) {
+std::string block_of(const ResponseTimes& times, const LevelsDrawn& drawn, TimedAnswers which, double shift) {
   std::string block = fmt::format("${} << EOD\n", word(which));
   for (const ResponseTime& row : times.rows)
     if (!row.artifact && row.which == which)
@@ -35,8 +34,8 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
                 .caption =
                     "Time from the image's onset to the choice: median over answers, bars from the "
                     "lower to the upper quartile, all artifacts together. Points of one " +
-                    level_word(analysis.data.axis) + " are moved apart a little. Data: " +
-                    source_text(analysis) + ".",
+                    level_word(analysis.data.axis) +
+                    " are moved apart a little. Data: " + source_text(analysis) + ".",
                 .svg = folder / "response_times.svg"};
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string script = level_axis_script(drawn) + axis_labels(drawn.axis, "time to the choice (s)") +

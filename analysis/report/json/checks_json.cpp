@@ -14,14 +14,15 @@ using Json = nlohmann::ordered_json;
 Json corrected_json(const CorrectedCurve& corrected, const LevelAxis& axis) {
   const std::string unit = unit_suffix(axis);
   const CurveThresholds& found = corrected.estimates;
-  Json json = {{"perceptual_threshold" + unit, json_estimate(found.perceptual, axis)},
-               {"slightly_noticeable" + unit, json_estimate(found.slightly_noticeable, axis)},
-               {"inflection" + unit, json_estimate(found.inflection, axis)},
-               {"expanded_percentile_ci95",
-                {{"perceptual_threshold" + unit, json_interval(corrected.perceptual_bootstrap, axis)},
-                 {"slightly_noticeable" + unit, json_interval(corrected.slightly_noticeable_bootstrap, axis)}}},
-               {"above_chance", corrected.above_chance},
-               {"curve", Json::array()}};
+  Json json = {
+      {"perceptual_threshold" + unit, json_estimate(found.perceptual, axis)},
+      {"slightly_noticeable" + unit, json_estimate(found.slightly_noticeable, axis)},
+      {"inflection" + unit, json_estimate(found.inflection, axis)},
+      {"expanded_percentile_ci95",
+       {{"perceptual_threshold" + unit, json_interval(corrected.perceptual_bootstrap, axis)},
+        {"slightly_noticeable" + unit, json_interval(corrected.slightly_noticeable_bootstrap, axis)}}},
+      {"above_chance", corrected.above_chance},
+      {"curve", Json::array()}};
   for (std::size_t w = 0; w < corrected.cells.size(); ++w)
     json["curve"].push_back({{level_key(axis), json_level(axis, corrected.level[w])},
                              {"saw", json_number(corrected.cells[w].saw)},
@@ -36,7 +37,7 @@ Json objects_json(const ObjectInfluence& objects, const LevelAxis& axis) {
                {"slightly_noticeable" + unit, json_interval(*objects.slightly_noticeable, axis)},
                {"inflection" + unit, json_interval(*objects.inflection, axis)},
                {"without", Json::array()}};
-  const auto level = [&](const LevelEstimate& estimate) {
+  const auto level = [&](const ThresholdEstimate& estimate) {
     return estimate.level_x ? json_number(level_at(axis, *estimate.level_x)) : Json(nullptr);
   };
   for (const WithoutObject& without : objects.without)
@@ -49,7 +50,7 @@ Json objects_json(const ObjectInfluence& objects, const LevelAxis& axis) {
   return json;
 }
 
-Json view_json(const LevelEstimate& estimate, double field_of_view_deg) {
+Json view_json(const ThresholdEstimate& estimate, double field_of_view_deg) {
   if (!estimate.level_x) return nullptr;
   const double width_px = std::exp2(*estimate.level_x);
   return {{"equirectangular_px", json_number(width_in_field_of_view_px(width_px, field_of_view_deg))},
@@ -140,7 +141,8 @@ Json checks_json(const Analysis& analysis) {
   json["screening"] = screening_json(analysis.screening);
   json["thresholds_by_screen"] = Json::array();
   for (const ScreenedThresholds& result : analysis.screened)
-    json["thresholds_by_screen"].push_back(screened_json(result, analysis.data.axis, has_conditions(analysis.data)));
+    json["thresholds_by_screen"].push_back(
+        screened_json(result, analysis.data.axis, has_conditions(analysis.data)));
   json["exclude_screened"] = analysis.options.exclude_screened;
   json["sos_parameter"] = {
       {"a", json_number(analysis.sos.a)},

@@ -21,7 +21,7 @@ Json json_interval(const LevelInterval& interval, const LevelAxis& axis, double 
   return {end(range.low), end(range.high)};
 }
 
-Json json_estimate(const LevelEstimate& estimate, const LevelAxis& axis, double divisor) {
+Json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis, double divisor) {
   Json json;
   json["estimate"] =
       estimate.level_x ? json_number(level_at(axis, *estimate.level_x) / divisor) : Json(nullptr);

@@ -10,7 +10,7 @@ namespace seamline::analysis {
 [[nodiscard]] nlohmann::ordered_json json_number(std::optional<double> value);
 
 /// {estimate, reason, ci95: [low, high]} of a level, divided by `divisor`; an open end is null.
-[[nodiscard]] nlohmann::ordered_json json_estimate(const LevelEstimate& estimate, const LevelAxis& axis,
+[[nodiscard]] nlohmann::ordered_json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis,
                                                    double divisor = 1);
 
 /// [low, high] of levels, divided by `divisor`; an open end is null.

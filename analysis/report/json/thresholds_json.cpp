@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json estimate_json(const LevelEstimate& estimate, const ThresholdRow& row, double divisor) {
+Json estimate_json(const ThresholdEstimate& estimate, const ThresholdRow& row, double divisor) {
   Json json = json_estimate(estimate, row.tested.axis, divisor);
   if (divisor == 1) json["ci95_text"] = interval_text(estimate.ci95, row.tested);
   return json;
@@ -99,8 +99,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
     json[row.key + unit] = estimate_json(row.here, row, 1);
     if (of_depth_widths(axis)) json[row.key + "_texels_per_degree"] = estimate_json(row.here, row, 360);
     paper[row.key + "_px"] = row.paper_px ? Json(*row.paper_px) : Json(nullptr);
-    if (row.planted)
-      planted[row.key + unit] = json_number(level_of(*row.planted, axis));
+    if (row.planted) planted[row.key + unit] = json_number(level_of(*row.planted, axis));
     if (row.bootstrap) bootstrap[row.key + unit] = json_interval(*row.bootstrap, axis);
   }
   json["planted"] = planted;

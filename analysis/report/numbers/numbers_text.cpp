@@ -12,8 +12,9 @@ namespace {
 
 std::string choices_text(const ReportNumbers& numbers) {
   const LevelAxis& axis = numbers.axis;
-  std::vector<std::vector<std::string>> lines = {
-      {"right choices", "threshold" + unit_suffix(axis), "95 %", "width_" + length_key(axis), "lapse", "deviance p", "verdict"}};
+  std::vector<std::vector<std::string>> lines = {{"right choices", "threshold" + unit_suffix(axis), "95 %",
+                                                  "width_" + length_key(axis), "lapse", "deviance p",
+                                                  "verdict"}};
   std::string missing;
   for (const ChoiceCurve& curve : numbers.choices) {
     if (!curve.pooled) {
@@ -22,15 +23,15 @@ std::string choices_text(const ReportNumbers& numbers) {
     }
     const PooledFit& pooled = *curve.pooled;
     const bool known = has_threshold(curve);
-    lines.push_back(
-        {std::string(word(curve.artifact)) + in_condition(curve.condition),
-         known ? estimated_text(axis, pooled.fit.function.threshold) : "-",
-         known ? estimated_text(axis, pooled.threshold_ci95.low) + " to " +
-                     estimated_text(axis, pooled.threshold_ci95.high)
-               : "-",
-         known ? fmt::format("{:.2f}", pooled.fit.width) : "-",
-         known ? fmt::format("{:.3f}", pooled.fit.function.lapse) : "-",
-         std::isnan(curve.deviance_p) ? "-" : fmt::format("{:.3f}", curve.deviance_p), pooled.verdict.text});
+    lines.push_back({std::string(word(curve.artifact)) + in_condition(curve.condition),
+                     known ? estimated_text(axis, pooled.fit.function.threshold) : "-",
+                     known ? estimated_text(axis, pooled.threshold_ci95.low) + " to " +
+                                 estimated_text(axis, pooled.threshold_ci95.high)
+                           : "-",
+                     known ? fmt::format("{:.2f}", pooled.fit.width) : "-",
+                     known ? fmt::format("{:.3f}", pooled.fit.function.lapse) : "-",
+                     std::isnan(curve.deviance_p) ? "-" : fmt::format("{:.3f}", curve.deviance_p),
+                     pooled.verdict.text});
   }
   return (lines.size() > 1 ? aligned(lines) : "") + missing;
 }

@@ -30,7 +30,7 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
       beside_the_paper(analysis) ? paper_thresholds(thresholds.artifact) : std::nullopt;
   const auto found = planted.find({thresholds.artifact, thresholds.condition});
   const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;
-  const auto row = [&](const char* quantity, const char* key, const LevelEstimate& here) {
+  const auto row = [&](const char* quantity, const char* key, const ThresholdEstimate& here) {
     return ThresholdRow{.artifact = thresholds.artifact,
                         .condition = thresholds.condition,
                         .tested = tested_levels(scores),
@@ -82,7 +82,7 @@ std::string edge_text(double level, const TestedLevels& tested) {
   return estimated_text(tested.axis, level);
 }
 
-std::string level_text(const LevelEstimate& estimate, const LevelAxis& axis) {
+std::string level_text(const ThresholdEstimate& estimate, const LevelAxis& axis) {
   const std::optional<double> level = level_of(estimate, axis);
   return level ? estimated_text(axis, *level) : estimate.reason;
 }
@@ -119,11 +119,11 @@ std::string artifact_title(Artifact artifact, const std::string& condition) {
   return condition.empty() ? title : title + ", " + condition;
 }
 
-std::optional<double> level_of(const LevelEstimate& estimate, const LevelAxis& axis) {
+std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis) {
   return estimate.level_x ? std::optional(level_at(axis, *estimate.level_x)) : std::nullopt;
 }
 
-std::string size_text(const LevelEstimate& estimate, const LevelAxis& axis, const std::string& times) {
+std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis, const std::string& times) {
   if (!estimate.level_x || !of_depth_widths(axis)) return level_text(estimate, axis);
   const double width_px = level_at(axis, *estimate.level_x);
   return fmt::format("{:.0f} {} {:.0f}", width_px, times, width_px / 2);
@@ -140,7 +140,7 @@ std::optional<double> closed(double bound) {
   return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-std::string estimate_text(const LevelEstimate& estimate, const TestedLevels& tested) {
+std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested) {
   return fmt::format("{} ({})", level_text(estimate, tested.axis), interval_text(estimate.ci95, tested));
 }
 

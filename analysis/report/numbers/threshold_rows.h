@@ -18,18 +18,19 @@ struct TestedLevels {
 /// CSV, JSON and report are all written from, so that they cannot disagree.
 struct ThresholdRow {
   Artifact artifact = Artifact::none;
-  std::string condition;        ///< empty where the study has one
+  std::string condition;  ///< empty where the study has one
   TestedLevels tested;
   std::string quantity;         ///< "PT", "SN" or "IP"
   std::string key;              ///< "perceptual_threshold", "slightly_noticeable", "inflection"
   std::optional<double> level;  ///< of noticeability; none for IP
-  LevelEstimate here;
+  ThresholdEstimate here;
   std::optional<LevelInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
   std::optional<int> paper_px;
-  std::optional<LevelEstimate> planted;   ///< present when all participants are `threshold` observers
-  std::optional<LevelEstimate> logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
+  std::optional<ThresholdEstimate> planted;  ///< present when all participants are `threshold` observers
+  std::optional<ThresholdEstimate>
+      logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
   std::optional<LevelInterval> object_range;  ///< range when each object is left out; none with one object
-  LevelEstimate corrected;                    ///< the same quantity of the curve corrected for guessing
+  ThresholdEstimate corrected;                ///< the same quantity of the curve corrected for guessing
   std::optional<LevelInterval>
       corrected_bootstrap;  ///< PT and SN: expanded percentile interval, for comparison
 };
@@ -42,11 +43,11 @@ struct ThresholdRow {
 
 /// "426 × 213" (width and height of the depth map; `times` is the sign between), the level of other
 /// quantities, or the reason why there is none.
-[[nodiscard]] std::string size_text(const LevelEstimate& estimate, const LevelAxis& axis,
+[[nodiscard]] std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis,
                                     const std::string& times = "×");
 
 /// The estimated level; none where there is none.
-[[nodiscard]] std::optional<double> level_of(const LevelEstimate& estimate, const LevelAxis& axis);
+[[nodiscard]] std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis);
 
 /// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested levels is
 /// said in words.
@@ -56,7 +57,7 @@ struct ThresholdRow {
 [[nodiscard]] std::optional<double> closed(double bound);
 
 /// "426 (380 to 470)", or the reason why there is no estimate with its interval.
-[[nodiscard]] std::string estimate_text(const LevelEstimate& estimate, const TestedLevels& tested);
+[[nodiscard]] std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested);
 
 /// Whether the paper's values stand beside the study's: it measured depth widths, in one condition.
 [[nodiscard]] bool beside_the_paper(const Analysis& analysis);

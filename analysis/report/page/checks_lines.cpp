@@ -7,9 +7,7 @@
 namespace seamline::analysis {
 
 std::vector<std::string> otherwise_estimated_cells(const ThresholdRow& row) {
-  const auto text = [&](const LevelEstimate& estimate) {
-    return estimate_text(estimate, row.tested);
-  };
+  const auto text = [&](const ThresholdEstimate& estimate) { return estimate_text(estimate, row.tested); };
   const bool inflection = row.quantity == "IP";  // which is the logistic's own
   std::string logistic;
   if (inflection)
@@ -30,11 +28,12 @@ std::vector<std::vector<std::string>> screened_lines(const Analysis& analysis) {
     for (const ArtifactThresholds& thresholds : result.thresholds)
       for (const ArtifactScores& scores : analysis.data.artifacts) {
         if (scores.artifact != thresholds.artifact || scores.condition != thresholds.condition) continue;
-        const auto text = [&](const LevelEstimate& estimate) {
+        const auto text = [&](const ThresholdEstimate& estimate) {
           return estimate_text(estimate, tested_levels(scores));
         };
         const bool first = &thresholds == &result.thresholds.front();
-        lines.push_back({first ? who_text(result, analysis) : "", std::string(word(thresholds.artifact)) + in_condition(thresholds.condition),
+        lines.push_back({first ? who_text(result, analysis) : "",
+                         std::string(word(thresholds.artifact)) + in_condition(thresholds.condition),
                          text(thresholds.estimates.perceptual),
                          text(thresholds.estimates.slightly_noticeable),
                          text(thresholds.estimates.inflection)});

@@ -16,9 +16,9 @@ std::string widths_text(const Analysis& analysis) {
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string text;
   for (const double level : drawn.levels)
-    text += (text.empty() ? "" : ", ") +
-            (of_depth_widths(drawn.axis) ? fmt::format("{} × {}", level, std::floor(level / 2))
-                                         : tested_text(drawn.axis, level));
+    text += (text.empty() ? "" : ", ") + (of_depth_widths(drawn.axis)
+                                              ? fmt::format("{} × {}", level, std::floor(level / 2))
+                                              : tested_text(drawn.axis, level));
   if (of_depth_widths(drawn.axis)) return "Equirectangular depth maps of " + text + " texels were tested.";
   const QuantityFacts& about = facts(drawn.axis.quantity);
   return fmt::format("Levels of the {} were tested: {}{}.", about.name, text,
@@ -81,15 +81,21 @@ constexpr const char* means_text =
     "one time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.";
 
 std::string intervals_text(const Analysis& analysis) {
-  return in_words_of(analysis.data.axis, fmt::format(
-      "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
-      "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 degrees of "
-      "freedom; the variance over participants is read at the mean that the level implies, as in Wilson's "
-      "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples "
-      "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
-      "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
-      "the widths tested.",
-      analysis.resampling.replicates, analysis.resampling.seed));
+  return in_words_of(
+      analysis.data.axis,
+      fmt::format(
+          "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
+          "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 "
+          "degrees of "
+          "freedom; the variance over participants is read at the mean that the level implies, as in "
+          "Wilson's "
+          "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap "
+          "samples "
+          "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
+          "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold "
+          "beyond "
+          "the widths tested.",
+          analysis.resampling.replicates, analysis.resampling.seed));
 }
 
 constexpr const char* checks_method_text =
@@ -124,7 +130,8 @@ std::string choices_text(const Analysis& analysis, int replicates) {
       "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
       "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
       "from the fit.",
-      in_words_of(analysis.data.axis, "log2 width"), replicates, analysis.resampling.seed, deviance_replicates);
+      in_words_of(analysis.data.axis, "log2 width"), replicates, analysis.resampling.seed,
+      deviance_replicates);
 }
 
 std::string differences_text(const Analysis& analysis) {
@@ -143,7 +150,8 @@ std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& num
       "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
       word(study.fit.link), of_depth_widths(numbers.axis) ? "level" : "mean",
-      in_words_of(numbers.axis, "log2 width"), numbers.conditions ? " in each condition" : "", study.fit.nodes,
+      in_words_of(numbers.axis, "log2 width"), numbers.conditions ? " in each condition" : "",
+      study.fit.nodes,
       study.errors == ErrorSource::participants
           ? "were computed by leaving out each participant in turn, with Student's t"
           : "are those of the likelihood's curvature",
@@ -163,14 +171,17 @@ std::string adaptive_text(const ReportNumbers& numbers) {
     for (const study::Parameter parameter : track.informed)
       informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
   }
-  return in_words_of({.quantity = numbers.axis.quantity}, fmt::format(
-      "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
-      "posterior "
-      "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend on "
-      "the "
-      "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
-      rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
-      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it."));
+  return in_words_of(
+      {.quantity = numbers.axis.quantity},
+      fmt::format(
+          "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
+          "posterior "
+          "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend "
+          "on "
+          "the "
+          "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
+          rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
+          informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it."));
 }
 
 constexpr const char* reaction_times_text =

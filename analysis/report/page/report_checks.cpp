@@ -17,7 +17,7 @@ namespace {
 using Cells = std::vector<std::string>;
 
 /// The estimate as resolution in a smaller field of view; a dash without an estimate.
-std::string view_text(const LevelEstimate& estimate, double view_deg) {
+std::string view_text(const ThresholdEstimate& estimate, double view_deg) {
   if (!estimate.level_x) return "–";
   const double width_px = std::exp2(*estimate.level_x);
   return fmt::format("{:.0f} / {:.0f}", width_in_field_of_view_px(width_px, view_deg),
@@ -32,8 +32,8 @@ std::string beside_html(const Analysis& analysis) {
     lines.push_back(otherwise_estimated_cells(row));
     if (views) lines.back().push_back(view_text(row.here, view_deg));
   }
-  std::vector<HtmlColumn> columns = {{"artifact"}, {""}, {"isotonic"}, {"logistic"},
-                                     {"corrected for guessing"}, {"one object left out"}};
+  std::vector<HtmlColumn> columns = {
+      {"artifact"}, {""}, {"isotonic"}, {"logistic"}, {"corrected for guessing"}, {"one object left out"}};
   if (views) columns.push_back({fmt::format("px for {:.3g}°", view_deg)});
   return html_table(columns, lines);
 }

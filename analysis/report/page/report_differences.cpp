@@ -18,19 +18,22 @@ std::string differences_html(const Analysis& analysis) {
   std::vector<std::vector<std::string>> lines;
   const ThresholdDifference* last = nullptr;
   for (const ThresholdDifference& found : analysis.differences) {
-    const bool same = last != nullptr && last->artifact == found.artifact && last->condition == found.condition;
+    const bool same =
+        last != nullptr && last->artifact == found.artifact && last->condition == found.condition;
     lines.push_back({same ? "" : artifact_title(found.artifact),
                      same ? "" : fmt::format("{} to {}", found.condition, found.to), found.quantity,
                      found.text});
     last = &found;
   }
   html += fmt::format(
-      "<p>How far the thresholds of a condition lie from those of the first, along the axis of levels, in {}{}, "
+      "<p>How far the thresholds of a condition lie from those of the first, along the axis of levels, in "
+      "{}{}, "
       "with the 95 % interval over participants.</p>\n",
       length_unit(axis), is_linear(axis) ? "" : " (1: twice the level)");
   return html +
          html_table({{"artifact"}, {"condition"}, {""}, {"difference, " + length_unit(axis), true}}, lines) +
-         "<p class=\"soft\">Above, below, between: a threshold lies beyond the levels tested, so only a bound "
+         "<p class=\"soft\">Above, below, between: a threshold lies beyond the levels tested, so only a "
+         "bound "
          "is known. Open: the answers exclude no value on that side.</p>\n";
 }
 

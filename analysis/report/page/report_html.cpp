@@ -70,14 +70,13 @@ std::string thresholds_section(const Analysis& analysis) {
   return html;
 }
 
-std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive,
-                                  const LevelAxis& axis) {
+std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive, const LevelAxis& axis) {
   std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
   if (adaptive)
-    html +=
-        in_words_of(axis, "<p>There is no curve of everybody’s mean noticeability: widths were placed by the "
-                          "answers. The means of objects below are over different people at different "
-                          "widths.</p>\n");
+    html += in_words_of(axis,
+                        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the "
+                        "answers. The means of objects below are over different people at different "
+                        "widths.</p>\n");
   return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
 }
 
@@ -116,11 +115,12 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), report_style());
   html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) +
-          noticeability_section(figures, analysis.adaptive, analysis.data.axis) + psychometric_html(numbers, figures) +
-          comparisons_html(numbers) + checks_html(analysis, figures) + times_html(numbers, figures);
+          noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
+          psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
+          times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(numbers);
-  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) + methods_section(analysis, numbers) +
-          data_section;
+  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
+          methods_section(analysis, numbers) + data_section;
   return html + "</body>\n</html>\n";
 }
 

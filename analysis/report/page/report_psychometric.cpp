@@ -93,11 +93,10 @@ std::string tracks_html(const ReportNumbers& numbers) {
   return fmt::format(
              "<h3>Tracks</h3>\n<p>Each participant’s thresholds from the posterior of QUEST+: the {} seen "
              "half of the time (mean{}, with the 95 % credible interval).{}</p>\n",
-             level_word(numbers.axis),
-             linear ? "" : " on log2",
-             first.direction == Direction::increasing ? in_words_of({.quantity = numbers.axis.quantity},
-                                                                           " Noticeability rises with the width.")
-                                                            : "") +
+             level_word(numbers.axis), linear ? "" : " on log2",
+             first.direction == Direction::increasing
+                 ? in_words_of({.quantity = numbers.axis.quantity}, " Noticeability rises with the width.")
+                 : "") +
          html_table({{"participant"},
                      {"track"},
                      {"used"},
@@ -127,9 +126,9 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
              ? std::string("as maps grow finer")
              : fmt::format("as the {} {}", facts(numbers.axis.quantity).name,
                            numbers.axis.noticeability == Direction::increasing ? "falls" : "rises")) +
-        ".</p>\n" +
-        figure_html(figures, "psychometric") + fits_table(numbers) +
-        "<p class=\"soft\">Threshold: the " + level_word(numbers.axis) + " at which the function, before guess and lapse, is 0.5, "
+        ".</p>\n" + figure_html(figures, "psychometric") + fits_table(numbers) +
+        "<p class=\"soft\">Threshold: the " + level_word(numbers.axis) +
+        " at which the function, before guess and lapse, is 0.5, "
         "which is a share of right choices near 2/3. It is not PT, which is about ratings. Width: the "
         "distance between 0.05 and 0.95 of the function. 95 % intervals over participants in brackets. "
         "The p of the deviance takes answers as independent, which one person’s are not: a small one says "

@@ -15,18 +15,18 @@ std::string planted_text(const ThresholdRow& row) {
   return size_text(*row.planted, row.tested.axis);
 }
 
-std::string texels_text(const LevelEstimate& estimate) {
+std::string texels_text(const ThresholdEstimate& estimate) {
   return estimate.level_x ? fmt::format("{:.3g}", std::exp2(*estimate.level_x) / 360) : "–";
 }
 
 std::string threshold_line(const ThresholdRow& row, bool planted, bool beside) {
   const std::string paper = row.paper_px ? fmt::format("{} × {}", *row.paper_px, *row.paper_px / 2) : "–";
-  std::string line = fmt::format(
-      "<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}</td>",
-      row.quantity == "PT" ? " class=\"group\"" : "",
-      row.quantity == "PT" ? html_escape(artifact_title(row.artifact, row.condition)) : "",
-      row.quantity, html_escape(size_text(row.here, row.tested.axis)),
-      html_escape(interval_text(row.here.ci95, row.tested)));
+  std::string line =
+      fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}</td>",
+                  row.quantity == "PT" ? " class=\"group\"" : "",
+                  row.quantity == "PT" ? html_escape(artifact_title(row.artifact, row.condition)) : "",
+                  row.quantity, html_escape(size_text(row.here, row.tested.axis)),
+                  html_escape(interval_text(row.here.ci95, row.tested)));
   if (of_depth_widths(row.tested.axis))
     line += fmt::format("<td class=\"number\">{}</td>", texels_text(row.here));
   if (beside) line += fmt::format("<td class=\"number\">{}</td>", paper);

@@ -16,7 +16,8 @@ CsvValue number(std::optional<double> value) {
   return value ? CsvValue(*value) : CsvValue(std::monostate{});
 }
 
-/// The columns of an estimate: name_px (or the unit of another quantity), its interval and the reason why there is none.
+/// The columns of an estimate: name_px (or the unit of another quantity), its interval and the reason why
+/// there is none.
 void add_columns(CsvTable& table, const LevelAxis& axis, const std::string& name,
                  const std::string& meaning) {
   const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
@@ -27,7 +28,7 @@ void add_columns(CsvTable& table, const LevelAxis& axis, const std::string& name
   table.columns.push_back({name + "_reason", "text", "why there is no estimate"});
 }
 
-void add_values(std::vector<CsvValue>& row, const LevelAxis& axis, const LevelEstimate& estimate) {
+void add_values(std::vector<CsvValue>& row, const LevelAxis& axis, const ThresholdEstimate& estimate) {
   const LevelRange ci95 = range_at(axis, estimate.ci95);
   row.push_back(number(level_of(estimate, axis)));
   row.push_back(number(closed(ci95.low)));
@@ -39,7 +40,8 @@ CsvTable beside_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   std::vector<std::string> conditions;
   CsvTable table{.name = "thresholds_beside", .columns = {artifact_column, quantity_column}, .rows = {}};
-  add_columns(table, axis, "isotonic", "PT and SN of the isotonic fit, as in thresholds.csv; IP of the logistic");
+  add_columns(table, axis, "isotonic",
+              "PT and SN of the isotonic fit, as in thresholds.csv; IP of the logistic");
   add_columns(table, axis, "logistic", "read off the least-squares four-parameter logistic");
   add_columns(table, axis, "corrected", "of the curve corrected for guessing");
   table.columns.push_back(
@@ -166,7 +168,7 @@ CsvTable screened_thresholds_table(const Analysis& analysis) {
   for (const ScreenedThresholds& result : analysis.screened)
     for (const ArtifactThresholds& thresholds : result.thresholds) {
       const CurveThresholds& found = thresholds.estimates;
-      const auto add = [&](const char* quantity, const LevelEstimate& estimate) {
+      const auto add = [&](const char* quantity, const ThresholdEstimate& estimate) {
         std::vector<CsvValue> row = {result.who, whole(result.left_out.size()),
                                      std::string(word(thresholds.artifact)), std::string(quantity)};
         add_values(row, axis, estimate);
@@ -200,9 +202,9 @@ CsvTable opinion_scores_table(const Analysis& analysis) {
   for (std::size_t s = 0; s < analysis.opinion.size(); ++s) {
     const ScoredStimulus& stimulus = analysis.scores.stimuli[s];
     const OpinionScore& mos = analysis.opinion[s];
-    table.rows.push_back({std::string(word(stimulus.artifact)), level_value(axis, stimulus.level), stimulus.scene,
-                          stimulus.object, whole(stimulus.object_index), whole(mos.n), mos.mean, mos.sd,
-                          mos.ci95_low, mos.ci95_high, source_text(analysis)});
+    table.rows.push_back({std::string(word(stimulus.artifact)), level_value(axis, stimulus.level),
+                          stimulus.scene, stimulus.object, whole(stimulus.object_index), whole(mos.n),
+                          mos.mean, mos.sd, mos.ci95_low, mos.ci95_high, source_text(analysis)});
     conditions.push_back(stimulus.condition);
   }
   add_conditions(table, has_conditions(analysis.data), conditions);
@@ -241,8 +243,9 @@ CsvTable differences_table(const Analysis& analysis) {
 }  // namespace
 
 std::vector<CsvTable> checks_tables(const Analysis& analysis) {
-  std::vector<CsvTable> tables = {beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
-          screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
+  std::vector<CsvTable> tables = {
+      beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
+      screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
   if (has_conditions(analysis.data)) tables.push_back(differences_table(analysis));
   return tables;
 }

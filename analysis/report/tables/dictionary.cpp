@@ -240,7 +240,8 @@ std::vector<Field> of_study(std::vector<Field> fields, const LevelAxis& axis, bo
     replace_first(field.path, "_px", unit_suffix(axis));
     if (field.unit == "px") field.unit = facts(axis.quantity).unit;
     if (field.unit == "octaves") field.unit = length_unit(axis);
-    if (field.path.ends_with("logistic.upper")) field.meaning = "what the fitted logistic tends to, upper end";
+    if (field.path.ends_with("logistic.upper"))
+      field.meaning = "what the fitted logistic tends to, upper end";
     if (field.path.ends_with("logistic.lower")) field.meaning = "what it tends to, lower end";
     field.meaning = in_words_of(axis, field.meaning);
   }

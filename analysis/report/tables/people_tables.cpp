@@ -24,10 +24,10 @@ CsvTable response_times_table(const ReportNumbers& numbers) {
   std::vector<std::string> conditions;
   for (const ResponseTime& row : numbers.times.rows) {
     conditions.push_back(row.artifact ? row.condition : "all");
-    table.rows.push_back({std::string(row.artifact ? word(*row.artifact) : "all"), level_value(numbers.axis, row.level),
-                          std::string(word(row.which)), whole(row.answers), whole(row.people),
-                          row.choice.lower_s, row.choice.median_s, row.choice.upper_s, row.rating.lower_s,
-                          row.rating.median_s, row.rating.upper_s});
+    table.rows.push_back({std::string(row.artifact ? word(*row.artifact) : "all"),
+                          level_value(numbers.axis, row.level), std::string(word(row.which)),
+                          whole(row.answers), whole(row.people), row.choice.lower_s, row.choice.median_s,
+                          row.choice.upper_s, row.rating.lower_s, row.rating.median_s, row.rating.upper_s});
   }
   add_conditions(table, numbers.conditions, conditions);
   return table;

@@ -39,7 +39,7 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
             "identified"},
            {"width_low" + length, lengths, "lower end of its 95 % percentile interval over participants"},
            {"width_high" + length, lengths, "upper end of it"},
-           {"lapse", "share 0 to 1", 
+           {"lapse", "share 0 to 1",
             in_words_of(axis, "wrong choices that have nothing to do with the width; bound 0.1")},
            {"lapse_low", "share 0 to 1", "lower end of its 95 % percentile interval over participants"},
            {"lapse_high", "share 0 to 1", "upper end of it"},
@@ -111,9 +111,10 @@ CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers
     }
     if (!curve.apart) continue;
     conditions.push_back(curve.condition);
-    table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, 0), std::llround(curve.apart->k),
-                          std::llround(curve.apart->n), curve.apart->k / curve.apart->n,
-                          CsvValue(std::monostate{}), CsvValue(std::monostate{}), source_text(analysis)});
+    table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, 0),
+                          std::llround(curve.apart->k), std::llround(curve.apart->n),
+                          curve.apart->k / curve.apart->n, CsvValue(std::monostate{}),
+                          CsvValue(std::monostate{}), source_text(analysis)});
   }
   add_conditions(table, numbers.conditions, conditions);
   return table;

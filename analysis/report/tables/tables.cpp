@@ -20,7 +20,7 @@ CsvValue number(std::optional<double> value) {
   return value ? CsvValue(*value) : CsvValue(std::monostate{});
 }
 
-CsvValue number(const std::optional<LevelEstimate>& estimate, const LevelAxis& axis) {
+CsvValue number(const std::optional<ThresholdEstimate>& estimate, const LevelAxis& axis) {
   return number(estimate ? level_of(*estimate, axis) : std::nullopt);
 }
 
@@ -51,8 +51,7 @@ CsvTable cells_table(const Analysis& analysis) {
 CsvTable curves_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   std::vector<std::string> conditions;
-  CsvTable table{
-      .name = "curves", .columns = with_means({artifact_column, level_column(axis)}), .rows = {}};
+  CsvTable table{.name = "curves", .columns = with_means({artifact_column, level_column(axis)}), .rows = {}};
   table.columns.push_back(
       {"isotonic", "noticeability",
        in_words_of(axis, "non-increasing isotonic fit, linear between widths in log2 W")});
@@ -65,12 +64,12 @@ CsvTable curves_table(const Analysis& analysis) {
     for (std::size_t w = 0; w < scores.cells.size(); ++w) {
       const CellMean& cell = scores.cells[w];
       const bool apart = stands_apart(axis, cell.level);
-      table.rows.push_back(
-          {std::string(word(scores.artifact)), level_value(axis, cell.level), whole(cell.n), cell.mean,
-           cell.sem, cell.correct, apart ? CsvValue(std::monostate{}) : CsvValue(fits.isotonic.value[w]),
-           apart ? CsvValue(std::monostate{})
-                 : CsvValue(value_at(fits.logistic.curve, x_of(axis, cell.level))),
-           source_text(analysis)});
+      table.rows.push_back({std::string(word(scores.artifact)), level_value(axis, cell.level), whole(cell.n),
+                            cell.mean, cell.sem, cell.correct,
+                            apart ? CsvValue(std::monostate{}) : CsvValue(fits.isotonic.value[w]),
+                            apart ? CsvValue(std::monostate{})
+                                  : CsvValue(value_at(fits.logistic.curve, x_of(axis, cell.level))),
+                            source_text(analysis)});
       conditions.push_back(scores.condition);
     }
   }
@@ -84,19 +83,20 @@ CsvTable thresholds_table(const Analysis& analysis) {
   std::vector<std::string> conditions;
   CsvTable table{
       .name = "thresholds",
-      .columns = {artifact_column,
-                  {"quantity", "word",
-                   "PT perceptual threshold, SN slightly noticeable, IP inflection point"},
-                  {"level", "noticeability", "mean noticeability at the threshold; empty for IP"},
-                  {"estimate" + suffix, unit, in_words_of(axis, "width W") + "; empty when there is none, see reason"},
-                  {"ci95_low" + suffix, unit, "lower end of the 95 % interval; empty when open, see ci95_text"},
-                  {"ci95_high" + suffix, unit, "upper end of the 95 % interval; empty when open, see ci95_text"},
-                  {"ci95_text", "text", "the interval in words"},
-                  {"reason", "text", "why there is no estimate"},
-                  {"estimate_texels_per_degree", "1/degree", "W / 360"},
-                  {"paper_px", "px", "published value (Table 1 of the paper); empty where it has a dash"},
-                  {"planted" + suffix, unit, "what simulated observers were made of; not the paper's"},
-                  source_column},
+      .columns =
+          {artifact_column,
+           {"quantity", "word", "PT perceptual threshold, SN slightly noticeable, IP inflection point"},
+           {"level", "noticeability", "mean noticeability at the threshold; empty for IP"},
+           {"estimate" + suffix, unit,
+            in_words_of(axis, "width W") + "; empty when there is none, see reason"},
+           {"ci95_low" + suffix, unit, "lower end of the 95 % interval; empty when open, see ci95_text"},
+           {"ci95_high" + suffix, unit, "upper end of the 95 % interval; empty when open, see ci95_text"},
+           {"ci95_text", "text", "the interval in words"},
+           {"reason", "text", "why there is no estimate"},
+           {"estimate_texels_per_degree", "1/degree", "W / 360"},
+           {"paper_px", "px", "published value (Table 1 of the paper); empty where it has a dash"},
+           {"planted" + suffix, unit, "what simulated observers were made of; not the paper's"},
+           source_column},
       .rows = {}};
   for (const ThresholdRow& row : threshold_rows(analysis)) {
     const std::optional<double> estimate = level_of(row.here, axis);
@@ -138,12 +138,13 @@ CsvTable answers_table(const Analysis& analysis) {
   for (const ParticipantUse& person : analysis.people) use_of[person.record.code] = person.use;
   for (const study::Answer& answer : analysis.log.answers) {
     conditions.push_back(answer.condition);
-    table.rows.push_back(
-        {answer.participant, std::string(word(use_of[answer.participant])), whole(answer.trial_index),
-         answer.stimulus_id, answer.scene, std::string(word(answer.artifact)), answer.object,
-         whole(answer.object_index), level_value(analysis.data.axis, answer.level), whole(answer.chosen_index),
-         whole(answer.rating), whole(answer.correct() ? 1 : 0), whole(answer.noticeability()),
-         static_cast<double>(answer.choice_ns) * 1e-9, static_cast<double>(answer.rating_ns) * 1e-9});
+    table.rows.push_back({answer.participant, std::string(word(use_of[answer.participant])),
+                          whole(answer.trial_index), answer.stimulus_id, answer.scene,
+                          std::string(word(answer.artifact)), answer.object, whole(answer.object_index),
+                          level_value(analysis.data.axis, answer.level), whole(answer.chosen_index),
+                          whole(answer.rating), whole(answer.correct() ? 1 : 0),
+                          whole(answer.noticeability()), static_cast<double>(answer.choice_ns) * 1e-9,
+                          static_cast<double>(answer.rating_ns) * 1e-9});
   }
   add_conditions(table, has_conditions(analysis.data), conditions);
   return table;
