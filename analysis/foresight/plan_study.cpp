@@ -48,6 +48,7 @@ Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, 
   stimulus.artifact = artifact;
   for (std::size_t w = 0; w < width_px.size(); ++w) {
     stimulus.depth.width_px = width_px[w];
+    stimulus.level = width_px[w];
     int sum = 0;
     for (int object = 0; object < objects; ++object) {
       stimulus.object_index = 1 + object % study::objects_per_stimulus;

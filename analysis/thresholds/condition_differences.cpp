@@ -60,7 +60,8 @@ LevelRange turned_back(const LevelAxis& axis, const LevelInterval& range) {
 
 std::string number_text(double value) {
   const std::string text = fmt::format("{:.2f}", value);
-  return text == "-0.00" ? "0.00" : text;
+  if (text == "-0.00") return "0.00";
+  return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
 std::string text_of(const ThresholdDifference& found) {

@@ -53,6 +53,7 @@ ArtifactScores simulated_scores(int people, std::uint64_t seed) {
         stimulus.artifact = Artifact::receiver;
         stimulus.object_index = object;
         stimulus.depth.width_px = widths_px[w];
+        stimulus.level = widths_px[w];
         const Response response = respond(observer, stimulus, random);
         sum += response.chosen_index == object ? response.rating : 0;
       }

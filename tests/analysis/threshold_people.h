@@ -136,6 +136,7 @@ inline LogContents simulate_log(int people, std::uint64_t seed) {
           stimulus.artifact = artifact;
           stimulus.object_index = object;
           stimulus.depth.width_px = width_px;
+          stimulus.level = width_px;
           const Response response = respond(observer, stimulus, random);
           log.answers.push_back(answer(code, width_px, object, response.chosen_index, response.rating));
           log.answers.back().artifact = artifact;
