@@ -16,7 +16,7 @@ struct PlantedStudy {
   std::vector<std::string> conditions;
   std::vector<Artifact> artifacts;
   std::vector<double> levels;
-  ObserverDefinition observer;
+  ObserverDefinition observer = {};
 };
 
 /// As stimuli/soft_light.toml: three conditions over depth widths.

@@ -50,10 +50,11 @@ TEST(Conditions, AMirroredAxisGivesMirroredThresholds) {
   const std::vector<ThresholdRow> a = threshold_rows(plain), b = threshold_rows(turned);
   ASSERT_EQ(a.size(), b.size());
   const auto expect_mirrored = [](double level, double other) {
-    if (!std::isfinite(level))
+    if (!std::isfinite(level)) {
       EXPECT_EQ(other, -level);
-    else
+    } else {
       EXPECT_NEAR(std::log2(level) + std::log2(other), 18, 1e-5);
+    }
   };
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i].here.level_x.has_value(), b[i].here.level_x.has_value());
@@ -83,7 +84,9 @@ TEST(Conditions, TheSameAnswersDifferByNothing) {
   for (const ThresholdDifference& found : analysis.differences) {
     EXPECT_EQ(found.condition, "again");
     EXPECT_EQ(found.to, "plain");
-    if (found.estimate) EXPECT_DOUBLE_EQ(*found.estimate, 0);
+    if (found.estimate) {
+      EXPECT_DOUBLE_EQ(*found.estimate, 0);
+    }
     EXPECT_LE(found.ci95.low, 0);
     EXPECT_GE(found.ci95.high, 0);
   }

@@ -52,6 +52,10 @@ std::string level_tics(const LevelsDrawn& drawn, bool labelled) {
   return "set xtics (" + ticks + ")\n";
 }
 
+const char* key_side(const LevelAxis& axis) {
+  return axis.noticeability == Direction::increasing ? "left" : "right";
+}
+
 Interval drawn_range(const LevelsDrawn& drawn) {
   const double first = place_of(drawn, drawn.levels.front()), last = place_of(drawn, drawn.levels.back());
   if (!is_linear(drawn.axis)) return {.low = first / share_beyond, .high = last * share_beyond};

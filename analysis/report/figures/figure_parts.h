@@ -27,6 +27,9 @@ struct LevelsDrawn {
 /// A tic at each level, with or without its number.
 [[nodiscard]] std::string level_tics(const LevelsDrawn& drawn, bool labelled);
 
+/// Where lines leave room for the key: "right", or "left" where noticeability rises.
+[[nodiscard]] const char* key_side(const LevelAxis& axis);
+
 /// The ends of the axis: a little wider than what was tested.
 [[nodiscard]] Interval drawn_range(const LevelsDrawn& drawn);
 

@@ -96,9 +96,10 @@ Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<st
       axes(analysis) +
       fmt::format(
           "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' "
-          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top right font ',12'\n",
+          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top {} font ',12'\n",
           rows, columns, gnuplot_text(source_text(analysis)), ink, 66 / width_px, 1 - 14 / width_px,
-          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px);
+          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px,
+          key_side(analysis.data.axis));
   for (const std::string& panel : panel_scripts) script += panel;
   draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n",
            Readers::owner);
@@ -164,7 +165,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
     plots += ", \\\n     " + plot_line(name, i, artifact_title(scores.artifact));
   }
   script += fmt::format(
-      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top right font ',13'\nset lmargin 7\nset "
+      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top {3} font ',13'\nset lmargin 7\nset "
       "rmargin 2\n"
       "set label 1 'PT  0.5' at graph 0.004, first 0.5 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
       "front\n"
@@ -172,7 +173,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       "front\n"
       "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
       "notitle{2}\n",
-      gnuplot_text(source_text(analysis)), ink, plots);
+      gnuplot_text(source_text(analysis)), ink, plots, key_side(drawn.axis));
   draw_svg(figure.svg, 900, 540, script, Readers::owner);
   return figure;
 }

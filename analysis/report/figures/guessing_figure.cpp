@@ -76,7 +76,8 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
   const PanelGrid grid = panel_grid(conditions ? artifacts.size() : guessing.curves.size(), 420);
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string script = level_axis_script(drawn) + axis_labels(drawn.axis, "mean noticeability") +
-                       "set ytics 0, 1, 4\nset yrange [0:4.15]\nset key top right font ',12'\n" +
+                       "set ytics 0, 1, 4\nset yrange [0:4.15]\nset key top " +
+                       std::string(key_side(drawn.axis)) + " font ',12'\n" +
                        multiplot(analysis);
   for (std::size_t i = 0; i < grid.panels.size(); ++i)
     script += conditions ? conditions_panel(analysis, drawn, artifacts[i], grid.panels[i])
