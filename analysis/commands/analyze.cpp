@@ -40,7 +40,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
     write_file_atomically(folder / name, text, Readers::owner);  // it is what people answered
   };
   for (const CsvTable& table : tables) write(table.name + ".csv", csv_text(table));
-  write("data_dictionary.csv", csv_text(report_dictionary(tables)));
+  write("data_dictionary.csv", csv_text(report_dictionary(tables, numbers.axis, numbers.conditions)));
   write("thresholds.json", thresholds_json(analysis));
   const MethodsText methods = methods_text(analysis, numbers);
   write("report.json", report_json(analysis, methods, tables));

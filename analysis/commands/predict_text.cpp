@@ -20,16 +20,16 @@ CsvTable threshold_table(const Prediction& prediction) {
                              {"paper", "px", ""},
                              {"predicted / paper", "octaves", ""}},
                  .rows = {}};
-  const auto add = [&](Artifact artifact, const char* quantity, const WidthEstimate& estimate,
+  const auto add = [&](Artifact artifact, const char* quantity, const ThresholdEstimate& estimate,
                        std::optional<int> paper_px) {
     std::vector<CsvValue> row{std::string(artifact_title(artifact)), std::string(quantity)};
-    if (estimate.log2_px)
-      row.emplace_back(fmt::format("{:.0f}", std::exp2(*estimate.log2_px)));
+    if (estimate.level_x)
+      row.emplace_back(fmt::format("{:.0f}", std::exp2(*estimate.level_x)));
     else
       row.emplace_back(estimate.reason);
     row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
-    const bool both = estimate.log2_px && paper_px;
-    row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.log2_px - std::log2(*paper_px)))
+    const bool both = estimate.level_x && paper_px;
+    row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.level_x - std::log2(*paper_px)))
                           : CsvValue());
     table.rows.push_back(row);
   };

@@ -48,6 +48,7 @@ Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, 
   stimulus.artifact = artifact;
   for (std::size_t w = 0; w < width_px.size(); ++w) {
     stimulus.depth.width_px = width_px[w];
+    stimulus.level = width_px[w];
     int sum = 0;
     for (int object = 0; object < objects; ++object) {
       stimulus.object_index = 1 + object % study::objects_per_stimulus;
@@ -59,8 +60,8 @@ Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, 
   return means;
 }
 
-double width_octaves(const WidthInterval& interval) {
-  return interval.high_log2_px - interval.low_log2_px;
+double width_octaves(const LevelInterval& interval) {
+  return interval.high_x - interval.low_x;
 }
 
 /// Widths of the intervals of PT and SN, one for each row of a plan, of one simulated study.
@@ -101,12 +102,12 @@ IntervalWidths simulate_study(const Task& task, int study) {
   IntervalWidths widths;
   for (const auto& [artifact, objects] : task.objects)
     for (std::size_t set = 0; set < task.width_sets.size(); ++set) {
-      const std::vector<double> log2_px = log2_widths(task.width_sets[set].width_px);
+      const std::vector<double> level_x = log2_widths(task.width_sets[set].width_px);
       for (const int people : task.request.participants) {
         const MeanVector means = mean_and_covariance(scores[set].at(artifact).topRows(people));
-        widths.perceptual.push_back(width_octaves(level_interval(perceptual_level, log2_px, means, people)));
+        widths.perceptual.push_back(width_octaves(level_interval(perceptual_level, level_x, means, people)));
         widths.slightly_noticeable.push_back(
-            width_octaves(level_interval(slight_level, log2_px, means, people)));
+            width_octaves(level_interval(slight_level, level_x, means, people)));
       }
     }
   return widths;
@@ -148,9 +149,9 @@ std::vector<PlanRow> rows_of(const Task& task, const std::vector<IntervalWidths>
         rows.push_back({.artifact = artifact,
                         .width_set = set,
                         .participants = participants,
-                        .perceptual = planned_interval(planted.perceptual.log2_px.has_value(), perceptual),
+                        .perceptual = planned_interval(planted.perceptual.level_x.has_value(), perceptual),
                         .slightly_noticeable =
-                            planned_interval(planted.slightly_noticeable.log2_px.has_value(), slight)});
+                            planned_interval(planted.slightly_noticeable.level_x.has_value(), slight)});
       }
     }
   return rows;
@@ -158,6 +159,16 @@ std::vector<PlanRow> rows_of(const Task& task, const std::vector<IntervalWidths>
 
 void check_study(const PlanRequest& request, const StudyDefinition& study) {
   const std::string file = request.study_file.string();
+  if (study.level.quantity != Quantity::depth_width_px)
+    throw input_error({.file = file,
+                       .field = "level.quantity",
+                       .wanted = "\"depth_width_px\" (plan varies widths of depth maps only)",
+                       .found = "\"" + std::string(facts(study.level.quantity).key) + "\""});
+  if (study.conditions.size() > 1)
+    throw input_error({.file = file,
+                       .field = "condition",
+                       .wanted = "one condition (plan each condition as a study of its own)",
+                       .found = std::to_string(study.conditions.size())});
   if (!std::holds_alternative<ConstantDefinition>(study.procedure))
     throw input_error({.file = file,
                        .field = "procedure",
@@ -186,15 +197,15 @@ std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study) {
   double low = std::log2(all.back()), high = std::log2(all.front());
   for (const auto& [artifact, objects] : objects_of_artifacts(study)) {
     const CurveThresholds planted = planted_thresholds(study.observer, artifact, all);
-    for (const WidthEstimate* estimate : {&planted.perceptual, &planted.slightly_noticeable}) {
-      if (!estimate->log2_px) continue;
-      low = std::min(low, *estimate->log2_px);
-      high = std::max(high, *estimate->log2_px);
+    for (const ThresholdEstimate* estimate : {&planted.perceptual, &planted.slightly_noticeable}) {
+      if (!estimate->level_x) continue;
+      low = std::min(low, *estimate->level_x);
+      high = std::max(high, *estimate->level_x);
     }
   }
   std::set<int> dense = {all.front(), all.back()};
-  for (double log2_px = low - 0.5; log2_px <= high + 0.75; log2_px += 0.5) {
-    const int width_px = 2 * static_cast<int>(std::lround(std::exp2(log2_px) / 2));
+  for (double level_x = low - 0.5; level_x <= high + 0.75; level_x += 0.5) {
+    const int width_px = 2 * static_cast<int>(std::lround(std::exp2(level_x) / 2));
     if (width_px > all.front() && width_px < all.back()) dense.insert(width_px);
   }
   std::vector<WidthSet> sets = {{.name = "all", .width_px = all}};

@@ -42,7 +42,7 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
     if (artifact.artifact != Artifact::receiver) continue;
     std::vector<double> widths;
     for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.width_px));
-    return largest_log2_width_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
+    return largest_x_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
   }
   throw input_error(
       {.field = "the gain",
@@ -51,9 +51,9 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
 }
 
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
-double log2_or_beyond(const WidthEstimate& estimate) {
-  if (estimate.log2_px) return *estimate.log2_px;
-  return estimate.reason.starts_with("above") ? above_every_width : below_every_width;
+double log2_or_beyond(const ThresholdEstimate& estimate) {
+  if (estimate.level_x) return *estimate.level_x;
+  return estimate.reason.starts_with("above") ? above_every_level : below_every_level;
 }
 
 }  // namespace
@@ -109,6 +109,17 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 Prediction predict_thresholds(const PredictionRequest& request) {
   const study::RenderedSet set = study::load_rendered_set(request.set_folder);
   check_manifest_pictures(set.folder, set.manifest);
+  const std::string manifest_file = (request.set_folder / "manifest.json").string();
+  if (set.study.level.quantity != Quantity::depth_width_px)
+    throw input_error({.file = manifest_file,
+                       .field = "level.quantity",
+                       .wanted = "\"depth_width_px\" (the prediction is fixed on widths of depth maps)",
+                       .found = "\"" + std::string(facts(set.study.level.quantity).key) + "\""});
+  if (set.study.conditions.size() > 1)
+    throw input_error({.file = manifest_file,
+                       .field = "condition",
+                       .wanted = "one condition (predict each condition as a set of its own)",
+                       .found = std::to_string(set.study.conditions.size())});
   Prediction prediction{.observer = set.study.observer, .artifacts = {}};
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);

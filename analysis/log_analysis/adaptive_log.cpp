@@ -5,8 +5,9 @@
 namespace seamline::analysis {
 namespace {
 
-void give_reason(CurveThresholds& estimates, const char* reason) {
-  for (WidthEstimate* width : {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
+void give_reason(CurveThresholds& estimates, const std::string& reason) {
+  for (ThresholdEstimate* width :
+       {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
     width->reason = reason;
 }
 
@@ -19,13 +20,16 @@ bool is_adaptive(const std::optional<StudyDefinition>& study) {
 void set_aside_adaptive(Analysis& analysis) {
   for (ArtifactScores& scores : analysis.data.artifacts) {
     scores = {.artifact = scores.artifact,
-              .width_px = scores.width_px,
+              .condition = scores.condition,
+              .axis = scores.axis,
+              .level = scores.level,
               .people = {},
               .noticeability = {},
               .cells = {},
               .left_out = {}};
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
-    give_reason(analysis.thresholds.back().estimates, "widths were placed by the answers");
+    give_reason(analysis.thresholds.back().estimates,
+                in_words_of(scores.axis, "widths were placed by the answers"));
   }
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }

@@ -4,7 +4,9 @@
 
 #include "analysis/log_analysis/adaptive_log.h"
 #include "analysis/screening/catch_answers.h"
+#include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/study_file/study_file.h"
+
 #include "study/observers/observer.h"
 #include "support/text/error.h"
 
@@ -30,17 +32,18 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   if (counts.used < 2)
     notes.emplace_back("With one participant there are no standard errors and no intervals.");
   for (const ArtifactScores& scores : analysis.data.artifacts)
-    if (scores.width_px.size() == 4)
+    if (levels_on_axis(scores).size() == 4)
       notes.push_back(fmt::format(
-          "'{}' was tested at four widths only: the logistic has as many parameters, so its inflection "
+          "'{}'{} was tested at four {}s only: the logistic has as many parameters, so its inflection "
           "point rests on no spare data.",
-          word(scores.artifact)));
+          word(scores.artifact), in_condition(scores.condition), level_word(scores.axis)));
   for (const ArtifactScores& scores : analysis.data.artifacts)
     if (!scores.left_out.empty())
       notes.push_back(
-          fmt::format("{} of the participants used have no answer at one of the widths of '{}' and are left "
+          fmt::format("{} of the participants used have no answer at one of the {}s of '{}'{} and are left "
                       "out of its curve.",
-                      scores.left_out.size(), word(scores.artifact)));
+                      scores.left_out.size(), level_word(scores.axis), word(scores.artifact),
+                      in_condition(scores.condition)));
   return notes;
 }
 
@@ -68,11 +71,12 @@ void leave_out_screened(Analysis& analysis) {
                        .field = "",
                        .wanted = "at least one participant whom no screen names",
                        .found = "all of them named (leave out --exclude-screened)"});
-  analysis.scores = score_matrix(analysis.log, analysis.people);
+  analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
 }
 
 /// What stands beside the thresholds: single objects, guessing, opinion scores.
 void add_checks(Analysis& analysis) {
+  analysis.differences = threshold_differences(analysis.data, analysis.resampling);
   analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
   analysis.guessing =
       correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
@@ -83,9 +87,15 @@ void add_checks(Analysis& analysis) {
   analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
 }
 
-constexpr const char* rising_note =
-    "The study's simulated observers notice more as maps grow finer; PT, SN and IP are of noticeability that "
-    "falls, and no values are planted for them.";
+std::string rising_note(const LevelAxis& axis) {
+  if (of_depth_widths(axis))
+    return "The study's simulated observers notice more as maps grow finer; PT, SN and IP are of "
+           "noticeability that falls, and no values are planted for them.";
+  return fmt::format(
+      "The study's simulated observers notice more where the study says that noticeability {}, so no values "
+      "are planted for PT, SN and IP.",
+      axis.noticeability == Direction::increasing ? "falls" : "rises");
+}
 
 /// The options, with the log's catch trials beside those that were given.
 AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogContents& log) {
@@ -104,18 +114,21 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.resampling = resampling;
   analysis.options = with_catch_trials(options, analysis.log);
   analysis.people = select_participants(analysis.log, include_pilot);
-  analysis.scores = score_matrix(analysis.log, analysis.people);
-  analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
-  require_answers(analysis.log, analysis.people);
   std::vector<std::string> notes_on_study;
   const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
+  if (study)
+    for (const ConditionDefinition& condition : study->conditions)
+      analysis.conditions.push_back(condition.name);
+  analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
+  analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
+  require_answers(analysis.log, analysis.people);
   analysis.adaptive = is_adaptive(study);
   if (!analysis.adaptive)
-    analysis.screened =
-        thresholds_with_and_without(analysis.log, analysis.people, analysis.screening, resampling);
+    analysis.screened = thresholds_with_and_without(analysis.log, analysis.people, analysis.screening,
+                                                    resampling, analysis.conditions);
   if (options.exclude_screened) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
-  analysis.data = average_answers(analysis.log, analysis.people);
+  analysis.data = average_answers(analysis.log, analysis.people, analysis.conditions);
   if (analysis.adaptive) set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
   analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
@@ -127,8 +140,8 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
     add_checks(analysis);
   }
   const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
-  const bool rising = simulated && study->observer.direction == Direction::increasing;
-  if (rising && !analysis.adaptive) analysis.notes.emplace_back(rising_note);
+  const bool rising = simulated && study->observer.direction != analysis.log.noticeability;
+  if (rising && !analysis.adaptive) analysis.notes.emplace_back(rising_note(analysis.data.axis));
   if (simulated && !rising) analysis.planted = planted_values(study->observer, analysis.data);
   return analysis;
 }
@@ -146,11 +159,14 @@ std::string source_text(const Analysis& analysis) {
 PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data) {
   PlantedValues planted;
   for (const ArtifactScores& scores : data.artifacts) {
-    if (!observer.midpoint.contains(scores.artifact)) continue;
+    const std::optional<double> midpoint = planted_midpoint(observer, scores.artifact, scores.condition);
+    const std::vector<double> level_x = levels_on_axis(scores);
+    if (!midpoint || level_x.empty()) continue;
     std::vector<double> expected;
-    for (int width_px : scores.width_px)
-      expected.push_back(study::expected_noticeability(observer, scores.artifact, width_px));
-    planted[scores.artifact] = thresholds_of_means(log2_widths(scores.width_px), expected);
+    for (const double level : scores.level)
+      if (!stands_apart(scores.axis, level))
+        expected.push_back(planted_noticeability(observer, scores.axis, *midpoint, level));
+    planted[{scores.artifact, scores.condition}] = thresholds_of_means(level_x, expected, scores.axis);
   }
   return planted;
 }

@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/scores/cells.h"
@@ -10,6 +11,7 @@
 #include "analysis/screening/screening.h"
 #include "analysis/screening/screening_effect.h"
 #include "analysis/statistics/resampling.h"
+#include "analysis/thresholds/condition_differences.h"
 #include "analysis/thresholds/guess_correction.h"
 #include "analysis/thresholds/object_influence.h"
 #include "analysis/thresholds/thresholds.h"
@@ -20,7 +22,8 @@ namespace seamline::analysis {
 
 /// What the threshold observers of a log were made of, as the same functionals of their expected means at the
 /// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
-using PlantedValues = std::map<Artifact, CurveThresholds>;
+/// By artifact and condition.
+using PlantedValues = std::map<std::pair<Artifact, std::string>, CurveThresholds>;
 
 /// What may be asked of an analysis besides.
 struct AnalysisOptions {
@@ -37,10 +40,12 @@ struct Analysis {
   ResamplingRequest resampling;
   AnalysisOptions options;
   bool adaptive = false;  ///< widths were placed by the answers, so no curve is made of mean noticeability
+  std::vector<std::string> conditions;  ///< in the study's order; empty where it names none
   std::vector<ParticipantUse> people;
   ParticipantCounts counts;
   NoticeabilityData data;
   std::vector<ArtifactThresholds> thresholds;     ///< in the order of `data.artifacts`
+  std::vector<ThresholdDifference> differences;   ///< between conditions; empty where the study has one
   std::vector<ObjectInfluence> object_influence;  ///< in the same order
   GuessCorrection guessing;                       ///< its curves in the same order
   Screening screening;                            ///< of everybody, also when those named are left out
@@ -60,7 +65,7 @@ struct Analysis {
 /// observers": goes on every figure and table.
 [[nodiscard]] std::string source_text(const Analysis& analysis);
 
-/// The planted values of `threshold` observers at the widths in `data`.
+/// The planted values of `threshold` observers at the levels in `data`.
 [[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);
 
 /// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.

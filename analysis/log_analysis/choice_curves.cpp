@@ -56,12 +56,13 @@ Interval percentiles(std::vector<double> values) {
 void add_band(ChoiceCurve& curve, const PooledChoices& choices, const ResamplingRequest& request) {
   const PsychometricFit& fit = curve.pooled->fit;
   const FitProblem& problem = fit.search.problem;
-  const double first = std::log2(choices.level.front()), last = std::log2(choices.level.back());
+  const Axis axis = fit.options.axis;
+  const double first = axis_value(axis, choices.level.front()), last = axis_value(axis, choices.level.back());
   std::vector<double> places;
   for (int i = 0; i < band_points; ++i) {
-    const double log2_px = first + (last - first) * i / (band_points - 1);
-    places.push_back(problem.to_unit(log2_px));
-    curve.band.push_back({.width_px = std::exp2(log2_px),
+    const double along = first + (last - first) * i / (band_points - 1);
+    places.push_back(problem.to_unit(along));
+    curve.band.push_back({.level = level_of(axis, along),
                           .fitted = probability_at(problem, fit.search.best.theta, places.back()).right});
   }
   curve.band_replicates = std::min(request.replicates, most_band_replicates);
@@ -90,23 +91,41 @@ void add_band(ChoiceCurve& curve, const PooledChoices& choices, const Resampling
   curve.lapse_ci95 = percentiles(lapses);
 }
 
-ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string>& codes, Artifact artifact) {
+/// Takes a level that stands apart out of the choices.
+std::optional<UnitCounts> take_apart(PooledChoices& choices, const LevelAxis& axis) {
+  if (choices.level.empty() || !stands_apart(axis, choices.level.front())) return std::nullopt;
+  const UnitCounts apart{.t = 0, .k = choices.correct.col(0).sum(), .n = choices.trials.col(0).sum()};
+  choices.level.erase(choices.level.begin());
+  choices.correct = choices.correct.rightCols(choices.correct.cols() - 1).eval();
+  choices.trials = choices.trials.rightCols(choices.trials.cols() - 1).eval();
+  return apart;
+}
+
+ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string>& codes,
+                         const ArtifactScores& scores) {
+  const LevelAxis& axis = analysis.data.axis;
+  const std::string_view artifact = word(scores.artifact);
+  const std::string of_condition = in_condition(scores.condition);
   ChoiceCurve curve;
-  curve.artifact = artifact;
-  const PooledChoices choices = pooled_choices(analysis.log, codes, artifact);
+  curve.artifact = scores.artifact;
+  curve.condition = scores.condition;
+  PooledChoices choices = pooled_choices(analysis.log, codes, scores.artifact, scores.condition);
+  curve.apart = take_apart(choices, axis);
   curve.people = static_cast<int>(choices.people.size());
   if (curve.people < 2)
     curve.missing = fmt::format(
-        "No psychometric function of '{}' is fitted: {} participant answered, and intervals over "
+        "No psychometric function of '{}'{} is fitted: {} participant answered, and intervals over "
         "participants need at least two.",
-        word(artifact), curve.people == 0 ? "no" : "one");
+        artifact, of_condition, curve.people == 0 ? "no" : "one");
   else if (choices.level.size() < 2)
-    curve.missing = fmt::format(
-        "No psychometric function of '{}' is fitted: it was tested at one width only.", word(artifact));
+    curve.missing = fmt::format("No psychometric function of '{}'{} is fitted: it was tested at one {} only.",
+                                artifact, of_condition, level_word(axis));
   if (!curve.missing.empty()) return curve;
   FitOptions options = options_for_alternatives(study::objects_per_stimulus);
-  options.direction = study::Direction::decreasing;
-  curve.pooled = fit_pooled_choices(choices, options);
+  options.axis = facts(axis.quantity).axis;
+  options.direction = axis.noticeability;
+  const std::string unit(facts(axis.quantity).unit);
+  curve.pooled = fit_pooled_choices(choices, options, unit);
   const PsychometricFit& fit = curve.pooled->fit;
   curve.goodness = goodness_of_fit(fit);
   curve.deviance_p = curve.goodness.degrees_of_freedom > 0
@@ -119,7 +138,7 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
                                 .overdispersion = estimate_overdispersion(fit),
                                 .goodness = curve.goodness,
                                 .deviance_p = curve.deviance_p},
-                               "px");
+                               unit);
   return curve;
 }
 
@@ -134,16 +153,18 @@ std::vector<ChoiceCurve> choice_curves(const Analysis& analysis) {
   std::vector<ChoiceCurve> curves(analysis.data.artifacts.size());
   run_parallel(static_cast<int>(curves.size()), analysis.resampling.threads, [&](int index) {
     const auto i = static_cast<std::size_t>(index);
-    const Artifact artifact = analysis.data.artifacts[i].artifact;
+    const ArtifactScores& scores = analysis.data.artifacts[i];
     if (!analysis.adaptive) {
-      curves[i] = choice_curve(analysis, codes, artifact);
+      curves[i] = choice_curve(analysis, codes, scores);
       return;
     }
-    curves[i].artifact = artifact;
+    curves[i].artifact = scores.artifact;
+    curves[i].condition = scores.condition;
     curves[i].missing = fmt::format(
-        "No function of everybody's answers to '{}' is fitted: widths were placed by the answers, so people "
-        "differ from width to width. The thresholds of each participant's track are given instead.",
-        word(artifact));
+        "No function of everybody's answers to '{}'{} is fitted: {}s were placed by the answers, so people "
+        "differ from {} to {}. The thresholds of each participant's track are given instead.",
+        word(scores.artifact), in_condition(scores.condition), level_word(scores.axis),
+        level_word(scores.axis), level_word(scores.axis));
   });
   return curves;
 }

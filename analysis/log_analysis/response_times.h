@@ -16,10 +16,11 @@ struct Quartiles {
 enum class TimedAnswers { all, right, wrong };
 [[nodiscard]] std::string_view word(TimedAnswers answers);
 
-/// How long people took at one width.
+/// How long people took at one level.
 struct ResponseTime {
   std::optional<Artifact> artifact;  ///< none: all artifacts together
-  int width_px = 0;
+  std::string condition;             ///< of an artifact's row; empty: all, or the only one
+  double level = 0;
   TimedAnswers which = TimedAnswers::all;
   int answers = 0;  ///< at least one
   int people = 0;
@@ -28,7 +29,7 @@ struct ResponseTime {
 };
 
 struct ResponseTimes {
-  std::vector<ResponseTime> rows;  ///< all artifacts first; widths rising; all, right, wrong
+  std::vector<ResponseTime> rows;  ///< all artifacts first; levels as on the curve; all, right, wrong
   std::string missing;             ///< a sentence: why there are no rows
 };
 

@@ -22,17 +22,29 @@ struct AnswerTally {
 
 struct ObjectKey {
   Artifact artifact = Artifact::none;
+  int condition = 0;  ///< its place in the study's order
   std::string scene;
   int object_index = 0;
   std::string object;
   auto operator<=>(const ObjectKey&) const = default;
 };
 
+/// Along the curve.
+struct LevelOrder {
+  LevelAxis axis;
+  bool operator()(double a, double b) const { return comes_before(axis, a, b); }
+};
+
+template <class Value>
+using ByLevel = std::map<double, Value, LevelOrder>;
+
 using PersonTallies = std::map<int, AnswerTally>;                           // person -> answers
-using ObjectTallies = std::map<ObjectKey, std::map<int, PersonTallies>>;    // object -> width -> person
+using ObjectTallies = std::map<ObjectKey, ByLevel<PersonTallies>>;          // object -> level -> person
 using PersonMeans = std::map<int, std::vector<std::pair<double, double>>>;  // person -> objects' means
 
-ObjectTallies tally_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+ObjectTallies tally_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people,
+                            const std::vector<std::string>& conditions) {
+  const LevelOrder order{level_axis(log)};
   std::map<std::string, int> person_of;
   for (int person = 0; person < static_cast<int>(people.size()); ++person)
     person_of[people[static_cast<std::size_t>(person)].record.code] = person;
@@ -46,8 +58,11 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
                          .wanted = "a participant that the log lists",
                          .found = "'" + answer.participant + "'"});
     if (people[static_cast<std::size_t>(found->second)].use != Use::used) continue;
-    const ObjectKey key{answer.artifact, answer.scene, answer.object_index, answer.object};
-    AnswerTally& tally = tallies[key][answer.depth_width_px][found->second];
+    const auto condition = std::find(conditions.begin(), conditions.end(), answer.condition);
+    const ObjectKey key{answer.artifact, static_cast<int>(condition - conditions.begin()), answer.scene,
+                        answer.object_index, answer.object};
+    const auto object = tallies.try_emplace(key, order).first;
+    AnswerTally& tally = object->second[answer.level][found->second];
     tally.noticeability += answer.noticeability();
     tally.correct += answer.correct() ? 1 : 0;
     ++tally.answers;
@@ -56,7 +71,7 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
 }
 
 /// `means` holds (noticeability, share correct) of one participant each.
-CellMean cell(int width_px, const std::vector<std::pair<double, double>>& means) {
+CellMean cell(double level, const std::vector<std::pair<double, double>>& means) {
   std::vector<double> noticeability;
   double correct = 0;
   for (const auto& [value, right] : means) {
@@ -64,22 +79,24 @@ CellMean cell(int width_px, const std::vector<std::pair<double, double>>& means)
     correct += right;
   }
   CellMean result = mean_over_participants(noticeability);
-  result.width_px = width_px;
+  result.level = level;
   result.correct = correct / static_cast<double>(means.size());
   return result;
 }
 
-ObjectCurve object_curve(const ObjectKey& key, const std::map<int, PersonTallies>& widths) {
+ObjectCurve object_curve(const ObjectKey& key, const std::string& condition,
+                         const ByLevel<PersonTallies>& levels) {
   ObjectCurve curve{.artifact = key.artifact,
+                    .condition = condition,
                     .scene = key.scene,
                     .object = key.object,
                     .object_index = key.object_index,
                     .cells = {}};
-  for (const auto& [width_px, persons] : widths) {
+  for (const auto& [level, persons] : levels) {
     std::vector<std::pair<double, double>> means;
     for (const auto& [person, tally] : persons)
       means.emplace_back(tally.noticeability / tally.answers, tally.correct / tally.answers);
-    curve.cells.push_back(cell(width_px, means));
+    curve.cells.push_back(cell(level, means));
   }
   return curve;
 }
@@ -93,41 +110,49 @@ std::pair<double, double> mean_of_objects(const std::vector<std::pair<double, do
   return {value / static_cast<double>(objects.size()), right / static_cast<double>(objects.size())};
 }
 
-/// The people with an answer at every width stay; the others are named. A mean over different people at
-/// different widths would bend the curve.
-ArtifactScores artifact_scores(Artifact artifact, const std::map<int, PersonMeans>& widths,
+/// The people with an answer at every level stay; the others are named. A mean over different people at
+/// different levels would bend the curve.
+ArtifactScores artifact_scores(Artifact artifact, const std::string& condition,
+                               const ByLevel<PersonMeans>& levels,
                                const std::vector<ParticipantUse>& people) {
-  ArtifactScores scores{
-      .artifact = artifact, .width_px = {}, .people = {}, .noticeability = {}, .cells = {}, .left_out = {}};
-  std::map<int, int> widths_of;  // person -> number of widths
-  for (const auto& [width_px, persons] : widths) {
-    scores.width_px.push_back(width_px);
-    for (const auto& entry : persons) ++widths_of[entry.first];
+  ArtifactScores scores{.artifact = artifact,
+                        .condition = condition,
+                        .axis = levels.key_comp().axis,
+                        .level = {},
+                        .people = {},
+                        .noticeability = {},
+                        .cells = {},
+                        .left_out = {}};
+  std::map<int, int> levels_of;  // person -> number of levels
+  for (const auto& [level, persons] : levels) {
+    scores.level.push_back(level);
+    for (const auto& entry : persons) ++levels_of[entry.first];
   }
   std::vector<int> rows;
-  for (const auto& [person, count] : widths_of) {
+  for (const auto& [person, count] : levels_of) {
     const std::string& code = people[static_cast<std::size_t>(person)].record.code;
-    const bool complete = count == static_cast<int>(widths.size());
+    const bool complete = count == static_cast<int>(levels.size());
     (complete ? scores.people : scores.left_out).push_back(code);
     if (complete) rows.push_back(person);
   }
   scores.noticeability.resize(static_cast<Eigen::Index>(rows.size()),
-                              static_cast<Eigen::Index>(widths.size()));
+                              static_cast<Eigen::Index>(levels.size()));
   Eigen::Index column = 0;
-  for (const auto& [width_px, persons] : widths) {
+  for (const auto& [level, persons] : levels) {
     std::vector<std::pair<double, double>> means;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       means.push_back(mean_of_objects(persons.at(rows[row])));
       scores.noticeability(static_cast<Eigen::Index>(row), column) = means.back().first;
     }
-    if (!means.empty()) scores.cells.push_back(cell(width_px, means));
+    if (!means.empty()) scores.cells.push_back(cell(level, means));
     ++column;
   }
   return scores;
 }
 
-ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
-  ObjectTallies tallies = tally_answers(log, people);
+ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vector<ParticipantUse>& people,
+                                  const std::vector<std::string>& conditions) {
+  ObjectTallies tallies = tally_answers(log, people, conditions);
   if (tallies.empty())
     throw input_error({.file = log.file.string(),
                        .field = "",
@@ -146,27 +171,66 @@ CellMean mean_over_participants(const std::vector<double>& values) {
   const double mean = sum / n;
   for (double value : values) squares += (value - mean) * (value - mean);
   const double sem = values.size() > 1 ? std::sqrt(squares / (n - 1) / n) : nan;
-  return {.width_px = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
+  return {.level = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
 }
 
 void require_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
-  static_cast<void>(tallies_of_somebody(log, people));
+  static_cast<void>(tallies_of_somebody(log, people, conditions_of(log, {})));
 }
 
-NoticeabilityData average_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
-  const ObjectTallies tallies = tallies_of_somebody(log, people);
+std::string in_condition(const std::string& condition) {
+  return condition.empty() ? "" : " (" + condition + ")";
+}
+
+bool has_conditions(const NoticeabilityData& data) {
+  return std::any_of(data.conditions.begin(), data.conditions.end(),
+                     [](const std::string& name) { return !name.empty(); });
+}
+
+std::vector<std::string> conditions_of(const study::LogContents& log, const std::vector<std::string>& order) {
+  std::set<std::string> seen;
+  std::vector<std::string> as_they_appear;
+  for (const study::Answer& answer : log.answers)
+    if (seen.insert(answer.condition).second) as_they_appear.push_back(answer.condition);
+  std::vector<std::string> conditions;
+  for (const std::string& name : order)
+    if (seen.erase(name) > 0) conditions.push_back(name);
+  for (const std::string& name : as_they_appear)
+    if (seen.erase(name) > 0) conditions.push_back(name);
+  return conditions;
+}
+
+NoticeabilityData average_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people,
+                                  const std::vector<std::string>& order) {
   NoticeabilityData data;
-  std::map<Artifact, std::map<int, PersonMeans>> by_artifact;
-  for (const auto& [key, widths] : tallies) {
-    data.objects.push_back(object_curve(key, widths));
-    for (const auto& [width_px, persons] : widths)
+  data.axis = level_axis(log);
+  data.conditions = conditions_of(log, order);
+  const ObjectTallies tallies = tallies_of_somebody(log, people, data.conditions);
+  std::map<std::pair<Artifact, int>, ByLevel<PersonMeans>> by_artifact;
+  for (const auto& [key, levels] : tallies) {
+    data.objects.push_back(
+        object_curve(key, data.conditions[static_cast<std::size_t>(key.condition)], levels));
+    ByLevel<PersonMeans>& curve =
+        by_artifact.try_emplace({key.artifact, key.condition}, LevelOrder{data.axis}).first->second;
+    for (const auto& [level, persons] : levels)
       for (const auto& [person, tally] : persons)
-        by_artifact[key.artifact][width_px][person].emplace_back(tally.noticeability / tally.answers,
-                                                                 tally.correct / tally.answers);
+        curve[level][person].emplace_back(tally.noticeability / tally.answers, tally.correct / tally.answers);
   }
-  for (const auto& [artifact, widths] : by_artifact)
-    data.artifacts.push_back(artifact_scores(artifact, widths, people));
+  for (const auto& [key, levels] : by_artifact)
+    data.artifacts.push_back(
+        artifact_scores(key.first, data.conditions[static_cast<std::size_t>(key.second)], levels, people));
   return data;
+}
+
+std::vector<double> levels_on_axis(const ArtifactScores& scores) {
+  return x_of_levels(scores.axis, scores.level);
+}
+
+std::vector<double> means_on_axis(const ArtifactScores& scores) {
+  std::vector<double> means;
+  for (const CellMean& cell : scores.cells)
+    if (!stands_apart(scores.axis, cell.level)) means.push_back(cell.mean);
+  return means;
 }
 
 }  // namespace seamline::analysis

@@ -3,25 +3,27 @@
 #include <string>
 #include <vector>
 
+#include "analysis/scores/level_axis.h"
 #include "analysis/scores/participants.h"
 #include "stimuli/definition/artifact.h"
 #include "study/log/log.h"
 
 namespace seamline::analysis {
 
-/// Mean noticeability (0 to 4) of a group of participants at one width. Each participant counts once: their
+/// Mean noticeability (0 to 4) of a group of participants at one level. Each participant counts once: their
 /// answers to one object are averaged first, then their objects.
 struct CellMean {
-  int width_px = 0;    ///< of the depth map
+  double level = 0;    ///< of the log's quantity, 0 also where it stands apart
   int n = 0;           ///< participants
   double mean = 0;     ///< noticeability, 0 to 4
   double sem = 0;      ///< standard error of the mean over participants, SD with n - 1; NaN when n is 1
   double correct = 0;  ///< share of right choices
 };
 
-/// One line of the paper's Fig. 6: an object under one artifact, against width.
+/// One line of the paper's Fig. 6: an object under one artifact, against the level.
 struct ObjectCurve {
   Artifact artifact = Artifact::none;
+  std::string condition;  ///< empty where the study has one
   std::string scene;
   std::string object;
   int object_index = 0;  ///< 1 left, 2 middle, 3 right
@@ -31,15 +33,20 @@ struct ObjectCurve {
 /// One line of the paper's Fig. 7 together with the people behind it: what thresholds are computed from.
 struct ArtifactScores {
   Artifact artifact = Artifact::none;
-  std::vector<int> width_px;          ///< rising
+  std::string condition;  ///< empty where the study has one
+  LevelAxis axis;
+  std::vector<double> level;          ///< in the order of `comes_before`: widths rise
   std::vector<std::string> people;    ///< codes, in the log's order
-  Eigen::MatrixXd noticeability;      ///< people x widths, objects averaged within a person
+  Eigen::MatrixXd noticeability;      ///< people x levels, objects averaged within a person
   std::vector<CellMean> cells;        ///< over the people above
-  std::vector<std::string> left_out;  ///< used participants who lack an answer at one of the widths
+  std::vector<std::string> left_out;  ///< used participants who lack an answer at one of the levels
 };
 
-/// Everything that is averaged from a log, artifacts in the order of `every_artifact`.
+/// Everything that is averaged from a log: artifacts in the order of `every_artifact`, conditions of each in
+/// the order of `conditions`.
 struct NoticeabilityData {
+  LevelAxis axis;
+  std::vector<std::string> conditions = {};  ///< seen in the answers; one empty name where the study has one
   std::vector<ArtifactScores> artifacts;
   std::vector<ObjectCurve> objects;
 };
@@ -48,9 +55,26 @@ struct NoticeabilityData {
 /// a participant that the log does not list.
 void require_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people);
 
-/// Averages the answers of the participants marked `Use::used`. Throws InputError as `require_answers`.
+/// " (soft)" behind the name of an artifact; nothing where the study has one condition.
+[[nodiscard]] std::string in_condition(const std::string& condition);
+
+/// Whether a study tells conditions apart, so that results name them.
+[[nodiscard]] bool has_conditions(const NoticeabilityData& data);
+
+/// The conditions of a log's answers: those of `order` first, in its order, then others as they appear.
+[[nodiscard]] std::vector<std::string> conditions_of(const study::LogContents& log,
+                                                     const std::vector<std::string>& order);
+
+/// Averages the answers of the participants marked `Use::used`; `order` is that of the study's conditions.
+/// Throws InputError as `require_answers`.
 [[nodiscard]] NoticeabilityData average_answers(const study::LogContents& log,
-                                                const std::vector<ParticipantUse>& people);
+                                                const std::vector<ParticipantUse>& people,
+                                                const std::vector<std::string>& order = {});
+
+/// x of a curve's levels, without one that stands apart, which is the last.
+[[nodiscard]] std::vector<double> levels_on_axis(const ArtifactScores& scores);
+/// Their means, of the same levels.
+[[nodiscard]] std::vector<double> means_on_axis(const ArtifactScores& scores);
 
 /// Mean, standard error and n of one value a participant. `values` must not be empty.
 [[nodiscard]] CellMean mean_over_participants(const std::vector<double>& values);

@@ -34,19 +34,20 @@ std::vector<Placed> placed_answers(const study::LogContents& log, const Noticeab
                                    const GuessTrials& trials) {
   std::map<std::string, int> person_of;
   for (std::size_t p = 0; p < trials.people.size(); ++p) person_of[trials.people[p]] = static_cast<int>(p);
-  std::map<std::pair<Artifact, int>, int> cell_of;
+  std::map<std::tuple<Artifact, std::string, double>, int> cell_of;
   for (std::size_t c = 0; c < trials.cells.size(); ++c)
-    cell_of[{trials.cells[c].artifact, trials.cells[c].width_px}] = static_cast<int>(c);
-  std::set<std::pair<Artifact, std::string>> on_curve;
+    cell_of[{trials.cells[c].artifact, trials.cells[c].condition, trials.cells[c].level}] =
+        static_cast<int>(c);
+  std::set<std::tuple<Artifact, std::string, std::string>> on_curve;
   for (const ArtifactScores& scores : data.artifacts)
-    for (const std::string& code : scores.people) on_curve.insert({scores.artifact, code});
+    for (const std::string& code : scores.people) on_curve.insert({scores.artifact, scores.condition, code});
 
   std::vector<Placed> placed;
   for (const study::Answer& answer : log.answers)
-    if (on_curve.contains({answer.artifact, answer.participant}))
+    if (on_curve.contains({answer.artifact, answer.condition, answer.participant}))
       placed.push_back({.answer = &answer,
                         .where = {person_of.at(answer.participant),
-                                  cell_of.at({answer.artifact, answer.depth_width_px})}});
+                                  cell_of.at({answer.artifact, answer.condition, answer.level})}});
   return placed;
 }
 
@@ -57,8 +58,8 @@ GuessTrials count_guess_trials(const study::LogContents& log, const Noticeabilit
   GuessTrials trials;
   trials.people = people_on_curves(log, data);
   for (const ArtifactScores& scores : data.artifacts)
-    for (int width_px : scores.width_px)
-      trials.cells.push_back({.artifact = scores.artifact, .width_px = width_px});
+    for (const double level : scores.level)
+      trials.cells.push_back({.artifact = scores.artifact, .condition = scores.condition, .level = level});
   const auto people = static_cast<Eigen::Index>(trials.people.size());
   trials.answers =
       Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(trials.cells.size()) * counts_of_cell);

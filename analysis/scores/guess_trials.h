@@ -16,10 +16,11 @@ struct ReferenceAnswer {
   int rating = 0;        ///< 1..4
 };
 
-/// One point of a curve: an artifact at a width, all its objects.
+/// One point of a curve: an artifact at a level of a condition, all its objects.
 struct GuessCell {
   Artifact artifact = Artifact::none;
-  int width_px = 0;
+  std::string condition;
+  double level = 0;
 };
 
 inline constexpr int answers_of_trial =
@@ -38,7 +39,7 @@ inline constexpr int counts_of_cell =
 /// is its number of answers. With balanced data every answer counts 1.
 struct GuessTrials {
   std::vector<std::string> people;  ///< everybody on some artifact's curve, in the log's order
-  std::vector<GuessCell> cells;     ///< artifacts in the order of the data, widths rising
+  std::vector<GuessCell> cells;     ///< artifacts in the order of the data, levels as on the curve
   Eigen::MatrixXd answers;          ///< people x (cells x counts_of_cell)
   Eigen::MatrixXd references;       ///< people x answers_of_trial
 };

@@ -1,16 +1,21 @@
 #include "analysis/scores/score_matrix.h"
 
+#include <algorithm>
 #include <map>
 
+#include "analysis/scores/cells.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
 
 namespace {
 
-ScoredStimulus stimulus_of(const study::Answer& answer) {
+ScoredStimulus stimulus_of(const study::Answer& answer, const std::vector<std::string>& conditions) {
+  const auto condition = std::find(conditions.begin(), conditions.end(), answer.condition);
   return {.artifact = answer.artifact,
-          .width_px = answer.depth_width_px,
+          .condition_index = static_cast<int>(condition - conditions.begin()),
+          .condition = answer.condition,
+          .level = answer.level,
           .scene = answer.scene,
           .object_index = answer.object_index,
           .object = answer.object};
@@ -18,7 +23,9 @@ ScoredStimulus stimulus_of(const study::Answer& answer) {
 
 }  // namespace
 
-ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<ParticipantUse>& people) {
+ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<ParticipantUse>& people,
+                         const std::vector<std::string>& order) {
+  const std::vector<std::string> conditions = conditions_of(log, order);
   ScoreMatrix matrix;
   std::map<std::string, Eigen::Index> row_of;
   for (const ParticipantUse& person : people)
@@ -28,14 +35,14 @@ ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<Partic
     }
   std::map<ScoredStimulus, Eigen::Index> column_of;
   for (const study::Answer& answer : log.answers)
-    if (row_of.contains(answer.participant)) column_of[stimulus_of(answer)] = 0;
+    if (row_of.contains(answer.participant)) column_of[stimulus_of(answer, conditions)] = 0;
   for (auto& [stimulus, column] : column_of) {
     column = static_cast<Eigen::Index>(matrix.stimuli.size());
-    const bool same_condition = !matrix.stimuli.empty() &&
-                                matrix.stimuli.back().artifact == stimulus.artifact &&
-                                matrix.stimuli.back().width_px == stimulus.width_px;
-    const int last = matrix.condition.empty() ? -1 : matrix.condition.back();
-    matrix.condition.push_back(same_condition ? last : last + 1);
+    const bool same_cell = !matrix.stimuli.empty() && matrix.stimuli.back().artifact == stimulus.artifact &&
+                           matrix.stimuli.back().condition_index == stimulus.condition_index &&
+                           matrix.stimuli.back().level == stimulus.level;
+    const int last = matrix.cell.empty() ? -1 : matrix.cell.back();
+    matrix.cell.push_back(same_cell ? last : last + 1);
     matrix.stimuli.push_back(stimulus);
   }
 
@@ -46,7 +53,7 @@ ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<Partic
   for (const study::Answer& answer : log.answers) {
     const auto row = row_of.find(answer.participant);
     if (row == row_of.end()) continue;
-    const Eigen::Index column = column_of.at(stimulus_of(answer));
+    const Eigen::Index column = column_of.at(stimulus_of(answer, conditions));
     matrix.score(row->second, column) += answer.noticeability();
     answers(row->second, column) += 1;
   }

@@ -8,10 +8,12 @@
 
 namespace seamline::analysis {
 
-/// What one image showed, and under which condition.
+/// What one image showed.
 struct ScoredStimulus {
   Artifact artifact = Artifact::none;
-  int width_px = 0;
+  int condition_index = 0;  ///< place of the condition in the study's order
+  std::string condition;    ///< empty where the study has one
+  double level = 0;
   std::string scene;
   int object_index = 0;
   std::string object;
@@ -22,13 +24,14 @@ struct ScoredStimulus {
 /// opinion scores are computed from.
 struct ScoreMatrix {
   std::vector<std::string> people;      ///< used participants, in the log's order
-  std::vector<ScoredStimulus> stimuli;  ///< by artifact, width, scene, object
-  std::vector<int> condition;           ///< of each stimulus: artifact and width together, numbered from 0
+  std::vector<ScoredStimulus> stimuli;  ///< by artifact, condition, level, scene, object
+  std::vector<int> cell;                ///< of each stimulus: artifact, condition and level, numbered from 0
   Eigen::MatrixXd score;                ///< people x stimuli; repeats averaged; NaN where there is no answer
 };
 
-/// Scores of the participants marked `Use::used`.
+/// Scores of the participants marked `Use::used`; `order` is that of the study's conditions.
 [[nodiscard]] ScoreMatrix score_matrix(const study::LogContents& log,
-                                       const std::vector<ParticipantUse>& people);
+                                       const std::vector<ParticipantUse>& people,
+                                       const std::vector<std::string>& order = {});
 
 }  // namespace seamline::analysis

@@ -71,7 +71,7 @@ Screening screen_participants(const ScoreMatrix& scores, const std::vector<Catch
   Screening screening;
   screening.catch_trials = !catches.empty();
   const std::vector<KurtosisCount> kurtosis = screen_by_kurtosis(scores.score);
-  const std::vector<CorrelationCheck> correlation = screen_by_correlation(scores.score, scores.condition);
+  const std::vector<CorrelationCheck> correlation = screen_by_correlation(scores.score, scores.cell);
   for (std::size_t p = 0; p < scores.people.size(); ++p) {
     ScreenedPerson person{
         .code = scores.people[p], .attention = {}, .kurtosis = kurtosis[p], .correlation = correlation[p]};

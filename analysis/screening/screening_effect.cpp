@@ -8,10 +8,11 @@ namespace {
 
 std::vector<ArtifactThresholds> thresholds_of(const study::LogContents& log,
                                               const std::vector<ParticipantUse>& people,
-                                              const ResamplingRequest& request) {
+                                              const ResamplingRequest& request,
+                                              const std::vector<std::string>& order) {
   if (count_participants(people).used == 0) return {};
   std::vector<ArtifactThresholds> thresholds;
-  for (const ArtifactScores& scores : average_answers(log, people).artifacts)
+  for (const ArtifactScores& scores : average_answers(log, people, order).artifacts)
     thresholds.push_back(estimate_thresholds(scores, request));
   return thresholds;
 }
@@ -29,7 +30,8 @@ std::vector<ParticipantUse> leave_out(std::vector<ParticipantUse> people,
 std::vector<ScreenedThresholds> thresholds_with_and_without(const study::LogContents& log,
                                                             const std::vector<ParticipantUse>& people,
                                                             const Screening& screening,
-                                                            const ResamplingRequest& request) {
+                                                            const ResamplingRequest& request,
+                                                            const std::vector<std::string>& order) {
   std::vector<ScreenedThresholds> results = {{.who = "everybody", .left_out = {}, .thresholds = {}}};
   for (Screen screen : every_screen)
     if (const std::vector<std::string> named = screening.named_by(screen); !named.empty())
@@ -42,8 +44,9 @@ std::vector<ScreenedThresholds> thresholds_with_and_without(const study::LogCont
     const auto same = std::find_if(results.begin(), result, [&](const ScreenedThresholds& earlier) {
       return earlier.left_out == result->left_out;
     });
-    result->thresholds =
-        same != result ? same->thresholds : thresholds_of(log, leave_out(people, result->left_out), request);
+    result->thresholds = same != result
+                             ? same->thresholds
+                             : thresholds_of(log, leave_out(people, result->left_out), request, order);
   }
   return results;
 }

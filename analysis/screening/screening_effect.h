@@ -19,7 +19,7 @@ struct ScreenedThresholds {
 /// change nothing and have no entry), then, when more than one screen names somebody, without anybody named.
 [[nodiscard]] std::vector<ScreenedThresholds> thresholds_with_and_without(
     const study::LogContents& log, const std::vector<ParticipantUse>& people, const Screening& screening,
-    const ResamplingRequest& request);
+    const ResamplingRequest& request, const std::vector<std::string>& order = {});
 
 /// The participants with those of `codes` who are used marked `Use::screened`.
 [[nodiscard]] std::vector<ParticipantUse> leave_out(std::vector<ParticipantUse> people,

@@ -15,7 +15,7 @@ constexpr int isotonic_steps_per_gap = 128;
 /// By how much the curve at one width is above (`over`) or below (`under`) the level, beyond what the test
 /// allows. Positive: excluded.
 struct Excess {
-  double log2_px = 0, over = 0, under = 0;
+  double level_x = 0, over = 0, under = 0;
 };
 
 /// The isotonic curve a share `t` (0 to 1) of the way from width `left` to the next.
@@ -45,18 +45,18 @@ double zero_between(double x0, double y0, double x1, double y1) {
 double lower_bound_of(const std::vector<Excess>& tests) {
   const auto last =
       std::find_if(tests.rbegin(), tests.rend(), [](const Excess& test) { return test.over > 0; });
-  if (last == tests.rend()) return below_every_width;
-  if (last == tests.rbegin()) return above_every_width;
-  return zero_between(last->log2_px, last->over, (last - 1)->log2_px, (last - 1)->over);
+  if (last == tests.rend()) return below_every_level;
+  if (last == tests.rbegin()) return above_every_level;
+  return zero_between(last->level_x, last->over, (last - 1)->level_x, (last - 1)->over);
 }
 
 /// And where it is below the level, so it is at all finer ones.
 double upper_bound_of(const std::vector<Excess>& tests) {
   const auto first =
       std::find_if(tests.begin(), tests.end(), [](const Excess& test) { return test.under > 0; });
-  if (first == tests.end()) return above_every_width;
-  if (first == tests.begin()) return below_every_width;
-  return zero_between((first - 1)->log2_px, (first - 1)->under, first->log2_px, first->under);
+  if (first == tests.end()) return above_every_level;
+  if (first == tests.begin()) return below_every_level;
+  return zero_between((first - 1)->level_x, (first - 1)->under, first->level_x, first->under);
 }
 
 }  // namespace
@@ -79,37 +79,36 @@ double VarianceFunction::at(double mean) const {
   return variance_.back();
 }
 
-WidthInterval level_interval(double level, const std::vector<double>& log2_px, const MeanVector& means,
+LevelInterval level_interval(double level, const std::vector<double>& level_x, const MeanVector& means,
                              int people) {
   const IsotonicFit fit =
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())});
   const VarianceFunction variance_of(fit, means);
-  const WidthInterval interval = invert_level_test(
-      level, log2_px, people, isotonic_steps_per_gap,
+  const LevelInterval interval = invert_level_test(
+      level, level_x, people, isotonic_steps_per_gap,
       [&](std::size_t left, double t) { return isotonic_at(level, left, t, fit, means, variance_of); });
-  const double estimate = largest_log2_width_at(level, log2_px, fit.value);
-  return {.low_log2_px = std::min(interval.low_log2_px, estimate),
-          .high_log2_px = std::max(interval.high_log2_px, estimate)};
+  const double estimate = largest_x_at(level, level_x, fit.value);
+  return {.low_x = std::min(interval.low_x, estimate), .high_x = std::max(interval.high_x, estimate)};
 }
 
-WidthInterval invert_level_test(double level, const std::vector<double>& log2_px, int people,
+LevelInterval invert_level_test(double level, const std::vector<double>& level_x, int people,
                                 int steps_per_gap,
                                 const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
-  assert(people >= 2 && !log2_px.empty());
+  assert(people >= 2 && !level_x.empty());
   const double critical = student_quantile(people - 1, 0.975);
   std::vector<Excess> tests;
-  for (std::size_t left = 0; left < log2_px.size(); ++left) {
-    const int steps = left + 1 < log2_px.size() ? steps_per_gap : 1;
+  for (std::size_t left = 0; left < level_x.size(); ++left) {
+    const int steps = left + 1 < level_x.size() ? steps_per_gap : 1;
     for (int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / steps;
-      const double w = step == 0 ? log2_px[left] : (1 - t) * log2_px[left] + t * log2_px[left + 1];
+      const double w = step == 0 ? level_x[left] : (1 - t) * level_x[left] + t * level_x[left + 1];
       const CurveAtWidth curve = curve_at(left, t);
       const double allowed = critical * curve.standard_error;
       tests.push_back(
-          {.log2_px = w, .over = curve.value - level - allowed, .under = level - curve.value - allowed});
+          {.level_x = w, .over = curve.value - level - allowed, .under = level - curve.value - allowed});
     }
   }
-  return {.low_log2_px = lower_bound_of(tests), .high_log2_px = upper_bound_of(tests)};
+  return {.low_x = lower_bound_of(tests), .high_x = upper_bound_of(tests)};
 }
 
 TailLevels expanded_levels(int people) {
@@ -119,13 +118,13 @@ TailLevels expanded_levels(int people) {
   return {.low = low, .high = 1 - low};
 }
 
-WidthInterval percentile_interval(const std::vector<WidthInterval>& replicates, const TailLevels& levels) {
+LevelInterval percentile_interval(const std::vector<LevelInterval>& replicates, const TailLevels& levels) {
   std::vector<double> lows, highs;
-  for (const WidthInterval& replicate : replicates) {
-    lows.push_back(replicate.low_log2_px);
-    highs.push_back(replicate.high_log2_px);
+  for (const LevelInterval& replicate : replicates) {
+    lows.push_back(replicate.low_x);
+    highs.push_back(replicate.high_x);
   }
-  return {.low_log2_px = quantile(lows, levels.low), .high_log2_px = quantile(highs, levels.high)};
+  return {.low_x = quantile(lows, levels.low), .high_x = quantile(highs, levels.high)};
 }
 
 double quantile(std::vector<double>& values, double probability) {

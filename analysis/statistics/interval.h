@@ -23,7 +23,7 @@ namespace seamline::analysis {
 /// w is excluded on the low side when T says that the curve is above the level there or at a larger width (it
 /// does not rise), on the high side when it is below there or at a smaller one. A side is open when no width
 /// tested is excluded on it. `people` is at least 2.
-[[nodiscard]] WidthInterval level_interval(double level, const std::vector<double>& log2_px,
+[[nodiscard]] LevelInterval level_interval(double level, const std::vector<double>& level_x,
                                            const MeanVector& means, int people);
 
 /// A falling curve at one width, and the standard error it would have if it were at the level there.
@@ -34,8 +34,8 @@ struct CurveAtWidth {
 /// The widths that such a test does not exclude, on a grid of `steps_per_gap` between neighbouring widths,
 /// bounds interpolated; open ends as for `level_interval`. `curve_at(left, t)` is asked a share t (0 to 1) of
 /// the way from width number `left` to the next, widths rising.
-[[nodiscard]] WidthInterval invert_level_test(
-    double level, const std::vector<double>& log2_px, int people, int steps_per_gap,
+[[nodiscard]] LevelInterval invert_level_test(
+    double level, const std::vector<double>& level_x, int people, int steps_per_gap,
     const std::function<CurveAtWidth(std::size_t left, double t)>& curve_at);
 
 /// Variance of a mean over people as a function of that mean: linear between the means of the widths tested,
@@ -63,7 +63,7 @@ struct TailLevels {
 /// Reads an interval off replicates of which each says only that its width lies within a range (a point when
 /// both ends are equal; infinite when it has no width): low from the lows, high from the highs, so doubt
 /// widens the interval.
-[[nodiscard]] WidthInterval percentile_interval(const std::vector<WidthInterval>& replicates,
+[[nodiscard]] LevelInterval percentile_interval(const std::vector<LevelInterval>& replicates,
                                                 const TailLevels& levels);
 
 /// Quantile with linear interpolation between order statistics (type 7). Infinite values are ordinary values.

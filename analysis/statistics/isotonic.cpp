@@ -45,29 +45,29 @@ IsotonicFit fit_non_increasing(std::span<const double> values) {
   return fit;
 }
 
-double value_at(std::span<const double> log2_px, std::span<const double> fit, double at_log2_px) {
-  assert(!log2_px.empty() && log2_px.size() == fit.size());
-  if (at_log2_px <= log2_px.front()) return fit.front();
-  for (std::size_t right = 1; right < log2_px.size(); ++right) {
-    if (at_log2_px > log2_px[right]) continue;
-    const double t = (at_log2_px - log2_px[right - 1]) / (log2_px[right] - log2_px[right - 1]);
+double value_at(std::span<const double> level_x, std::span<const double> fit, double at_x) {
+  assert(!level_x.empty() && level_x.size() == fit.size());
+  if (at_x <= level_x.front()) return fit.front();
+  for (std::size_t right = 1; right < level_x.size(); ++right) {
+    if (at_x > level_x[right]) continue;
+    const double t = (at_x - level_x[right - 1]) / (level_x[right] - level_x[right - 1]);
     return (1 - t) * fit[right - 1] + t * fit[right];
   }
   return fit.back();
 }
 
-double largest_log2_width_at(double level, std::span<const double> log2_px, std::span<const double> fit) {
-  assert(!log2_px.empty() && log2_px.size() == fit.size());
-  if (fit.back() > level + level_tolerance) return above_every_width;
+double largest_x_at(double level, std::span<const double> level_x, std::span<const double> fit) {
+  assert(!level_x.empty() && level_x.size() == fit.size());
+  if (fit.back() > level + level_tolerance) return above_every_level;
   // From the right: the first point at or above the level; the crossing lies between it and its right
   // neighbour.
   for (std::size_t i = fit.size(); i-- > 0;) {
     if (fit[i] < level - level_tolerance) continue;
-    if (fit[i] <= level + level_tolerance) return log2_px[i];
+    if (fit[i] <= level + level_tolerance) return level_x[i];
     const double t = (fit[i] - level) / (fit[i] - fit[i + 1]);
-    return log2_px[i] + t * (log2_px[i + 1] - log2_px[i]);
+    return level_x[i] + t * (level_x[i + 1] - level_x[i]);
   }
-  return below_every_width;
+  return below_every_level;
 }
 
 }  // namespace seamline::analysis

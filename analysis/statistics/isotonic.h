@@ -20,16 +20,14 @@ struct IsotonicFit {
 /// were pooled.
 [[nodiscard]] IsotonicFit fit_non_increasing(std::span<const double> values);
 
-/// The fit between levels: linear in log2 width. `log2_px` is rising, `at_log2_px` within its range.
-[[nodiscard]] double value_at(std::span<const double> log2_px, std::span<const double> fit,
-                              double at_log2_px);
+/// The fit between levels: linear in log2 width. `level_x` is rising, `at_x` within its range.
+[[nodiscard]] double value_at(std::span<const double> level_x, std::span<const double> fit, double at_x);
 
 /// The threshold functional of the perceptual threshold (level 0.5) and of "slightly noticeable" (level 1.0):
 /// the largest log2 width at which the non-increasing curve `fit`, linear between its points, equals `level`.
-/// `above_every_width` when every value is above the level (the threshold is beyond the finest map tested),
-/// `below_every_width` when every one is below. A flat part exactly at the level counts as equal, so its
+/// `above_every_level` when every value is above the level (the threshold is beyond the finest map tested),
+/// `below_every_level` when every one is below. A flat part exactly at the level counts as equal, so its
 /// right end is the answer.
-[[nodiscard]] double largest_log2_width_at(double level, std::span<const double> log2_px,
-                                           std::span<const double> fit);
+[[nodiscard]] double largest_x_at(double level, std::span<const double> level_x, std::span<const double> fit);
 
 }  // namespace seamline::analysis

@@ -29,39 +29,36 @@ struct Projection {
 };
 
 /// Linear least squares for the two asymptotes. Fills `into`, so that its memory is used again.
-void project(double centre_log2_px, double scale_octaves, std::span<const double> log2_px,
+void project(double centre_x, double scale_octaves, std::span<const double> level_x,
              const Eigen::VectorXd& means, Projection& into) {
-  into.fallen.resize(log2_px.size());
+  into.fallen.resize(level_x.size());
   double sum_f = 0;
-  for (std::size_t i = 0; i < log2_px.size(); ++i)
-    sum_f += into.fallen[i] = falling_logistic((log2_px[i] - centre_log2_px) / scale_octaves);
-  const double mean_f = sum_f / static_cast<double>(log2_px.size()), mean_y = means.mean();
+  for (std::size_t i = 0; i < level_x.size(); ++i)
+    sum_f += into.fallen[i] = falling_logistic((level_x[i] - centre_x) / scale_octaves);
+  const double mean_f = sum_f / static_cast<double>(level_x.size()), mean_y = means.mean();
   double product = 0, square = 0;
-  for (std::size_t i = 0; i < log2_px.size(); ++i) {
+  for (std::size_t i = 0; i < level_x.size(); ++i) {
     const double centred = into.fallen[i] - mean_f;
     product += centred * means[static_cast<Eigen::Index>(i)];
     square += centred * centred;
   }
   const double fall = product / square, lower = mean_y - fall * mean_f;
-  into.curve = {.upper = lower + fall,
-                .lower = lower,
-                .centre_log2_px = centre_log2_px,
-                .scale_octaves = scale_octaves};
+  into.curve = {.upper = lower + fall, .lower = lower, .centre_x = centre_x, .scale_octaves = scale_octaves};
   into.residual_sum_of_squares = 0;
-  for (std::size_t i = 0; i < log2_px.size(); ++i) {
+  for (std::size_t i = 0; i < level_x.size(); ++i) {
     const double residual = means[static_cast<Eigen::Index>(i)] - (lower + fall * into.fallen[i]);
     into.residual_sum_of_squares += residual * residual;
   }
 }
 
 /// Normal equations of the four parameters (upper, lower, centre, log scale) at a projection.
-void accumulate(const Projection& at, std::span<const double> log2_px, const Eigen::VectorXd& means,
+void accumulate(const Projection& at, std::span<const double> level_x, const Eigen::VectorXd& means,
                 Eigen::Matrix4d& curvature, Eigen::Vector4d& gradient) {
   curvature.setZero();
   gradient.setZero();
   const double fall = at.curve.upper - at.curve.lower;
-  for (std::size_t i = 0; i < log2_px.size(); ++i) {
-    const double z = (log2_px[i] - at.curve.centre_log2_px) / at.curve.scale_octaves;
+  for (std::size_t i = 0; i < level_x.size(); ++i) {
+    const double z = (level_x[i] - at.curve.centre_x) / at.curve.scale_octaves;
     const double f = at.fallen[i];
     const double slope = f * (1 - f) * fall;  // d y / d(-z)
     const Eigen::Vector4d jacobian{f, 1 - f, slope / at.curve.scale_octaves, slope * z};
@@ -73,24 +70,24 @@ void accumulate(const Projection& at, std::span<const double> log2_px, const Eig
 
 }  // namespace
 
-double value_at(const Logistic4& curve, double log2_px) {
-  return curve.lower + (curve.upper - curve.lower) *
-                           falling_logistic((log2_px - curve.centre_log2_px) / curve.scale_octaves);
+double value_at(const Logistic4& curve, double level_x) {
+  return curve.lower +
+         (curve.upper - curve.lower) * falling_logistic((level_x - curve.centre_x) / curve.scale_octaves);
 }
 
-std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px) {
+std::string reason(const Logistic4Fit& fit, std::span<const double> level_x) {
   switch (fit.verdict) {
     case Centre::identified:
       return "";
     case Centre::step:
       return fmt::format("a step between {:.0f} and {:.0f}: the widths tested do not say where",
-                         std::exp2(fit.centre_range.low_log2_px), std::exp2(fit.centre_range.high_log2_px));
+                         std::exp2(fit.centre_range.low_x), std::exp2(fit.centre_range.high_x));
     case Centre::straight:
       return "not identified: the fit is all but a straight line";
     case Centre::below_range:
-      return fmt::format("steepest below {:.0f}", std::exp2(log2_px.front()));
+      return fmt::format("steepest below {:.0f}", std::exp2(level_x.front()));
     case Centre::above_range:
-      return fmt::format("steepest above {:.0f}", std::exp2(log2_px.back()));
+      return fmt::format("steepest above {:.0f}", std::exp2(level_x.back()));
     case Centre::not_falling:
       return "not identified: noticeability does not fall with width";
     case Centre::too_few_widths:
@@ -99,33 +96,33 @@ std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px) {
   return "";
 }
 
-LogisticBox logistic_box(std::span<const double> log2_px) {
-  const double range = log2_px.back() - log2_px.front();
+LogisticBox logistic_box(std::span<const double> level_x) {
+  const double range = level_x.back() - level_x.front();
   double spacing = range;
-  for (std::size_t i = 1; i < log2_px.size(); ++i) spacing = std::min(spacing, log2_px[i] - log2_px[i - 1]);
+  for (std::size_t i = 1; i < level_x.size(); ++i) spacing = std::min(spacing, level_x[i] - level_x[i - 1]);
   assert(spacing > 0);
-  return {.lowest_centre = log2_px.front() - margin_octaves,
-          .highest_centre = log2_px.back() + margin_octaves,
+  return {.lowest_centre = level_x.front() - margin_octaves,
+          .highest_centre = level_x.back() + margin_octaves,
           .smallest_scale = 0.1 * spacing,
           .largest_scale = range};
 }
 
-Logistic4Fitter::Logistic4Fitter(std::vector<double> log2_px) : log2_px_(std::move(log2_px)) {
-  if (log2_px_.size() < 4) return;
-  const LogisticBox box = logistic_box(log2_px_);
+Logistic4Fitter::Logistic4Fitter(std::vector<double> level_x) : level_x_(std::move(level_x)) {
+  if (level_x_.size() < 4) return;
+  const LogisticBox box = logistic_box(level_x_);
   for (int s = 0; s < scale_count; ++s)
     scales_.push_back(box.smallest_scale *
                       std::pow(box.largest_scale / box.smallest_scale, s / (scale_count - 1.0)));
   for (double c = box.lowest_centre; c <= box.highest_centre; c += centre_step_octaves) centres_.push_back(c);
 
-  const auto widths = static_cast<Eigen::Index>(log2_px_.size());
+  const auto widths = static_cast<Eigen::Index>(level_x_.size());
   basis_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(centres_.size() * scales_.size()), widths);
   Eigen::Index row = 0;
   for (double centre : centres_)
     for (double scale : scales_) {
       Eigen::RowVectorXd f(widths);
       for (Eigen::Index i = 0; i < widths; ++i)
-        f[i] = falling_logistic((log2_px_[static_cast<std::size_t>(i)] - centre) / scale);
+        f[i] = falling_logistic((level_x_[static_cast<std::size_t>(i)] - centre) / scale);
       f.array() -= f.mean();
       if (const double norm = f.norm(); norm > flat_norm) basis_.row(row) = f / norm;
       ++row;
@@ -154,7 +151,7 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
 
   std::vector<Logistic4Start> starts;
   for (Eigen::Index at : optima)
-    starts.push_back({.centre_log2_px = centres_[static_cast<std::size_t>(at / columns)],
+    starts.push_back({.centre_x = centres_[static_cast<std::size_t>(at / columns)],
                       .scale_octaves = scales_[static_cast<std::size_t>(at % columns)]});
   return starts;
 }
@@ -163,26 +160,26 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
 double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorXd& means,
                                Logistic4& curve) const {
   Projection best, tried;
-  project(start.centre_log2_px, start.scale_octaves, log2_px_, means, best);
+  project(start.centre_x, start.scale_octaves, level_x_, means, best);
   double damping = 1e-3;
   Eigen::Matrix4d curvature;
   Eigen::Vector4d gradient;
   bool stale = true;  // the normal equations are not those of `best`
   for (int step = 0; step < LogisticPolish::most_steps && damping < 1e8; ++step) {
-    if (stale) accumulate(best, log2_px_, means, curvature, gradient);
+    if (stale) accumulate(best, level_x_, means, curvature, gradient);
     Eigen::Matrix4d damped = curvature;
     damped.diagonal() += damping * (curvature.diagonal().array() + 1e-9).matrix();
     const Eigen::Vector4d move = damped.inverse() * gradient;
-    project(std::clamp(best.curve.centre_log2_px + move[2], centres_.front(), centres_.back()),
+    project(std::clamp(best.curve.centre_x + move[2], centres_.front(), centres_.back()),
             std::clamp(best.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)), scales_.front(),
                        scales_.back()),
-            log2_px_, means, tried);
+            level_x_, means, tried);
     stale = tried.residual_sum_of_squares < best.residual_sum_of_squares;
     if (!stale) {
       damping *= 8;
       continue;
     }
-    const double moved = std::abs(tried.curve.centre_log2_px - best.curve.centre_log2_px) +
+    const double moved = std::abs(tried.curve.centre_x - best.curve.centre_x) +
                          std::abs(std::log(tried.curve.scale_octaves / best.curve.scale_octaves));
     std::swap(best, tried);
     damping = std::max(damping / 8, 1e-12);
@@ -195,31 +192,31 @@ double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorX
 Logistic4Fit Logistic4Fitter::judge(const Logistic4& curve, double residual) const {
   Logistic4Fit fit{
       .curve = curve, .residual_sum_of_squares = residual, .verdict = Centre::identified, .centre_range = {}};
-  const double centre = curve.centre_log2_px;
-  fit.centre_range = {.low_log2_px = centre, .high_log2_px = centre};
-  if (centre < log2_px_.front() || centre > log2_px_.back()) {
-    const bool below = centre < log2_px_.front();
+  const double centre = curve.centre_x;
+  fit.centre_range = {.low_x = centre, .high_x = centre};
+  if (centre < level_x_.front() || centre > level_x_.back()) {
+    const bool below = centre < level_x_.front();
     fit.verdict = below ? Centre::below_range : Centre::above_range;
-    const double end = below ? below_every_width : above_every_width;
-    fit.centre_range = {.low_log2_px = end, .high_log2_px = end};
+    const double end = below ? below_every_level : above_every_level;
+    fit.centre_range = {.low_x = end, .high_x = end};
   } else if (curve.scale_octaves >= scales_.back() / edge_share) {
     fit.verdict = Centre::straight;
     fit.centre_range = {};
   } else if (curve.scale_octaves <= scales_.front() * edge_share) {
     fit.verdict = Centre::step;
-    const auto right = std::lower_bound(log2_px_.begin() + 1, log2_px_.end() - 1, centre);
-    fit.centre_range = {.low_log2_px = *(right - 1), .high_log2_px = *right};
+    const auto right = std::lower_bound(level_x_.begin() + 1, level_x_.end() - 1, centre);
+    fit.centre_range = {.low_x = *(right - 1), .high_x = *right};
   }
   return fit;
 }
 
 Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
-  if (log2_px_.size() < 4) {
+  if (level_x_.size() < 4) {
     Logistic4Fit none;
     none.verdict = Centre::too_few_widths;
     return none;
   }
-  assert(means.size() == log2_px_.size());
+  assert(means.size() == level_x_.size());
   const Eigen::VectorXd y =
       Eigen::Map<const Eigen::VectorXd>(means.data(), static_cast<Eigen::Index>(means.size()));
   Logistic4Fit best;
@@ -232,8 +229,7 @@ Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
     found = true;
   }
   if (!found)
-    best.curve = {
-        .upper = y.mean(), .lower = y.mean(), .centre_log2_px = log2_px_.front(), .scale_octaves = 1};
+    best.curve = {.upper = y.mean(), .lower = y.mean(), .centre_x = level_x_.front(), .scale_octaves = 1};
   return best;
 }
 

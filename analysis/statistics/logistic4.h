@@ -13,11 +13,11 @@ namespace seamline::analysis {
 struct Logistic4 {
   double upper = 0;
   double lower = 0;
-  double centre_log2_px = 0;
+  double centre_x = 0;
   double scale_octaves = 1;
 };
 
-[[nodiscard]] double value_at(const Logistic4& curve, double log2_px);
+[[nodiscard]] double value_at(const Logistic4& curve, double level_x);
 
 /// Whether the data say where the centre is.
 enum class Centre {
@@ -36,11 +36,11 @@ struct Logistic4Fit {
   Centre verdict = Centre::not_falling;
   /// The centres that the data leave open: one value when identified, the two neighbouring widths for a step,
   /// an infinite end where the centre may lie outside the tested range.
-  WidthInterval centre_range;
+  LevelInterval centre_range;
 };
 
 /// A sentence for `verdict`; empty when identified.
-[[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> log2_px);
+[[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> level_x);
 
 /// Where centres and scales are looked for.
 struct LogisticBox {
@@ -49,12 +49,12 @@ struct LogisticBox {
   double largest_scale = 0;                      ///< the whole range
 };
 
-/// `log2_px` is rising, at least two widths.
-[[nodiscard]] LogisticBox logistic_box(std::span<const double> log2_px);
+/// `level_x` is rising, at least two widths.
+[[nodiscard]] LogisticBox logistic_box(std::span<const double> level_x);
 
 /// Where a climb begins; the asymptotes follow by linear least squares.
 struct Logistic4Start {
-  double centre_log2_px = 0, scale_octaves = 1;
+  double centre_x = 0, scale_octaves = 1;
 };
 
 /// Fits four-parameter logistics by least squares to means at fixed widths, one after the other, fast enough
@@ -69,13 +69,13 @@ struct Logistic4Start {
 /// best wins. The asymptotes are not bounded to 0 and 4: they are what the curve tends to, not ratings.
 class Logistic4Fitter {
  public:
-  /// `log2_px` is rising.
-  explicit Logistic4Fitter(std::vector<double> log2_px);
+  /// `level_x` is rising.
+  explicit Logistic4Fitter(std::vector<double> level_x);
 
   /// `means` has one value a width.
   [[nodiscard]] Logistic4Fit fit(std::span<const double> means) const;
 
-  [[nodiscard]] const std::vector<double>& log2_px() const { return log2_px_; }
+  [[nodiscard]] const std::vector<double>& level_x() const { return level_x_; }
 
  private:
   [[nodiscard]] std::vector<Logistic4Start> starts(const Eigen::VectorXd& means) const;
@@ -83,7 +83,7 @@ class Logistic4Fitter {
                               Logistic4& curve) const;
   [[nodiscard]] Logistic4Fit judge(const Logistic4& curve, double residual) const;
 
-  std::vector<double> log2_px_;
+  std::vector<double> level_x_;
   std::vector<double> centres_;
   std::vector<double> scales_;
   Eigen::MatrixXd

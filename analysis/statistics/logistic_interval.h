@@ -19,8 +19,8 @@ namespace seamline::analysis {
 /// means with each variance read (`VarianceFunction`) at f. Everything is taken where the test supposes the
 /// truth to be: taken at the unconstrained fit instead, the interval covers 91 to 98 %
 /// (documentation/coverage.md). Open under four widths. `people` is at least 2.
-[[nodiscard]] WidthInterval logistic_level_interval(double level, const Logistic4Fit& fit,
-                                                    const std::vector<double>& log2_px,
+[[nodiscard]] LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
+                                                    const std::vector<double>& level_x,
                                                     const MeanVector& means, int people);
 
 }  // namespace seamline::analysis

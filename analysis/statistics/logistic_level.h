@@ -8,7 +8,7 @@
 namespace seamline::analysis {
 
 /// The widths at which a fitted four-parameter logistic y(x) (see `Logistic4`) is at `level`: the parametric
-/// counterpart of `largest_log2_width_at`,
+/// counterpart of `largest_x_at`,
 ///
 ///     x = centre + scale ln((upper - level) / (level - lower))
 ///
@@ -16,11 +16,11 @@ namespace seamline::analysis {
 /// both +inf when the curve is above the level at every width tested, both -inf when it is below, everything
 /// when there were too few widths for a fit. Beyond the widths tested the curve is not read: its asymptotes
 /// are extrapolations.
-[[nodiscard]] WidthInterval logistic_level_range(double level, const Logistic4Fit& fit,
-                                                 std::span<const double> log2_px);
+[[nodiscard]] LevelInterval logistic_level_range(double level, const Logistic4Fit& fit,
+                                                 std::span<const double> level_x);
 
 /// The same as an estimate, with the reason where there is none; its interval is left open.
-[[nodiscard]] WidthEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
-                                                    std::span<const double> log2_px);
+[[nodiscard]] ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
+                                                        std::span<const double> level_x);
 
 }  // namespace seamline::analysis

@@ -15,9 +15,9 @@ struct LogisticThroughLevel {
 
 /// Fits y(x) = level + fall (F((x - centre) / scale) - F((w - centre) / scale)), F the falling logistic, fall
 /// at least 0, centre and scale within `box`: from the best of a coarse grid and, when it is given, from a
-/// curve that fitted nearby (`start`). `log2_px` is rising, `means` has one value a width.
-[[nodiscard]] LogisticThroughLevel fit_through_level(double level, double at_log2_px,
-                                                     const std::vector<double>& log2_px,
+/// curve that fitted nearby (`start`). `level_x` is rising, `means` has one value a width.
+[[nodiscard]] LogisticThroughLevel fit_through_level(double level, double at_x,
+                                                     const std::vector<double>& level_x,
                                                      const Eigen::VectorXd& means, const LogisticBox& box,
                                                      const Logistic4* start = nullptr);
 

@@ -8,13 +8,13 @@ namespace seamline::analysis {
 
 namespace {
 
-WidthInterval point(double log2_px) {
-  return {.low_log2_px = log2_px, .high_log2_px = log2_px};
+LevelInterval point(double level_x) {
+  return {.low_x = level_x, .high_x = level_x};
 }
 
 }  // namespace
 
-CurveReplicates::CurveReplicates(const std::vector<double>& log2_px, int replicates) : fitter_(log2_px) {
+CurveReplicates::CurveReplicates(const std::vector<double>& level_x, int replicates) : fitter_(level_x) {
   for (auto* values : {&perceptual_, &slightly_noticeable_, &inflection_, &perceptual_logistic_,
                        &slightly_noticeable_logistic_})
     values->resize(static_cast<std::size_t>(replicates));
@@ -22,14 +22,14 @@ CurveReplicates::CurveReplicates(const std::vector<double>& log2_px, int replica
 
 void CurveReplicates::set(int replicate, std::span<const double> means) {
   const auto r = static_cast<std::size_t>(replicate);
-  const std::vector<double>& log2_px = fitter_.log2_px();
+  const std::vector<double>& level_x = fitter_.level_x();
   const IsotonicFit fit = fit_non_increasing(means);
-  perceptual_[r] = point(largest_log2_width_at(perceptual_level, log2_px, fit.value));
-  slightly_noticeable_[r] = point(largest_log2_width_at(slight_level, log2_px, fit.value));
+  perceptual_[r] = point(largest_x_at(perceptual_level, level_x, fit.value));
+  slightly_noticeable_[r] = point(largest_x_at(slight_level, level_x, fit.value));
   const Logistic4Fit logistic = fitter_.fit(means);
   inflection_[r] = logistic.centre_range;
-  perceptual_logistic_[r] = logistic_level_range(perceptual_level, logistic, log2_px);
-  slightly_noticeable_logistic_[r] = logistic_level_range(slight_level, logistic, log2_px);
+  perceptual_logistic_[r] = logistic_level_range(perceptual_level, logistic, level_x);
+  slightly_noticeable_logistic_[r] = logistic_level_range(slight_level, logistic, level_x);
 }
 
 CurveIntervals CurveReplicates::intervals(const TailLevels& levels) const {

@@ -10,8 +10,8 @@ namespace seamline::analysis {
 
 /// The intervals that replicates of one curve give, one for each thing read off it.
 struct CurveIntervals {
-  WidthInterval perceptual, slightly_noticeable, inflection;
-  WidthInterval perceptual_logistic, slightly_noticeable_logistic;
+  LevelInterval perceptual, slightly_noticeable, inflection;
+  LevelInterval perceptual_logistic, slightly_noticeable_logistic;
 };
 
 /// What each bootstrap replicate of a curve of mean noticeability says about its thresholds. A replicate that
@@ -19,8 +19,8 @@ struct CurveIntervals {
 /// leaves open; none is dropped.
 class CurveReplicates {
  public:
-  /// `log2_px` is rising.
-  CurveReplicates(const std::vector<double>& log2_px, int replicates);
+  /// `level_x` is rising.
+  CurveReplicates(const std::vector<double>& level_x, int replicates);
 
   /// Reads the thresholds off one replicate's means, one a width. May be called from several threads for
   /// different replicates.
@@ -31,8 +31,8 @@ class CurveReplicates {
 
  private:
   Logistic4Fitter fitter_;
-  std::vector<WidthInterval> perceptual_, slightly_noticeable_, inflection_;
-  std::vector<WidthInterval> perceptual_logistic_, slightly_noticeable_logistic_;
+  std::vector<LevelInterval> perceptual_, slightly_noticeable_, inflection_;
+  std::vector<LevelInterval> perceptual_logistic_, slightly_noticeable_logistic_;
 };
 
 }  // namespace seamline::analysis

@@ -19,16 +19,15 @@ constexpr double few_guesses = 30;            ///< under this many, g and b are 
 /// The cells of one artifact: which columns of the counts are its own.
 struct CellRange {
   std::size_t first = 0, count = 0;
-  std::vector<double> log2_px;
+  std::vector<double> level_x;  ///< of the first of them: one that stands apart is the last
 };
 
 std::vector<CellRange> ranges_of(const NoticeabilityData& data) {
   std::vector<CellRange> ranges;
   std::size_t first = 0;
   for (const ArtifactScores& scores : data.artifacts) {
-    ranges.push_back(
-        {.first = first, .count = scores.width_px.size(), .log2_px = log2_widths(scores.width_px)});
-    first += scores.width_px.size();
+    ranges.push_back({.first = first, .count = scores.level.size(), .level_x = levels_on_axis(scores)});
+    first += scores.level.size();
   }
   return ranges;
 }
@@ -57,23 +56,24 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
   }
   std::vector<Eigen::RowVectorXd> rows;
   for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
-    Eigen::RowVectorXd row(static_cast<Eigen::Index>(range.count));
-    for (std::size_t w = 0; w < range.count; ++w) {
+    Eigen::RowVectorXd row(static_cast<Eigen::Index>(range.level_x.size()));
+    for (std::size_t w = 0; w < range.level_x.size(); ++w) {
       const auto counts = trials.answers.row(p).segment(
           static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
       row[static_cast<Eigen::Index>(w)] = counts.dot(value) / counts.sum();
     }
     if (row.allFinite()) rows.push_back(row);  // others are not on this artifact's curve
   }
-  Eigen::MatrixXd scores(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(range.count));
+  Eigen::MatrixXd scores(static_cast<Eigen::Index>(rows.size()),
+                         static_cast<Eigen::Index>(range.level_x.size()));
   for (std::size_t p = 0; p < rows.size(); ++p) scores.row(static_cast<Eigen::Index>(p)) = rows[p];
   return scores;
 }
 
-WidthInterval including(WidthInterval interval, const WidthEstimate& estimate) {
-  if (estimate.log2_px) {
-    interval.low_log2_px = std::min(interval.low_log2_px, *estimate.log2_px);
-    interval.high_log2_px = std::max(interval.high_log2_px, *estimate.log2_px);
+LevelInterval including(LevelInterval interval, const ThresholdEstimate& estimate) {
+  if (estimate.level_x) {
+    interval.low_x = std::min(interval.low_x, *estimate.level_x);
+    interval.high_x = std::max(interval.high_x, *estimate.level_x);
   }
   return interval;
 }
@@ -102,24 +102,31 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
                                const CellRange& range, const Guessers& guessers) {
   CorrectedCurve curve;
   curve.artifact = scores.artifact;
-  curve.width_px = scores.width_px;
+  curve.condition = scores.condition;
+  curve.level = scores.level;
   if (scores.people.empty()) return curve;
   const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
   std::vector<double> means;
   for (std::size_t w = 0; w < range.count; ++w) {
     curve.cells.push_back(fit_seeing(counts_at(counts, range.first + w), guessers));
-    means.push_back(curve.cells.back().noticeability);
+    if (w < range.level_x.size()) means.push_back(curve.cells.back().noticeability);
   }
-  curve.estimates = thresholds_of_means(range.log2_px, means);
   curve.above_chance = right_above_chance(trials, range, guessers);
+  if (means.empty()) {
+    for (ThresholdEstimate* estimate :
+         {&curve.estimates.perceptual, &curve.estimates.slightly_noticeable, &curve.estimates.inflection})
+      estimate->reason = "no level on the axis was shown";
+    return curve;
+  }
+  curve.estimates = thresholds_of_means(range.level_x, means, scores.axis);
   const Eigen::MatrixXd formula = formula_scores(trials, range, guessers);
   if (formula.rows() < 2) return curve;
   const MeanVector formula_means = mean_and_covariance(formula);
   const int people = static_cast<int>(formula.rows());
-  WidthEstimate& pt = curve.estimates.perceptual;
-  WidthEstimate& sn = curve.estimates.slightly_noticeable;
-  pt.ci95 = including(level_interval(perceptual_level, range.log2_px, formula_means, people), pt);
-  sn.ci95 = including(level_interval(slight_level, range.log2_px, formula_means, people), sn);
+  ThresholdEstimate& pt = curve.estimates.perceptual;
+  ThresholdEstimate& sn = curve.estimates.slightly_noticeable;
+  pt.ci95 = including(level_interval(perceptual_level, range.level_x, formula_means, people), pt);
+  sn.ci95 = including(level_interval(slight_level, range.level_x, formula_means, people), sn);
   return curve;
 }
 
@@ -128,14 +135,16 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
   Eigen::MatrixXd everything(trials.answers.rows(), trials.answers.cols() + trials.references.cols());
   everything << trials.answers, trials.references;
   std::vector<CurveReplicates> replicates;
-  for (const CellRange& range : ranges) replicates.emplace_back(range.log2_px, request.replicates);
+  for (const CellRange& range : ranges)
+    replicates.emplace_back(range.level_x, range.level_x.empty() ? 0 : request.replicates);
   for_each_replicate(everything, request, [&](int replicate, const Eigen::VectorXd& mean) {
     const Eigen::VectorXd answers = mean.head(trials.answers.cols());
     const Guessers guessers = estimate_guessers(answers, mean.tail(trials.references.cols()));
     std::vector<double> means;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       means.clear();
-      for (std::size_t w = 0; w < ranges[i].count; ++w)
+      if (ranges[i].level_x.empty()) continue;
+      for (std::size_t w = 0; w < ranges[i].level_x.size(); ++w)
         means.push_back(
             fit_seeing(counts_at(answers, ranges[i].first + w), guessers, replicate_tolerance).noticeability);
       const bool answered =
@@ -145,7 +154,7 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
   });
   const TailLevels levels = expanded_levels(static_cast<int>(trials.people.size()));
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].cells.empty()) continue;
+    if (curves[i].cells.empty() || ranges[i].level_x.empty()) continue;
     const CurveIntervals intervals = replicates[i].intervals(levels);
     curves[i].perceptual_bootstrap = intervals.perceptual;
     curves[i].slightly_noticeable_bootstrap = intervals.slightly_noticeable;
@@ -179,9 +188,9 @@ std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
   for (const CorrectedCurve& curve : correction.curves)
     if (!curve.cells.empty() && !curve.above_chance)
       notes.push_back(fmt::format(
-          "Under '{}' the right object was not chosen more often than by guessing (one-sided t test over "
+          "Under '{}'{} the right object was not chosen more often than by guessing (one-sided t test over "
           "participants, 1 %): its corrected curve describes chance.",
-          word(curve.artifact)));
+          word(curve.artifact), in_condition(curve.condition)));
   return notes;
 }
 

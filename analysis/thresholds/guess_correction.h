@@ -12,14 +12,15 @@ namespace seamline::analysis {
 /// The curve of one artifact corrected for guessing, and its thresholds.
 struct CorrectedCurve {
   Artifact artifact = Artifact::none;
-  std::vector<int> width_px;      ///< rising
-  std::vector<SeeingCell> cells;  ///< one a width
+  std::string condition;
+  std::vector<double> level;      ///< as on the curve: widths rise
+  std::vector<SeeingCell> cells;  ///< one a level
   /// PT, SN and IP of the corrected curve. PT and SN have score-test intervals on formula scores
   /// (documentation/guess_correction.md), what is read off the logistic the expanded percentile bootstrap
   /// over people, the whole model being fitted again to each replicate.
   CurveThresholds estimates;
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison.
-  WidthInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
+  LevelInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
   /// Whether people chose right more often than guessers would (t test over people, one-sided, 1 %). When
   /// not, nothing says that anybody saw anything.
   bool above_chance = false;

@@ -9,42 +9,46 @@ namespace seamline::analysis {
 namespace {
 
 bool shows(const study::Answer& answer, const ObjectCurve& object) {
-  return answer.artifact == object.artifact && answer.scene == object.scene &&
-         answer.object_index == object.object_index && answer.object == object.object;
+  return answer.artifact == object.artifact && answer.condition == object.condition &&
+         answer.scene == object.scene && answer.object_index == object.object_index &&
+         answer.object == object.object;
 }
 
 /// The artifact's curve without one of its objects; none when nobody answered all that is left.
 std::optional<ArtifactScores> scores_without(const study::LogContents& log,
                                              const std::vector<ParticipantUse>& people,
-                                             const ObjectCurve& object) {
+                                             const ObjectCurve& object, const LevelAxis& axis) {
   study::LogContents rest;
   rest.file = log.file;
+  rest.quantity = log.quantity;
+  rest.noticeability = log.noticeability;
   rest.participants = log.participants;
   for (const study::Answer& answer : log.answers)
-    if (answer.artifact == object.artifact && !shows(answer, object)) rest.answers.push_back(answer);
+    if (answer.artifact == object.artifact && answer.condition == object.condition && !shows(answer, object))
+      rest.answers.push_back(answer);
   NoticeabilityData data = average_answers(rest, people);
   if (data.artifacts.front().people.empty()) return std::nullopt;
+  data.artifacts.front().axis = axis;  // with the unit of the whole log
   return data.artifacts.front();
 }
 
-void widen(std::optional<WidthInterval>& range, const WidthInterval& by) {
+void widen(std::optional<LevelInterval>& range, const LevelInterval& by) {
   if (!range) range = by;
-  range->low_log2_px = std::min(range->low_log2_px, by.low_log2_px);
-  range->high_log2_px = std::max(range->high_log2_px, by.high_log2_px);
+  range->low_x = std::min(range->low_x, by.low_x);
+  range->high_x = std::max(range->high_x, by.high_x);
 }
 
-WidthInterval crossing(double level, const std::vector<double>& log2_px, const CurveThresholds& curve) {
-  const double width = largest_log2_width_at(level, log2_px, curve.isotonic.value);
-  return {.low_log2_px = width, .high_log2_px = width};
+LevelInterval crossing(double level, const std::vector<double>& level_x, const CurveThresholds& curve) {
+  const double width = largest_x_at(level, level_x, curve.isotonic.value);
+  return {.low_x = width, .high_x = width};
 }
 
 void add_without(const ObjectCurve& object, const ArtifactScores& scores, ObjectInfluence& influence) {
-  const std::vector<double> log2_px = log2_widths(scores.width_px);
-  std::vector<double> means;
-  for (const CellMean& cell : scores.cells) means.push_back(cell.mean);
-  const CurveThresholds found = thresholds_of_means(log2_px, means);
-  widen(influence.perceptual, crossing(perceptual_level, log2_px, found));
-  widen(influence.slightly_noticeable, crossing(slight_level, log2_px, found));
+  const std::vector<double> level_x = levels_on_axis(scores);
+  if (level_x.empty()) return;
+  const CurveThresholds found = thresholds_of_means(level_x, means_on_axis(scores), scores.axis);
+  widen(influence.perceptual, crossing(perceptual_level, level_x, found));
+  widen(influence.slightly_noticeable, crossing(slight_level, level_x, found));
   widen(influence.inflection, found.logistic.centre_range);
   influence.without.push_back({.scene = object.scene,
                                .object = object.object,
@@ -61,12 +65,14 @@ std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
   for (const ArtifactScores& scores : data.artifacts) {
     ObjectInfluence influence;
     influence.artifact = scores.artifact;
-    const auto objects =
-        std::count_if(data.objects.begin(), data.objects.end(),
-                      [&](const ObjectCurve& object) { return object.artifact == scores.artifact; });
+    influence.condition = scores.condition;
+    const auto is_one = [&](const ObjectCurve& object) {
+      return object.artifact == scores.artifact && object.condition == scores.condition;
+    };
+    const auto objects = std::count_if(data.objects.begin(), data.objects.end(), is_one);
     for (const ObjectCurve& object : data.objects)
-      if (objects > 1 && object.artifact == scores.artifact)
-        if (const std::optional<ArtifactScores> rest = scores_without(log, people, object))
+      if (objects > 1 && is_one(object))
+        if (const std::optional<ArtifactScores> rest = scores_without(log, people, object, data.axis))
           add_without(object, *rest, influence);
     influences.push_back(influence);
   }

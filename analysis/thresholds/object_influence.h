@@ -21,12 +21,14 @@ struct WithoutObject {
 /// Infinite ends: with some object left out the curve does not cross within the widths tested.
 struct ObjectInfluence {
   Artifact artifact = Artifact::none;
+  std::string condition;
   std::vector<WithoutObject> without;  ///< empty when there is one object only
-  std::optional<WidthInterval> perceptual, slightly_noticeable,
+  std::optional<LevelInterval> perceptual, slightly_noticeable,
       inflection;  ///< none when there is one object
 };
 
-/// One entry an artifact, in the order of `data` (`average_answers` of the same log and people).
+/// One entry an artifact and condition, in the order of `data` (`average_answers` of the same log and
+/// people).
 [[nodiscard]] std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
                                                                 const std::vector<ParticipantUse>& people,
                                                                 const NoticeabilityData& data);

@@ -15,11 +15,11 @@ inline constexpr double slight_level = 1.0;  ///< SN: "slightly noticeable"
 
 /// What a curve of mean noticeability says: estimates only, from people or from an observer's expected means.
 struct CurveThresholds {
-  WidthEstimate perceptual;                    ///< PT
-  WidthEstimate slightly_noticeable;           ///< SN
-  WidthEstimate inflection;                    ///< IP
-  WidthEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
-  WidthEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
+  ThresholdEstimate perceptual;                    ///< PT
+  ThresholdEstimate slightly_noticeable;           ///< SN
+  ThresholdEstimate inflection;                    ///< IP
+  ThresholdEstimate perceptual_logistic;           ///< PT read off the logistic instead of the isotonic fit
+  ThresholdEstimate slightly_noticeable_logistic;  ///< SN read off the logistic
   IsotonicFit isotonic;
   Logistic4Fit logistic;
 };
@@ -27,17 +27,20 @@ struct CurveThresholds {
 /// PT, SN and IP of one artifact with intervals over participants.
 struct ArtifactThresholds {
   Artifact artifact = Artifact::none;
+  std::string condition;  ///< empty where the study has one
   int participants = 0;
   CurveThresholds estimates;
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison: they cover less often
   /// (documentation/coverage.md).
-  WidthInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
-  WidthInterval perceptual_logistic_bootstrap, slightly_noticeable_logistic_bootstrap;
+  LevelInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
+  LevelInterval perceptual_logistic_bootstrap, slightly_noticeable_logistic_bootstrap;
 };
 
-/// The functionals PT, SN and IP of means at widths; intervals are left open.
-[[nodiscard]] CurveThresholds thresholds_of_means(const std::vector<double>& log2_px,
-                                                  const std::vector<double>& means);
+/// The functionals PT, SN and IP of means at levels (x of LevelAxis, rising); intervals are left open. `axis`
+/// is for the words of reasons.
+[[nodiscard]] CurveThresholds thresholds_of_means(const std::vector<double>& level_x,
+                                                  const std::vector<double>& means,
+                                                  const LevelAxis& axis = {});
 
 /// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test (`level_interval`,
 /// `logistic_level_interval`), IP by the expanded percentile bootstrap over people. A replicate without a

@@ -24,19 +24,19 @@ namespace {
 ArtifactScores scores_of(const Eigen::MatrixXd& noticeability) {
   ArtifactScores scores;
   scores.artifact = Artifact::receiver;
-  scores.width_px = widths_px;
+  scores.level.assign(widths_px.begin(), widths_px.end());
   scores.noticeability = noticeability;
   for (Eigen::Index p = 0; p < noticeability.rows(); ++p) scores.people.push_back("p" + std::to_string(p));
   for (Eigen::Index w = 0; w < noticeability.cols(); ++w) {
     const Eigen::VectorXd column = noticeability.col(w);
     scores.cells.push_back(mean_over_participants({column.begin(), column.end()}));
-    scores.cells.back().width_px = widths_px[static_cast<std::size_t>(w)];
+    scores.cells.back().level = widths_px[static_cast<std::size_t>(w)];
   }
   return scores;
 }
 
-bool is_open(const WidthInterval& interval) {
-  return std::isinf(interval.low_log2_px) && std::isinf(interval.high_log2_px);
+bool is_open(const LevelInterval& interval) {
+  return std::isinf(interval.low_x) && std::isinf(interval.high_x);
 }
 
 }  // namespace
@@ -53,6 +53,7 @@ ArtifactScores simulated_scores(int people, std::uint64_t seed) {
         stimulus.artifact = Artifact::receiver;
         stimulus.object_index = object;
         stimulus.depth.width_px = widths_px[w];
+        stimulus.level = widths_px[w];
         const Response response = respond(observer, stimulus, random);
         sum += response.chosen_index == object ? response.rating : 0;
       }
@@ -66,7 +67,7 @@ Finding try_one_participant() {
   const ArtifactScores scores = simulated_scores(1, 4);
   const ArtifactThresholds thresholds = estimate_thresholds(scores, {.replicates = 200, .threads = 1});
   int wrong = std::isnan(scores.cells.front().sem) ? 0 : 1;
-  for (const WidthEstimate* estimate :
+  for (const ThresholdEstimate* estimate :
        {&thresholds.estimates.perceptual, &thresholds.estimates.slightly_noticeable,
         &thresholds.estimates.inflection, &thresholds.estimates.perceptual_logistic})
     wrong += is_open(estimate->ci95) ? 0 : 1;
@@ -80,16 +81,16 @@ Finding try_one_participant() {
 
 Finding try_ten_thousand_participants(int threads) {
   const ArtifactScores scores = simulated_scores(10'000, 2);
-  const WidthEstimate found =
+  const ThresholdEstimate found =
       estimate_thresholds(scores, {.replicates = 200, .threads = threads}).estimates.perceptual;
   std::vector<double> means;
   for (const int width_px : widths_px)
     means.push_back(expected_noticeability({}, Artifact::receiver, width_px));
-  const double planted = thresholds_of_means(log2_widths(widths_px), means).perceptual.log2_px.value();
-  const double standard_error = (found.ci95.high_log2_px - found.ci95.low_log2_px) / (2 * 1.96);
-  return {std::abs(found.log2_px.value() - planted) / standard_error,
+  const double planted = thresholds_of_means(log2_widths(widths_px), means).perceptual.level_x.value();
+  const double standard_error = (found.ci95.high_x - found.ci95.low_x) / (2 * 1.96);
+  return {std::abs(found.level_x.value() - planted) / standard_error,
           fmt::format("PT {:.2f} px, planted {:.2f} px, standard error {:.2g} octaves",
-                      std::exp2(*found.log2_px), std::exp2(planted), standard_error)};
+                      std::exp2(*found.level_x), std::exp2(planted), standard_error)};
 }
 
 Finding try_constant_ratings() {
@@ -97,10 +98,10 @@ Finding try_constant_ratings() {
   for (const double rating : {0.0, 2.0, 4.0}) {
     const ArtifactScores scores = scores_of(Eigen::MatrixXd::Constant(20, 7, rating));
     const ArtifactThresholds thresholds = estimate_thresholds(scores, {.replicates = 200, .threads = 1});
-    for (const WidthEstimate* estimate :
+    for (const ThresholdEstimate* estimate :
          {&thresholds.estimates.perceptual, &thresholds.estimates.slightly_noticeable,
           &thresholds.estimates.inflection})
-      wrong += !estimate->log2_px && !estimate->reason.empty() ? 0 : 1;
+      wrong += !estimate->level_x && !estimate->reason.empty() ? 0 : 1;
     const OpinionScore opinion = opinion_scores(scores.noticeability).front();
     wrong +=
         opinion.mean == rating && opinion.sd == 0 && opinion.ci95_low == rating && opinion.ci95_high == rating
@@ -177,7 +178,7 @@ Finding try_stiff_curves() {
   std::string found;
   for (const Wanted& curve : curves) {
     const CurveThresholds thresholds = thresholds_of_means(log2_widths(widths_px), curve.means);
-    const bool identified = thresholds.inflection.log2_px.has_value();
+    const bool identified = thresholds.inflection.level_x.has_value();
     wrong += identified == curve.identified && (identified || !thresholds.inflection.reason.empty()) ? 0 : 1;
     found += identified ? "+" : "-";
   }

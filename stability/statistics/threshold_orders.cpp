@@ -39,9 +39,9 @@ OrderSeries perceptual_threshold_order() {
                     simulated_scores(people, 1000 * study + static_cast<std::uint64_t>(people));
                 std::vector<double> means;
                 for (const CellMean& cell : scores.cells) means.push_back(cell.mean);
-                const WidthEstimate estimate =
-                    thresholds_of_means(log2_widths(scores.width_px), means).perceptual;
-                thresholds.push_back(estimate.log2_px.value());
+                const ThresholdEstimate estimate =
+                    thresholds_of_means(levels_on_axis(scores), means).perceptual;
+                thresholds.push_back(estimate.level_x.value());
               }
               points.emplace_back(people, standard_deviation(thresholds));
             }

@@ -30,10 +30,10 @@ TEST(AdaptiveLog, GivesNoCurveOfMeansAndSaysSo) {
                                         "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 90\n");
   ASSERT_EQ(analysis.thresholds.size(), 4U);
   for (const ArtifactThresholds& thresholds : analysis.thresholds)
-    for (const WidthEstimate& width :
+    for (const ThresholdEstimate& width :
          {thresholds.estimates.perceptual, thresholds.estimates.slightly_noticeable,
           thresholds.estimates.inflection}) {
-      EXPECT_FALSE(width.log2_px);
+      EXPECT_FALSE(width.level_x);
       EXPECT_THAT(width.reason, HasSubstr("placed by the answers"));
     }
   EXPECT_THAT(analysis.notes, Contains(HasSubstr("QUEST+")));

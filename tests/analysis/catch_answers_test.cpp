@@ -68,7 +68,7 @@ TEST_F(CatchAnswersTest, AttentionScreensAndReferencesEstimateGuessers) {
     EXPECT_EQ(person.attention.rejected, person.code.starts_with("guess")) << person.code;
   }
   for (const ArtifactScores& scores : analysis.data.artifacts)
-    EXPECT_EQ(scores.width_px.size(), 7U);  // a catch trial is on no curve
+    EXPECT_EQ(scores.level.size(), 7U);  // a catch trial is on no curve
   EXPECT_EQ(analysis.log.answers.size(), 16U * 84);
   const GuessTrials trials = count_guess_trials(analysis.log, analysis.data, analysis.options.references);
   EXPECT_EQ(trials.references.sum(), 16 * 6);

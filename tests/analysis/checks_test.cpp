@@ -52,8 +52,8 @@ TEST(Checks, ScreenedPeopleAreNamedAndUsed) {
   EXPECT_THAT(analysis.screened[0].left_out, IsEmpty());
   EXPECT_THAT(analysis.screened[1].left_out, ElementsAre("sim-2"));
   EXPECT_EQ(analysis.screened[1].thresholds[0].participants, 19);
-  EXPECT_EQ(analysis.thresholds[0].estimates.slightly_noticeable.log2_px,
-            analysis.screened[0].thresholds[0].estimates.slightly_noticeable.log2_px);
+  EXPECT_EQ(analysis.thresholds[0].estimates.slightly_noticeable.level_x,
+            analysis.screened[0].thresholds[0].estimates.slightly_noticeable.level_x);
 }
 
 TEST(Checks, ScreenedPeopleAreLeftOutWhenAsked) {
@@ -68,10 +68,10 @@ TEST(Checks, ScreenedPeopleAreLeftOutWhenAsked) {
   log.participants[2].excluded = true;
   const Analysis by_hand = analyze(std::move(log), false, few);
   for (std::size_t a = 0; a < 4; ++a) {
-    EXPECT_EQ(analysis.thresholds[a].estimates.slightly_noticeable.ci95.low_log2_px,
-              by_hand.thresholds[a].estimates.slightly_noticeable.ci95.low_log2_px);
-    EXPECT_EQ(analysis.guessing.curves[a].perceptual_bootstrap.high_log2_px,
-              by_hand.guessing.curves[a].perceptual_bootstrap.high_log2_px);
+    EXPECT_EQ(analysis.thresholds[a].estimates.slightly_noticeable.ci95.low_x,
+              by_hand.thresholds[a].estimates.slightly_noticeable.ci95.low_x);
+    EXPECT_EQ(analysis.guessing.curves[a].perceptual_bootstrap.high_x,
+              by_hand.guessing.curves[a].perceptual_bootstrap.high_x);
   }
 }
 
@@ -96,10 +96,10 @@ TEST(Checks, LeavingOneObjectOutIsTheCurveOfTheOthers) {
     for (const CellMean& cell : rest.artifacts[1].cells) means.push_back(cell.mean);
     EXPECT_DOUBLE_EQ(found.isotonic.value[w], fit_non_increasing(means).value[w]);
   }
-  const WidthInterval& range = *influence[1].slightly_noticeable;
+  const LevelInterval& range = *influence[1].slightly_noticeable;
   for (const WithoutObject& without : influence[1].without) {
-    EXPECT_LE(range.low_log2_px, *without.thresholds.slightly_noticeable.log2_px);
-    EXPECT_GE(range.high_log2_px, *without.thresholds.slightly_noticeable.log2_px);
+    EXPECT_LE(range.low_x, *without.thresholds.slightly_noticeable.level_x);
+    EXPECT_GE(range.high_x, *without.thresholds.slightly_noticeable.level_x);
   }
 }
 
@@ -115,7 +115,7 @@ TEST(Checks, OfOneObjectLeaveNothingOut) {
 
 TEST(Checks, OfOnePersonAreComputedWithoutIntervals) {
   const Analysis analysis = analyze(test::simulate_log(1, 5), false, few);
-  EXPECT_EQ(analysis.guessing.curves[0].estimates.perceptual.ci95.high_log2_px, above_every_width);
+  EXPECT_EQ(analysis.guessing.curves[0].estimates.perceptual.ci95.high_x, above_every_level);
   EXPECT_TRUE(std::isnan(analysis.opinion[0].ci95_low));
   EXPECT_FALSE(checks_text(analysis).empty());
 }

@@ -46,8 +46,8 @@ void measure(const char* name, const Population& population) {
       ip.add(found.estimates.inflection, planted.inflection);
       pt_logistic.add(found.estimates.perceptual_logistic, planted.perceptual_logistic);
       sn_logistic.add(found.estimates.slightly_noticeable_logistic, planted.slightly_noticeable_logistic);
-      pt_bootstrap.add(found.perceptual_bootstrap, *planted.perceptual.log2_px);
-      sn_bootstrap.add(found.slightly_noticeable_bootstrap, *planted.slightly_noticeable.log2_px);
+      pt_bootstrap.add(found.perceptual_bootstrap, *planted.perceptual.level_x);
+      sn_bootstrap.add(found.slightly_noticeable_bootstrap, *planted.slightly_noticeable.level_x);
       pt_logistic_bootstrap.add(found.perceptual_logistic_bootstrap, planted.perceptual_logistic);
       sn_logistic_bootstrap.add(found.slightly_noticeable_logistic_bootstrap,
                                 planted.slightly_noticeable_logistic);
@@ -123,13 +123,13 @@ TEST(Coverage, BiasWith2000Observers) {
     for (std::uint64_t seed = 1; seed <= large_studies; ++seed) {
       const CurveThresholds found =
           estimate_thresholds(simulate_scores({}, artifact, 2000, seed), {.replicates = 0}).estimates;
-      const double pt_error = *found.perceptual.log2_px - *planted.perceptual.log2_px;
-      const double sn_error = *found.slightly_noticeable.log2_px - *planted.slightly_noticeable.log2_px;
+      const double pt_error = *found.perceptual.level_x - *planted.perceptual.level_x;
+      const double sn_error = *found.slightly_noticeable.level_x - *planted.slightly_noticeable.level_x;
       pt += pt_error / large_studies;
       sn += sn_error / large_studies;
       pt_square += pt_error * pt_error / large_studies;
       sn_square += sn_error * sn_error / large_studies;
-      ip += (*found.inflection.log2_px - *planted.inflection.log2_px) / large_studies;
+      ip += (*found.inflection.level_x - *planted.inflection.level_x) / large_studies;
     }
     std::printf("| %s | %+.4f (%.3f) | %+.4f (%.3f) | %+.4f |\n", word(artifact).data(), pt,
                 std::sqrt(pt_square), sn, std::sqrt(sn_square), ip);

@@ -45,8 +45,8 @@ void measure(const char* name, const GuessingStudy& study) {
       rows[a].pt_logistic.add(curve.estimates.perceptual_logistic, truth[a].perceptual_logistic);
       rows[a].sn_logistic.add(curve.estimates.slightly_noticeable_logistic,
                               truth[a].slightly_noticeable_logistic);
-      rows[a].pt_bootstrap.add(curve.perceptual_bootstrap, *truth[a].perceptual.log2_px);
-      rows[a].sn_bootstrap.add(curve.slightly_noticeable_bootstrap, *truth[a].slightly_noticeable.log2_px);
+      rows[a].pt_bootstrap.add(curve.perceptual_bootstrap, *truth[a].perceptual.level_x);
+      rows[a].sn_bootstrap.add(curve.slightly_noticeable_bootstrap, *truth[a].slightly_noticeable.level_x);
     }
   }
   for (std::size_t a = 0; a < 4; ++a) {

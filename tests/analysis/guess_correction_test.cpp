@@ -53,9 +53,9 @@ Distance distance_from_truth(const GuessingStudy& study, std::uint64_t seed) {
   const GuessCorrection correction = corrected(simulated);
   Distance sum;
   for (std::size_t a = 0; a < data.artifacts.size(); ++a)
-    for (std::size_t w = 0; w < data.artifacts[a].width_px.size(); ++w) {
+    for (std::size_t w = 0; w < data.artifacts[a].level.size(); ++w) {
       const Artifact artifact = data.artifacts[a].artifact;
-      const int width_px = data.artifacts[a].width_px[w];
+      const int width_px = static_cast<int>(data.artifacts[a].level[w]);
       const double here = correction.curves[a].cells[w].noticeability,
                    plain = data.artifacts[a].cells[w].mean;
       const double seen = seen_noticeability(simulated, artifact, width_px);
@@ -101,13 +101,13 @@ TEST(GuessCorrection, RecoversWhoSawAndHowTheyRated) {
       double seen = 0, answers = 0;
       for (std::size_t i = 0; i < simulated.log.answers.size(); ++i) {
         const Answer& answer = simulated.log.answers[i];
-        if (answer.artifact != curve.artifact || answer.depth_width_px != curve.width_px[w]) continue;
+        if (answer.artifact != curve.artifact || answer.depth_width_px != curve.level[w]) continue;
         answers += 1;
         seen += simulated.seen[i] ? 1 : 0;
       }
       EXPECT_NEAR(curve.cells[w].saw, seen / answers, 0.05);
       EXPECT_NEAR(curve.cells[w].noticeability,
-                  seen_noticeability(simulated, curve.artifact, curve.width_px[w]), 0.08);
+                  seen_noticeability(simulated, curve.artifact, static_cast<int>(curve.level[w])), 0.08);
     }
 }
 
@@ -200,7 +200,7 @@ TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
   for (const CorrectedCurve& curve : correction.curves) {
     EXPECT_FALSE(curve.above_chance) << word(curve.artifact);
     EXPECT_EQ(curve.estimates.perceptual.reason, "below at every width") << word(curve.artifact);
-    EXPECT_EQ(curve.estimates.perceptual.ci95.low_log2_px, below_every_width);
+    EXPECT_EQ(curve.estimates.perceptual.ci95.low_x, below_every_level);
   }
   EXPECT_THAT(correction.notes, Contains(HasSubstr("not chosen more often than by guessing")));
 }
@@ -237,10 +237,9 @@ TEST(GuessCorrection, IsTheSameForAnyNumberOfThreads) {
   const GuessCorrection one = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 1});
   const GuessCorrection three = corrected(simulated, {.replicates = 200, .seed = 3, .threads = 3});
   for (std::size_t a = 0; a < 4; ++a) {
-    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_log2_px,
-              three.curves[a].perceptual_bootstrap.low_log2_px);
-    EXPECT_EQ(one.curves[a].estimates.inflection.ci95.high_log2_px,
-              three.curves[a].estimates.inflection.ci95.high_log2_px);
+    EXPECT_EQ(one.curves[a].perceptual_bootstrap.low_x, three.curves[a].perceptual_bootstrap.low_x);
+    EXPECT_EQ(one.curves[a].estimates.inflection.ci95.high_x,
+              three.curves[a].estimates.inflection.ci95.high_x);
   }
 }
 

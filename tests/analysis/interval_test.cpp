@@ -14,8 +14,8 @@ using test::planted_thresholds;
 using test::Population;
 using test::simulate_scores;
 
-bool holds(const WidthInterval& interval, double log2_px) {
-  return interval.low_log2_px <= log2_px && log2_px <= interval.high_log2_px;
+bool holds(const LevelInterval& interval, double level_x) {
+  return interval.low_x <= level_x && level_x <= interval.high_x;
 }
 
 TEST(Interval, HoldsThePlantedValueIn88To100PercentOf50Seeds) {
@@ -26,9 +26,9 @@ TEST(Interval, HoldsThePlantedValueIn88To100PercentOf50Seeds) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
       const ArtifactThresholds found = estimate_thresholds(simulate_scores(population, artifact, 20, seed),
                                                            {.replicates = 500, .seed = seed});
-      pt += holds(found.estimates.perceptual.ci95, *planted.perceptual.log2_px) ? 1 : 0;
-      sn += holds(found.estimates.slightly_noticeable.ci95, *planted.slightly_noticeable.log2_px) ? 1 : 0;
-      ip += holds(found.estimates.inflection.ci95, *planted.inflection.log2_px) ? 1 : 0;
+      pt += holds(found.estimates.perceptual.ci95, *planted.perceptual.level_x) ? 1 : 0;
+      sn += holds(found.estimates.slightly_noticeable.ci95, *planted.slightly_noticeable.level_x) ? 1 : 0;
+      ip += holds(found.estimates.inflection.ci95, *planted.inflection.level_x) ? 1 : 0;
     }
     EXPECT_GE(pt, 44) << word(artifact);
     EXPECT_GE(sn, 44) << word(artifact);
@@ -45,8 +45,8 @@ TEST(Interval, BiasWith2000ObserversIsUnderAFiftiethOfAnOctave) {
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
       const CurveThresholds found =
           estimate_thresholds(simulate_scores(population, artifact, 2000, seed), {.replicates = 0}).estimates;
-      pt += *found.perceptual.log2_px - *planted.perceptual.log2_px;
-      sn += *found.slightly_noticeable.log2_px - *planted.slightly_noticeable.log2_px;
+      pt += *found.perceptual.level_x - *planted.perceptual.level_x;
+      sn += *found.slightly_noticeable.level_x - *planted.slightly_noticeable.level_x;
     }
     EXPECT_LT(std::abs(pt / studies), 0.02) << word(artifact);
     EXPECT_LT(std::abs(sn / studies), 0.02) << word(artifact);
@@ -61,11 +61,10 @@ TEST(Interval, IsTheSameForAnyNumberOfThreads) {
   const ArtifactThresholds one = with_threads(1);
   for (int threads : {2, 3, 8}) {
     const ArtifactThresholds many = with_threads(threads);
-    EXPECT_EQ(one.estimates.inflection.ci95.low_log2_px, many.estimates.inflection.ci95.low_log2_px);
-    EXPECT_EQ(one.estimates.inflection.ci95.high_log2_px, many.estimates.inflection.ci95.high_log2_px);
-    EXPECT_EQ(one.perceptual_bootstrap.low_log2_px, many.perceptual_bootstrap.low_log2_px);
-    EXPECT_EQ(one.slightly_noticeable_bootstrap.high_log2_px,
-              many.slightly_noticeable_bootstrap.high_log2_px);
+    EXPECT_EQ(one.estimates.inflection.ci95.low_x, many.estimates.inflection.ci95.low_x);
+    EXPECT_EQ(one.estimates.inflection.ci95.high_x, many.estimates.inflection.ci95.high_x);
+    EXPECT_EQ(one.perceptual_bootstrap.low_x, many.perceptual_bootstrap.low_x);
+    EXPECT_EQ(one.slightly_noticeable_bootstrap.high_x, many.slightly_noticeable_bootstrap.high_x);
   }
 }
 
@@ -81,26 +80,26 @@ ArtifactScores everyone_says(const std::vector<double>& values, int people) {
 TEST(Interval, PerfectObserversAreAboveEveryWidth) {
   const ArtifactThresholds found =
       estimate_thresholds(everyone_says({4, 4, 4, 4, 4, 4, 4}, 20), {.replicates = 200});
-  EXPECT_FALSE(found.estimates.perceptual.log2_px);
+  EXPECT_FALSE(found.estimates.perceptual.level_x);
   EXPECT_EQ(found.estimates.perceptual.reason, "above at every width");
-  EXPECT_EQ(found.estimates.perceptual.ci95.low_log2_px, above_every_width);
-  EXPECT_EQ(found.estimates.perceptual.ci95.high_log2_px, above_every_width);
-  EXPECT_FALSE(found.estimates.inflection.log2_px);
+  EXPECT_EQ(found.estimates.perceptual.ci95.low_x, above_every_level);
+  EXPECT_EQ(found.estimates.perceptual.ci95.high_x, above_every_level);
+  EXPECT_FALSE(found.estimates.inflection.level_x);
 }
 
 TEST(Interval, UnanimityGivesAPoint) {
   const ArtifactThresholds found =
       estimate_thresholds(everyone_says({4, 4, 3, 1, 0, 0, 0}, 20), {.replicates = 200});
-  EXPECT_DOUBLE_EQ(*found.estimates.slightly_noticeable.log2_px, 9);
-  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.low_log2_px, 9, 1e-9);
-  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.high_log2_px, 9, 1e-9);
+  EXPECT_DOUBLE_EQ(*found.estimates.slightly_noticeable.level_x, 9);
+  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.low_x, 9, 1e-9);
+  EXPECT_NEAR(found.estimates.slightly_noticeable.ci95.high_x, 9, 1e-9);
 }
 
 TEST(Interval, OfOnePersonIsOpen) {
   const ArtifactThresholds found =
       estimate_thresholds(everyone_says({4, 4, 3, 1, 0, 0, 0}, 1), {.replicates = 200});
-  EXPECT_EQ(found.estimates.perceptual.ci95.low_log2_px, below_every_width);
-  EXPECT_EQ(found.estimates.perceptual.ci95.high_log2_px, above_every_width);
+  EXPECT_EQ(found.estimates.perceptual.ci95.low_x, below_every_level);
+  EXPECT_EQ(found.estimates.perceptual.ci95.high_x, above_every_level);
 }
 
 TEST(VarianceFunction, IsLinearBetweenMeansAndConstantBeyond) {
@@ -116,10 +115,10 @@ TEST(VarianceFunction, IsLinearBetweenMeansAndConstantBeyond) {
 }
 
 TEST(Quantile, TakesInfiniteReplicatesAsTheyAre) {
-  std::vector<double> values = {1, above_every_width, 2, below_every_width, 3};
-  EXPECT_EQ(quantile(values, 0), below_every_width);
+  std::vector<double> values = {1, above_every_level, 2, below_every_level, 3};
+  EXPECT_EQ(quantile(values, 0), below_every_level);
   EXPECT_EQ(quantile(values, 0.5), 2);
-  EXPECT_EQ(quantile(values, 1), above_every_width);
+  EXPECT_EQ(quantile(values, 1), above_every_level);
   EXPECT_DOUBLE_EQ(quantile(values, 0.375), 1.5);
 }
 

@@ -13,9 +13,9 @@ namespace {
 /// min over begin <= i of max over end > i of the mean of [begin, end): the non-increasing fit by its min-max
 /// formula.
 double min_max(const std::vector<double>& values, std::size_t i) {
-  double least = above_every_width;
+  double least = above_every_level;
   for (std::size_t begin = 0; begin <= i; ++begin) {
-    double greatest = below_every_width;
+    double greatest = below_every_level;
     for (std::size_t end = i + 1; end <= values.size(); ++end) {
       const double sum = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                          values.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
@@ -47,7 +47,7 @@ TEST(Isotonic, BlocksHoldWhatWasPooled) {
 const std::vector<double> four_octaves = {6, 7, 8, 9};
 
 double at_half(const std::vector<double>& fit) {
-  return largest_log2_width_at(0.5, four_octaves, fit);
+  return largest_x_at(0.5, four_octaves, fit);
 }
 
 TEST(Threshold, CrossesBetweenTwoWidthsLinearlyInLog2) {
@@ -55,8 +55,8 @@ TEST(Threshold, CrossesBetweenTwoWidthsLinearlyInLog2) {
 }
 
 TEST(Threshold, NeverCrossing) {
-  EXPECT_EQ(at_half({4, 3, 2, 0.6}), above_every_width);
-  EXPECT_EQ(at_half({0.4, 0.3, 0.3, 0}), below_every_width);
+  EXPECT_EQ(at_half({4, 3, 2, 0.6}), above_every_level);
+  EXPECT_EQ(at_half({0.4, 0.3, 0.3, 0}), below_every_level);
 }
 
 TEST(Threshold, TakesTheRightEndOfAFlatPartAtTheLevel) {

@@ -22,10 +22,10 @@ TEST(Logistic4, RecoversNoiselessCurves) {
   const Logistic4Fitter fitter(octaves);
   for (double centre : {6.5, 8.0, 9.3, 11.2})
     for (double scale : {0.35, 0.7, 1.2}) {
-      const Logistic4 planted{.upper = 3.8, .lower = 0.35, .centre_log2_px = centre, .scale_octaves = scale};
+      const Logistic4 planted{.upper = 3.8, .lower = 0.35, .centre_x = centre, .scale_octaves = scale};
       const Logistic4Fit fit = fitter.fit(values_of(planted));
       EXPECT_EQ(fit.verdict, Centre::identified) << centre << " " << scale;
-      EXPECT_NEAR(fit.curve.centre_log2_px, centre, 1e-5);
+      EXPECT_NEAR(fit.curve.centre_x, centre, 1e-5);
       EXPECT_NEAR(fit.curve.scale_octaves, scale, 1e-5);
       EXPECT_NEAR(fit.curve.upper, 3.8, 1e-4);
       EXPECT_NEAR(fit.curve.lower, 0.35, 1e-4);
@@ -37,8 +37,7 @@ TEST(Logistic4, BeatsAFineGridOnNoisyData) {
   const Logistic4Fitter fitter(octaves);
   Random random(7);
   for (int trial = 0; trial < 20; ++trial) {
-    std::vector<double> values =
-        values_of({.upper = 4, .lower = 0.3, .centre_log2_px = 8.5, .scale_octaves = 0.6});
+    std::vector<double> values = values_of({.upper = 4, .lower = 0.3, .centre_x = 8.5, .scale_octaves = 0.6});
     for (double& value : values) value += 0.4 * random.normal();
     const Logistic4Fit fit = fitter.fit(values);
     if (fit.verdict == Centre::step) continue;
@@ -59,8 +58,8 @@ TEST(Logistic4, BeatsAFineGridOnNoisyData) {
 TEST(Logistic4, AStepIsARangeNotANumber) {
   const Logistic4Fit fit = Logistic4Fitter(octaves).fit(std::vector<double>{4, 4, 4, 0, 0, 0, 0});
   EXPECT_EQ(fit.verdict, Centre::step);
-  EXPECT_DOUBLE_EQ(fit.centre_range.low_log2_px, 8);
-  EXPECT_DOUBLE_EQ(fit.centre_range.high_log2_px, 9);
+  EXPECT_DOUBLE_EQ(fit.centre_range.low_x, 8);
+  EXPECT_DOUBLE_EQ(fit.centre_range.high_x, 9);
   EXPECT_EQ(reason(fit, octaves), "a step between 256 and 512: the widths tested do not say where");
 }
 

@@ -17,13 +17,13 @@ Logistic4Fit fitted(const std::vector<double>& means) {
 }
 
 TEST(LogisticLevel, IsWhereTheCurveHasTheLevel) {
-  const Logistic4 planted{.upper = 3.6, .lower = 0.3, .centre_log2_px = 8.3, .scale_octaves = 0.7};
+  const Logistic4 planted{.upper = 3.6, .lower = 0.3, .centre_x = 8.3, .scale_octaves = 0.7};
   std::vector<double> means;
   for (double x : octaves) means.push_back(value_at(planted, x));
   for (double level : {0.5, 1.0, 2.0}) {
-    const WidthEstimate found = logistic_level_estimate(level, fitted(means), octaves);
-    ASSERT_TRUE(found.log2_px) << level;
-    EXPECT_NEAR(value_at(planted, *found.log2_px), level, 1e-4);
+    const ThresholdEstimate found = logistic_level_estimate(level, fitted(means), octaves);
+    ASSERT_TRUE(found.level_x) << level;
+    EXPECT_NEAR(value_at(planted, *found.level_x), level, 1e-4);
   }
 }
 
@@ -40,17 +40,17 @@ TEST(LogisticLevel, SaysWhenTheCurveNeverCrosses) {
 
 TEST(LogisticLevel, OfAStepIsTheWholeGap) {
   const Logistic4Fit step = fitted({4, 4, 4, 0, 0, 0, 0});
-  const WidthInterval range = logistic_level_range(0.5, step, octaves);
-  EXPECT_DOUBLE_EQ(range.low_log2_px, 8);
-  EXPECT_DOUBLE_EQ(range.high_log2_px, 9);
-  EXPECT_FALSE(logistic_level_estimate(0.5, step, octaves).log2_px);
+  const LevelInterval range = logistic_level_range(0.5, step, octaves);
+  EXPECT_DOUBLE_EQ(range.low_x, 8);
+  EXPECT_DOUBLE_EQ(range.high_x, 9);
+  EXPECT_FALSE(logistic_level_estimate(0.5, step, octaves).level_x);
 }
 
 TEST(LogisticLevel, OfTooFewWidthsIsEverything) {
   const std::vector<double> three = {6, 7, 8};
   const Logistic4Fit fit = Logistic4Fitter(three).fit(std::vector<double>{4, 2, 0});
   EXPECT_EQ(logistic_level_estimate(1, fit, three).reason, "not identified: under four widths");
-  EXPECT_EQ(logistic_level_range(1, fit, three).high_log2_px, above_every_width);
+  EXPECT_EQ(logistic_level_range(1, fit, three).high_x, above_every_level);
 }
 
 TEST(AngularResolution, OfAFieldOfView) {

@@ -33,7 +33,7 @@ TEST(OrdinalStudy, ConcludesWhatWasPlanted) {
   ASSERT_EQ(study.fit.verdict, OrdinalVerdict::estimated) << study.fit.explanation;
   EXPECT_EQ(study.errors, ErrorSource::participants);
   EXPECT_TRUE(study.notes.empty()) << study.notes.front();
-  EXPECT_EQ(study.design.reference_width_px, 512);
+  EXPECT_EQ(study.design.reference_level, 512);
   EXPECT_EQ(study.fit.observations, 24 * 84);
   EXPECT_EQ(study.coefficients.size(), 4u + 3 + 4 + 8 + 1 + 1);
   ASSERT_EQ(study.contrasts.size(), 5u);
@@ -71,7 +71,7 @@ TEST(OrdinalStudy, ContrastsDoNotDependOnTheReferenceOrOnTheFirstArtifact) {
   population.slope = {{Artifact::overlap, -1.4}};
   const std::vector<Answer> answers = simulate_answers(population, 12, 5);
   const OrdinalStudy at512 = fit_ordinal_study(answers, {}, {});
-  const OrdinalStudy at64 = fit_ordinal_study(answers, {}, {.reference_width_px = 64});
+  const OrdinalStudy at64 = fit_ordinal_study(answers, {}, {.reference_level = 64});
   EXPECT_NEAR(at64.fit.log_likelihood, at512.fit.log_likelihood, 1e-6);
   const double slope = row_named(at512, "overlap - shadow, per octave of width").estimate;
   EXPECT_NEAR(row_named(at64, "overlap - shadow, per octave of width").estimate, slope, 1e-5);

@@ -70,15 +70,15 @@ TEST(Predict, ThresholdsAreThoseOfTheThresholdObserverWithTheSameCurve) {
   const ObserverDefinition image{.image_gain = 10};
   ObserverDefinition threshold;
   threshold.midpoint[Artifact::receiver] = 300;
-  std::vector<double> log2_px, means;
+  std::vector<double> level_x, means;
   for (const int width_px : widths_px) {
-    log2_px.push_back(std::log2(width_px));
+    level_x.push_back(std::log2(width_px));
     means.push_back(expected_noticeability(threshold, Artifact::receiver, width_px));
   }
-  const CurveThresholds expected = thresholds_of_means(log2_px, means);
+  const CurveThresholds expected = thresholds_of_means(level_x, means);
   const CurveThresholds found = predict_artifacts(study.manifest, study.differences, image)[0].thresholds;
-  EXPECT_NEAR(found.perceptual.log2_px.value(), expected.perceptual.log2_px.value(), 1e-9);
-  EXPECT_NEAR(found.slightly_noticeable.log2_px.value(), expected.slightly_noticeable.log2_px.value(), 1e-9);
+  EXPECT_NEAR(found.perceptual.level_x.value(), expected.perceptual.level_x.value(), 1e-9);
+  EXPECT_NEAR(found.slightly_noticeable.level_x.value(), expected.slightly_noticeable.level_x.value(), 1e-9);
 }
 
 TEST(Predict, CalibrationMeetsTheReceiversThreshold) {
@@ -86,7 +86,7 @@ TEST(Predict, CalibrationMeetsTheReceiversThreshold) {
   ObserverDefinition observer;
   observer.image_gain = calibrated_gain(study.manifest, study.differences, observer, 426);
   const auto artifacts = predict_artifacts(study.manifest, study.differences, observer);
-  EXPECT_NEAR(std::exp2(find(artifacts, Artifact::receiver).thresholds.perceptual.log2_px.value()), 426,
+  EXPECT_NEAR(std::exp2(find(artifacts, Artifact::receiver).thresholds.perceptual.level_x.value()), 426,
               1e-3);
   EXPECT_EQ(demanding_order(artifacts),
             (std::vector<Artifact>{Artifact::overlap, Artifact::receiver, Artifact::shadow}));

@@ -44,8 +44,8 @@ TEST(ReportNumbers, BandHoldsTheCurveWithinZeroAndOneAndIsTheSameForAnyThreads) 
     const ChoiceCurve& curve = one.choices[a];
     EXPECT_EQ(curve.band_replicates, 200);
     ASSERT_FALSE(curve.band.empty());
-    EXPECT_NEAR(curve.band.front().width_px, 64, 1e-9);
-    EXPECT_NEAR(curve.band.back().width_px, 4096, 1e-6);
+    EXPECT_NEAR(curve.band.front().level, 64, 1e-9);
+    EXPECT_NEAR(curve.band.back().level, 4096, 1e-6);
     for (std::size_t i = 0; i < curve.band.size(); ++i) {
       const BandPoint& point = curve.band[i];
       EXPECT_LE(0, point.low);

@@ -60,17 +60,23 @@ TEST(PlantedValues, AreTheFunctionalsOfTheExpectedMeans) {
   const Analysis analysis = analysed_without_the_second(test::simulate_log(8, 1));
   const PlantedValues planted = planted_values({}, analysis.data);
   const CurveThresholds expected = test::planted_thresholds({}, Artifact::overlap);
-  EXPECT_DOUBLE_EQ(*planted.at(Artifact::overlap).perceptual.log2_px, *expected.perceptual.log2_px);
+  EXPECT_DOUBLE_EQ(*planted.at({Artifact::overlap, ""}).perceptual.level_x, *expected.perceptual.level_x);
   EXPECT_TRUE(analysis.planted.empty());  // the log has no study text
   EXPECT_THAT(analysis.notes, ::testing::Contains(HasSubstr("planted values are not known")));
 }
 
 TEST(IntervalText, SaysOpenEndsInWords) {
-  EXPECT_EQ(interval_text({7, 9}, 64, 4096), "128 to 512");
-  EXPECT_EQ(interval_text({7, above_every_width}, 64, 4096), "128 to above 4096");
-  EXPECT_EQ(interval_text({below_every_width, 7}, 64, 4096), "below 64 to 128");
-  EXPECT_EQ(interval_text({above_every_width, above_every_width}, 64, 4096), "above 4096");
-  EXPECT_EQ(interval_text({below_every_width, above_every_width}, 64, 4096), "below 64 to above 4096");
+  EXPECT_EQ(interval_text({7, 9}, {.axis = {}, .smallest = 64, .largest = 4096}), "128 to 512");
+  EXPECT_EQ(interval_text({7, above_every_level}, {.axis = {}, .smallest = 64, .largest = 4096}),
+            "128 to above 4096");
+  EXPECT_EQ(interval_text({below_every_level, 7}, {.axis = {}, .smallest = 64, .largest = 4096}),
+            "below 64 to 128");
+  EXPECT_EQ(
+      interval_text({above_every_level, above_every_level}, {.axis = {}, .smallest = 64, .largest = 4096}),
+      "above 4096");
+  EXPECT_EQ(
+      interval_text({below_every_level, above_every_level}, {.axis = {}, .smallest = 64, .largest = 4096}),
+      "below 64 to above 4096");
 }
 
 TEST(Csv, TextThatASpreadsheetWouldRunIsDefused) {

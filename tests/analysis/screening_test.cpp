@@ -14,6 +14,7 @@
 #include "tests/analysis/random_raters.h"
 
 namespace seamline::analysis {
+using namespace study;
 namespace {
 
 using test::GuessingStudy;

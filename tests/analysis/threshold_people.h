@@ -59,7 +59,7 @@ inline ArtifactScores simulate_scores(const Population& population, Artifact art
   const ObserverDefinition& observer = population.observer;
   ArtifactScores scores;
   scores.artifact = artifact;
-  scores.width_px.assign(paper_widths_px.begin(), paper_widths_px.end());
+  scores.level.assign(paper_widths_px.begin(), paper_widths_px.end());
   scores.noticeability.resize(people, static_cast<Eigen::Index>(paper_widths_px.size()));
   for (int p = 0; p < people; ++p) {
     Random random(mix_bits(seed) + static_cast<std::uint64_t>(artifact), static_cast<std::uint64_t>(p));
@@ -79,7 +79,7 @@ inline ArtifactScores simulate_scores(const Population& population, Artifact art
   for (std::size_t w = 0; w < paper_widths_px.size(); ++w) {
     const Eigen::VectorXd column = scores.noticeability.col(static_cast<Eigen::Index>(w));
     scores.cells.push_back(mean_over_participants({column.begin(), column.end()}));
-    scores.cells.back().width_px = paper_widths_px[w];
+    scores.cells.back().level = paper_widths_px[w];
   }
   return scores;
 }
@@ -101,6 +101,7 @@ inline Answer answer(const std::string& participant, int width_px, int object_in
   result.object = "object" + std::to_string(object_index);
   result.object_index = object_index;
   result.depth_width_px = width_px;
+  result.level = width_px;
   result.chosen_index = chosen_index;
   result.rating = rating;
   return result;
@@ -135,6 +136,7 @@ inline LogContents simulate_log(int people, std::uint64_t seed) {
           stimulus.artifact = artifact;
           stimulus.object_index = object;
           stimulus.depth.width_px = width_px;
+          stimulus.level = width_px;
           const Response response = respond(observer, stimulus, random);
           log.answers.push_back(answer(code, width_px, object, response.chosen_index, response.rating));
           log.answers.back().artifact = artifact;

@@ -15,7 +15,8 @@ class Builder {
   Builder(const StudyDesign& design, bool robust) : design_(design), robust_(robust) {}
 
   [[nodiscard]] std::vector<ContrastFamily> families() const {
-    std::vector<ContrastFamily> all = {width_family(), level_family(), slope_family(), object_family(),
+    std::vector<ContrastFamily> all = {width_family(),     level_family(),           slope_family(),
+                                       condition_family(), condition_slope_family(), object_family(),
                                        group_family()};
     std::erase_if(all, [](const ContrastFamily& family) { return family.contrasts.empty(); });
     return all;
@@ -43,68 +44,149 @@ class Builder {
     return robust_ ? design_.participants - estimated_means : infinity;
   }
 
+  /// An artifact over its conditions: mean columns of level and slope.
+  struct WholeArtifact {
+    std::string_view name;
+    Weights level, slope;
+    bool has_slope = false;
+  };
+
+  [[nodiscard]] std::vector<WholeArtifact> whole_artifacts() const {
+    std::vector<WholeArtifact> whole;
+    for (std::size_t first = 0; first < design_.artifacts.size();) {
+      std::size_t next = first;
+      WholeArtifact one{.name = word(design_.artifacts[first].artifact),
+                        .level = column(-1),
+                        .slope = column(-1),
+                        .has_slope = design_.artifacts[first].slope_column >= 0};
+      for (; next < design_.artifacts.size() &&
+             design_.artifacts[next].artifact == design_.artifacts[first].artifact;
+           ++next) {
+        one.level += column(design_.artifacts[next].level_column);
+        one.slope += column(design_.artifacts[next].slope_column);
+      }
+      one.level /= static_cast<double>(next - first);
+      one.slope /= static_cast<double>(next - first);
+      whole.push_back(std::move(one));
+      first = next;
+    }
+    return whole;
+  }
+
+  [[nodiscard]] std::string said(const std::string& sentence) const {
+    return in_words_of(design_.axis, sentence);
+  }
+
+  /// "with every doubling of the width", "with every degree more".
+  [[nodiscard]] std::string each_step() const {
+    if (!is_linear(design_.axis))
+      return fmt::format("with every doubling of the {}", level_word(design_.axis));
+    return fmt::format("with every {} more", slope_text(design_.axis).substr(4));
+  }
+
   [[nodiscard]] ContrastFamily width_family() const {
-    ContrastFamily family{
-        .question = "Does noticeability fall with width?", .contrasts = {}, .degrees_of_freedom = degrees(1)};
+    ContrastFamily family{.question = said("Does noticeability fall with width?"),
+                          .contrasts = {},
+                          .degrees_of_freedom = degrees(1)};
     for (const DesignArtifact& artifact : design_.artifacts) {
       if (artifact.slope_column < 0) continue;
-      const std::string_view name = word(artifact.artifact);
+      const std::string name = name_of(artifact);
       family.contrasts.push_back(
-          {.name = fmt::format("{}, per octave of width", name),
+          {.name = fmt::format("{}, {}", name, slope_text(design_.axis)),
            .weights = column(artifact.slope_column),
-           .more = fmt::format("{} is noticed more with every doubling of the width", name),
-           .less = fmt::format("{} is noticed less with every doubling of the width", name),
-           .undecided = fmt::format("No effect of width on {} was shown", name)});
+           .more = fmt::format("{} is noticed more {}", name, each_step()),
+           .less = fmt::format("{} is noticed less {}", name, each_step()),
+           .undecided = fmt::format("No effect of {} on {} was shown", level_word(design_.axis), name)});
     }
     return family;
   }
 
   [[nodiscard]] ContrastFamily level_family() const {
-    const std::string at = fmt::format("at {:.0f} px", design_.reference_width_px);
+    const std::string at = at_reference(design_);
     ContrastFamily family{.question = fmt::format("Do artifacts differ {}?", at),
                           .contrasts = {},
                           .degrees_of_freedom = degrees(1),
                           .differences = true};
-    for_pairs(design_.artifacts.size(), [&](std::size_t i, std::size_t j) {
-      const DesignArtifact &b = design_.artifacts[i], &a = design_.artifacts[j];
-      family.contrasts.push_back(noticed_more(word(a.artifact), word(b.artifact), at,
-                                              column(a.level_column) - column(b.level_column)));
+    const std::vector<WholeArtifact> whole = whole_artifacts();
+    for_pairs(whole.size(), [&](std::size_t i, std::size_t j) {
+      family.contrasts.push_back(
+          noticed_more(whole[j].name, whole[i].name, at, whole[j].level - whole[i].level));
     });
     return family;
   }
 
   [[nodiscard]] ContrastFamily slope_family() const {
-    ContrastFamily family{.question = "Do artifacts differ in how noticeability falls with width?",
+    ContrastFamily family{.question = said("Do artifacts differ in how noticeability falls with width?"),
                           .contrasts = {},
                           .degrees_of_freedom = degrees(1)};
-    for_pairs(design_.artifacts.size(), [&](std::size_t i, std::size_t j) {
-      const DesignArtifact &b = design_.artifacts[i], &a = design_.artifacts[j];
-      if (a.slope_column < 0 || b.slope_column < 0) return;
-      const std::string_view name = word(a.artifact), other = word(b.artifact);
-      family.contrasts.push_back(
-          {.name = fmt::format("{} - {}, per octave of width", name, other),
-           .weights = column(a.slope_column) - column(b.slope_column),
-           .more = fmt::format("{} falls less steeply with width than {}", name, other),
-           .less = fmt::format("{} falls more steeply with width than {}", name, other),
-           .undecided = fmt::format("No difference was shown between the slopes of {} and {}", name, other)});
+    const std::vector<WholeArtifact> whole = whole_artifacts();
+    for_pairs(whole.size(), [&](std::size_t i, std::size_t j) {
+      if (!whole[i].has_slope || !whole[j].has_slope) return;
+      family.contrasts.push_back(slope_contrast(std::string(whole[j].name), std::string(whole[i].name),
+                                                whole[j].slope - whole[i].slope));
     });
     return family;
   }
 
-  [[nodiscard]] ContrastFamily object_family() const {
-    ContrastFamily family{.question = "Do objects differ within an artifact, at equal width?",
+  /// Every condition against the artifact's first.
+  [[nodiscard]] ContrastFamily condition_family() const {
+    const std::string at = at_reference(design_);
+    ContrastFamily family{.question = fmt::format("Do conditions differ within an artifact, {}?", at),
                           .contrasts = {},
                           .degrees_of_freedom = degrees(1),
                           .differences = true};
-    for (const DesignArtifact& artifact : design_.artifacts)
+    for_conditions([&](const DesignArtifact& a, const DesignArtifact& first) {
+      family.contrasts.push_back(
+          noticed_more(name_of(a), name_of(first), at, column(a.level_column) - column(first.level_column)));
+    });
+    return family;
+  }
+
+  [[nodiscard]] ContrastFamily condition_slope_family() const {
+    ContrastFamily family{
+        .question = said("Do conditions differ in how noticeability falls with width, within an artifact?"),
+        .contrasts = {},
+        .degrees_of_freedom = degrees(1)};
+    for_conditions([&](const DesignArtifact& a, const DesignArtifact& first) {
+      if (a.slope_column < 0 || first.slope_column < 0) return;
+      family.contrasts.push_back(
+          slope_contrast(name_of(a), name_of(first), column(a.slope_column) - column(first.slope_column)));
+    });
+    return family;
+  }
+
+  [[nodiscard]] Contrast slope_contrast(const std::string& name, const std::string& other,
+                                        Weights weights) const {
+    const bool rises = design_.axis.noticeability == Direction::increasing;
+    const std::string verb = rises ? "rises" : "falls";
+    const std::string with = of_depth_widths(design_.axis) ? "width" : "the level";
+    return {.name = fmt::format("{} - {}, {}", name, other, slope_text(design_.axis)),
+            .weights = std::move(weights),
+            .more = fmt::format("{} {} {} steeply with {} than {}", name, verb, rises ? "more" : "less", with,
+                                other),
+            .less = fmt::format("{} {} {} steeply with {} than {}", name, verb, rises ? "less" : "more", with,
+                                other),
+            .undecided = fmt::format("No difference was shown between the slopes of {} and {}", name, other)};
+  }
+
+  [[nodiscard]] ContrastFamily object_family() const {
+    ContrastFamily family{.question = said("Do objects differ within an artifact, at equal width?"),
+                          .contrasts = {},
+                          .degrees_of_freedom = degrees(1),
+                          .differences = true};
+    for (std::size_t a = 0; a < design_.artifacts.size(); ++a) {
+      const DesignArtifact& artifact = design_.artifacts[a];
+      if (a > 0 && design_.artifacts[a - 1].artifact == artifact.artifact) continue;
       for_pairs(artifact.objects.size(), [&](std::size_t i, std::size_t j) {
-        Contrast contrast = noticed_more(artifact.objects[j], artifact.objects[i],
-                                         fmt::format("under {}, at equal width", word(artifact.artifact)),
-                                         object(artifact, j) - object(artifact, i));
+        Contrast contrast = noticed_more(
+            artifact.objects[j], artifact.objects[i],
+            fmt::format("under {}, at equal {}", word(artifact.artifact), level_word(design_.axis)),
+            object(artifact, j) - object(artifact, i));
         contrast.name =
             fmt::format("{}: {} - {}", word(artifact.artifact), artifact.objects[j], artifact.objects[i]);
         family.contrasts.push_back(std::move(contrast));
       });
+    }
     return family;
   }
 
@@ -135,6 +217,16 @@ class Builder {
             .more = fmt::format("{} is noticed more than {} {}", name, other, where),
             .less = fmt::format("{} is noticed less than {} {}", name, other, where),
             .undecided = fmt::format("No difference was shown between {} and {} {}", name, other, where)};
+  }
+
+  template <class Use>
+  void for_conditions(const Use& use) const {
+    const DesignArtifact* first = nullptr;
+    for (const DesignArtifact& artifact : design_.artifacts)
+      if (first == nullptr || first->artifact != artifact.artifact)
+        first = &artifact;
+      else
+        use(artifact, *first);
   }
 
   template <class Use>

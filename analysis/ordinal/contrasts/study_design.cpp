@@ -39,6 +39,18 @@ std::string object_name(const ObjectKey& key, const std::set<ObjectKey>& all) {
       known ? std::string(places[static_cast<std::size_t>(place - 1)]) : std::to_string(place));
 }
 
+/// The middle of the axis.
+double middle_of(const LevelAxis& axis, double low, double high) {
+  return is_linear(axis) ? (low + high) / 2 : std::sqrt(low * high);
+}
+
+/// As many digits as people read.
+double three_digits(double value) {
+  if (value == 0) return 0;
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
+  return std::round(value / step) * step;
+}
+
 /// Groups that can be compared; empty, with a note, when they cannot.
 std::vector<std::string> usable_groups(const std::set<std::string>& people, const ParticipantGroups& groups,
                                        std::vector<std::string>& notes) {
@@ -72,25 +84,29 @@ std::vector<std::string> usable_groups(const std::set<std::string>& people, cons
 }
 
 /// Plans the columns; `names` receives one name each.
-void plan_columns(StudyDesign& design, const std::vector<std::set<ObjectKey>>& objects, bool several_widths) {
+void plan_columns(StudyDesign& design, const std::vector<std::set<ObjectKey>>& objects, bool several_levels) {
   std::vector<std::string>& names = design.data.predictor_names;
   const auto next = [&] { return static_cast<int>(names.size()); };
   for (std::size_t a = 0; a < design.artifacts.size(); ++a) {
     DesignArtifact& artifact = design.artifacts[a];
-    const std::string_view name = word(artifact.artifact);
+    const std::string name = name_of(artifact);
     for (const ObjectKey& key : objects[a]) artifact.objects.push_back(object_name(key, objects[a]));
     if (a > 0) {
       artifact.level_column = next();
-      names.push_back(fmt::format("{} - {} at {:.0f} px", name, word(design.artifacts.front().artifact),
-                                  design.reference_width_px));
+      names.push_back(
+          fmt::format("{} - {} {}", name, name_of(design.artifacts.front()), at_reference(design)));
     }
-    if (several_widths) {
+    if (several_levels) {
       artifact.slope_column = next();
-      names.push_back(fmt::format("{}, per octave of width", name));
+      names.push_back(fmt::format("{}, {}", name, slope_text(design.axis)));
+    }
+    if (a > 0 && design.artifacts[a - 1].artifact == artifact.artifact) {  // the objects are the same ones
+      artifact.first_object_column = design.artifacts[a - 1].first_object_column;
+      continue;
     }
     if (artifact.objects.size() > 1) artifact.first_object_column = next();
     for (std::size_t o = 0; o + 1 < artifact.objects.size(); ++o)
-      names.push_back(fmt::format("{}, {} - mean of objects", name, artifact.objects[o]));
+      names.push_back(fmt::format("{}, {} - mean of objects", word(artifact.artifact), artifact.objects[o]));
   }
   if (design.groups.size() > 1) design.first_group_column = next();
   for (std::size_t g = 1; g < design.groups.size(); ++g)
@@ -107,47 +123,81 @@ void write_effect(Eigen::Ref<Eigen::RowVectorXd> columns, std::size_t level, std
 
 }  // namespace
 
-StudyDesign study_design(std::span<const study::Answer> answers, const ParticipantGroups& groups,
-                         double reference_width_px) {
+std::string name_of(const DesignArtifact& artifact) {
+  return std::string(word(artifact.artifact)) +
+         (artifact.condition.empty() ? "" : " (" + artifact.condition + ")");
+}
+
+std::string slope_text(const LevelAxis& axis) {
+  if (!is_linear(axis)) return "per octave of " + level_word(axis);
+  const std::string unit = length_unit(axis);
+  return "per " + (unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit);
+}
+
+std::string at_reference(const StudyDesign& design) {
+  const std::string unit(facts(design.axis.quantity).unit);
+  return "at " + estimated_text(design.axis, design.reference_level) + (unit.empty() ? "" : " " + unit);
+}
+
+StudyDesign study_design(std::span<const study::Answer> given, const ParticipantGroups& groups,
+                         double reference_level, const LevelAxis& axis,
+                         const std::vector<std::string>& order) {
+  std::vector<study::Answer> answers;
+  for (const study::Answer& answer : given)
+    if (of_depth_widths(axis) || !stands_apart(axis, answer.level)) answers.push_back(answer);
   if (answers.empty())
     throw input_error(
         {.field = "answers", .wanted = "at least one answer of a participant used", .found = "none"});
-  if (!(reference_width_px >= 0))
+  if (!(reference_level >= 0))
     throw input_error({.field = "reference width",
-                       .wanted = "a width in pixels",
-                       .found = fmt::format("{}", reference_width_px)});
+                       .wanted = of_depth_widths(axis) ? "a width in pixels" : "a level",
+                       .found = fmt::format("{}", reference_level)});
   StudyDesign design;
+  design.axis = axis;
+  if (answers.size() < given.size())
+    design.notes.emplace_back("Answers at the level none are no part of the model: it lies on no log axis.");
+  std::vector<std::string> conditions = order;
+  for (const study::Answer& answer : answers)
+    if (std::find(conditions.begin(), conditions.end(), answer.condition) == conditions.end())
+      conditions.push_back(answer.condition);
+  std::set<std::pair<Artifact, std::string>> shown;
   std::map<Artifact, std::set<ObjectKey>> objects_of;
   std::set<std::string> people;
-  int smallest_px = answers.front().depth_width_px, largest_px = smallest_px;
+  double smallest = answers.front().level, largest = smallest;
   for (const study::Answer& answer : answers) {
-    if (answer.depth_width_px <= 0)
-      throw input_error({.field = fmt::format("depth width of stimulus '{}'", answer.stimulus_id),
-                         .wanted = "a positive number of pixels",
-                         .found = std::to_string(answer.depth_width_px)});
+    if (answer.level < 0 || (!is_linear(axis) && answer.level == 0))
+      throw input_error(
+          {.field = fmt::format("{} of stimulus '{}'", of_depth_widths(axis) ? "depth width" : "level",
+                                answer.stimulus_id),
+           .wanted = of_depth_widths(axis) ? "a positive number of pixels" : "a positive number",
+           .found = fmt::format("{}", answer.level)});
+    shown.insert({answer.artifact, answer.condition});
     objects_of[answer.artifact].insert(key_of(answer));
     people.insert(answer.participant);
-    smallest_px = std::min(smallest_px, answer.depth_width_px);
-    largest_px = std::max(largest_px, answer.depth_width_px);
+    smallest = std::min(smallest, answer.level);
+    largest = std::max(largest, answer.level);
   }
   std::vector<std::set<ObjectKey>> objects;
   for (const Artifact artifact : every_artifact)
-    if (objects_of.contains(artifact)) {
-      design.artifacts.emplace_back().artifact = artifact;
-      objects.push_back(objects_of[artifact]);
-    }
-  design.reference_width_px = reference_width_px > 0
-                                  ? reference_width_px
-                                  : std::round(std::sqrt(static_cast<double>(smallest_px) * largest_px));
-  if (design.reference_width_px < smallest_px || design.reference_width_px > largest_px)
-    design.notes.push_back(
-        fmt::format("The reference width {:.0f} px lies outside the widths tested, {} to {} px.",
-                    design.reference_width_px, smallest_px, largest_px));
-  if (smallest_px == largest_px)
-    design.notes.push_back(
-        fmt::format("Only {} px was tested: there are no slopes over width.", smallest_px));
+    for (const std::string& condition : conditions)
+      if (shown.contains({artifact, condition})) {
+        design.artifacts.emplace_back().artifact = artifact;
+        design.artifacts.back().condition = condition;
+        objects.push_back(objects_of[artifact]);
+      }
+  design.reference_level = reference_level;
+  if (!(reference_level > 0))
+    design.reference_level = of_depth_widths(axis) ? std::round(std::sqrt(smallest * largest))
+                                                   : three_digits(middle_of(axis, smallest, largest));
+  if (design.reference_level < smallest || design.reference_level > largest)
+    design.notes.push_back(fmt::format("The reference {} {} lies outside the {}s tested, {} to {}{}.",
+                                       level_word(axis), at_reference(design).substr(3), level_word(axis),
+                                       smallest, largest, of_depth_widths(axis) ? " px" : ""));
+  if (smallest == largest)
+    design.notes.push_back(fmt::format("Only {} was tested: there are no slopes over {}.",
+                                       level_text(axis.quantity, smallest), level_word(axis)));
   design.groups = usable_groups(people, groups, design.notes);
-  plan_columns(design, objects, smallest_px < largest_px);
+  plan_columns(design, objects, smallest < largest);
 
   OrdinalData& data = design.data;
   data.highest = study::highest_rating;
@@ -158,11 +208,14 @@ StudyDesign study_design(std::span<const study::Answer> answers, const Participa
     const study::Answer& answer = answers[i];
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(data.predictors.cols());
     std::size_t a = 0;
-    while (design.artifacts[a].artifact != answer.artifact) ++a;
+    while (design.artifacts[a].artifact != answer.artifact ||
+           design.artifacts[a].condition != answer.condition)
+      ++a;
     const DesignArtifact& artifact = design.artifacts[a];
     if (artifact.level_column >= 0) row[artifact.level_column] = 1;
     if (artifact.slope_column >= 0)
-      row[artifact.slope_column] = std::log2(answer.depth_width_px / design.reference_width_px);
+      row[artifact.slope_column] = is_linear(axis) ? answer.level - design.reference_level
+                                                   : std::log2(answer.level / design.reference_level);
     if (artifact.first_object_column >= 0)
       write_effect(
           row.segment(artifact.first_object_column, static_cast<Eigen::Index>(artifact.objects.size()) - 1),

@@ -61,12 +61,13 @@ std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Ei
 
 OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const ParticipantGroups& groups,
                                const OrdinalStudyRequest& request) {
-  OrdinalStudy study{.design = study_design(answers, groups, request.reference_width_px),
-                     .fit = {},
-                     .errors = ErrorSource::participants,
-                     .coefficients = {},
-                     .contrasts = {},
-                     .notes = {}};
+  OrdinalStudy study{
+      .design = study_design(answers, groups, request.reference_level, request.axis, request.conditions),
+      .fit = {},
+      .errors = ErrorSource::participants,
+      .coefficients = {},
+      .contrasts = {},
+      .notes = {}};
   study.fit = fit_cumulative_link_mixed(study.design.data, request.fit);
   if (!study.fit.explanation.empty()) study.notes.push_back(study.fit.explanation);
   study.notes.insert(study.notes.end(), study.design.notes.begin(), study.design.notes.end());

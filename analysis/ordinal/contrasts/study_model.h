@@ -11,7 +11,9 @@ namespace seamline::analysis {
 
 struct OrdinalStudyRequest {
   OrdinalRequest fit = {};
-  double reference_width_px = 0;  ///< where artifacts are compared; 0: the geometric centre of those tested
+  LevelAxis axis = {};
+  std::vector<std::string> conditions = {};  ///< in the study's order
+  double reference_level = 0;  ///< where artifacts are compared; 0: the geometric centre of those tested
   Correction correction = Correction::single_step;
 };
 

@@ -82,35 +82,37 @@ double design_effect(const PooledChoices& choices, const PsychometricFit& fit) {
 }  // namespace
 
 PooledChoices pooled_choices(const study::LogContents& log, const std::vector<std::string>& codes,
-                             Artifact artifact) {
-  std::map<std::string, std::map<int, std::pair<int, int>>> tallies;  // code -> width -> (right, all)
-  std::set<int> widths;
+                             Artifact artifact, const std::string& condition) {
+  std::map<std::string, std::map<double, std::pair<int, int>>> tallies;  // code -> level -> (right, all)
+  std::set<double> levels;
   const std::set<std::string> counted(codes.begin(), codes.end());
   for (const study::Answer& answer : log.answers) {
     stop_if_interrupted();
-    if (answer.artifact != artifact || !counted.contains(answer.participant)) continue;
-    auto& [right, all] = tallies[answer.participant][answer.depth_width_px];
+    if (answer.artifact != artifact || answer.condition != condition || !counted.contains(answer.participant))
+      continue;
+    auto& [right, all] = tallies[answer.participant][answer.level];
     right += answer.correct() ? 1 : 0;
     ++all;
-    widths.insert(answer.depth_width_px);
+    levels.insert(answer.level);
   }
   PooledChoices choices;
-  choices.level.assign(widths.begin(), widths.end());
+  choices.level.assign(levels.begin(), levels.end());
   for (const std::string& code : codes)
     if (tallies.contains(code)) choices.people.push_back(code);
   const auto rows = static_cast<Eigen::Index>(choices.people.size()),
-             columns = static_cast<Eigen::Index>(widths.size());
+             columns = static_cast<Eigen::Index>(levels.size());
   choices.correct = choices.trials = Eigen::MatrixXd::Zero(rows, columns);
   for (Eigen::Index row = 0; row < rows; ++row)
-    for (const auto& [width_px, tally] : tallies[choices.people[static_cast<std::size_t>(row)]]) {
-      const auto column = static_cast<Eigen::Index>(std::distance(widths.begin(), widths.find(width_px)));
+    for (const auto& [level, tally] : tallies[choices.people[static_cast<std::size_t>(row)]]) {
+      const auto column = static_cast<Eigen::Index>(std::distance(levels.begin(), levels.find(level)));
       choices.correct(row, column) = tally.first;
       choices.trials(row, column) = tally.second;
     }
   return choices;
 }
 
-PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options) {
+PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options,
+                             const std::string& unit) {
   if (choices.correct.rows() < 2)
     throw input_error({.field = "participants",
                        .wanted = "at least two, for an interval over participants",
@@ -122,7 +124,7 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
     const double t = student_quantile(static_cast<double>(choices.correct.rows() - 1), 0.975);
     pooled.threshold_ci95 = threshold_interval(pooled.fit, pooled.design_effect * t * t);
   }
-  const ThresholdFinding finding = judge_threshold(pooled.fit, pooled.threshold_ci95, "px");
+  const ThresholdFinding finding = judge_threshold(pooled.fit, pooled.threshold_ci95, unit);
   pooled.verdict = finding.verdict;
   pooled.threshold_ci95 = finding.ci95;
   return pooled;

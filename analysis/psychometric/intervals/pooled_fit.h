@@ -17,10 +17,12 @@ struct PooledChoices {
   Eigen::MatrixXd correct, trials;  ///< people x levels; whole numbers
 };
 
-/// The choices of the named participants under one artifact, all objects together, in the order of `codes`;
+/// The choices of the named participants under one artifact and condition, all objects together, in the order
+/// of `codes`;
 /// participants without an answer are left out.
 [[nodiscard]] PooledChoices pooled_choices(const study::LogContents& log,
-                                           const std::vector<std::string>& codes, Artifact artifact);
+                                           const std::vector<std::string>& codes, Artifact artifact,
+                                           const std::string& condition = "");
 
 /// A psychometric function of a group, whose members differ.
 struct PooledFit {
@@ -40,6 +42,7 @@ struct PooledFit {
 /// of the threshold on the axis: the shape (skew, open ends) of the likelihood with the size that
 /// participants give it. Measured coverage: documentation/psychometric_fit.md. Throws InputError with fewer
 /// than two people, and as `fit_psychometric` does.
-[[nodiscard]] PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options);
+[[nodiscard]] PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options,
+                                           const std::string& unit = "px");
 
 }  // namespace seamline::analysis

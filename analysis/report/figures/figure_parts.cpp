@@ -3,39 +3,89 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace seamline::analysis {
 
-std::vector<int> tested_widths(const NoticeabilityData& data) {
-  std::vector<int> widths;
-  for (const ArtifactScores& scores : data.artifacts)
-    widths.insert(widths.end(), scores.width_px.begin(), scores.width_px.end());
-  std::sort(widths.begin(), widths.end());
-  widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
-  return widths;
+namespace {
+
+constexpr double octaves_apart = 2;
+constexpr double share_beyond = 1.25;  ///< of a level on log2 axes
+constexpr double units_beyond = 0.3;   ///< sixths of the range on linear ones
+
+std::string tic_text(const LevelsDrawn& drawn, double level) {
+  return tested_text(drawn.axis, level);
 }
 
-std::string width_tics(const std::vector<int>& widths_px, bool labelled) {
+double smallest_on_axis(const LevelsDrawn& drawn) {
+  for (const double level : drawn.levels)
+    if (!stands_apart(drawn.axis, level)) return level;
+  return 1;
+}
+
+}  // namespace
+
+LevelsDrawn levels_drawn(const NoticeabilityData& data) {
+  LevelsDrawn drawn{.axis = data.axis, .levels = {}};
+  for (const ArtifactScores& scores : data.artifacts)
+    drawn.levels.insert(drawn.levels.end(), scores.level.begin(), scores.level.end());
+  std::sort(drawn.levels.begin(), drawn.levels.end());
+  drawn.levels.erase(std::unique(drawn.levels.begin(), drawn.levels.end()), drawn.levels.end());
+  return drawn;
+}
+
+double place_of(const LevelsDrawn& drawn, double level, double shift) {
+  if (is_linear(drawn.axis)) return level + shift * drawn.axis.unit;
+  if (stands_apart(drawn.axis, level)) level = smallest_on_axis(drawn) * std::exp2(-octaves_apart);
+  return level * std::exp2(shift);
+}
+
+std::string gap_before(const LevelsDrawn& drawn, double level) {
+  return stands_apart(drawn.axis, level) ? "\n" : "";
+}
+
+std::string level_tics(const LevelsDrawn& drawn, bool labelled) {
   std::string ticks;
-  for (int width : widths_px)
-    ticks +=
-        fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", labelled ? std::to_string(width) : "", width);
+  for (const double level : drawn.levels)
+    ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", labelled ? tic_text(drawn, level) : "",
+                         place_of(drawn, level));
   return "set xtics (" + ticks + ")\n";
 }
 
-std::string width_axis(const std::vector<int>& widths_px) {
-  return fmt::format(
-      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
-      "{1}set logscale x 2\nset xrange [{2:.4f}:{3:.4f}]\n"
-      "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
-      "set key textcolor rgb '{0}' Left reverse samplen 2\n",
-      plot_ink, width_tics(widths_px, true), widths_px.front() / 1.25, widths_px.back() * 1.25);
+const char* key_side(const LevelAxis& axis) {
+  return axis.noticeability == Direction::increasing ? "left" : "right";
 }
 
-std::string axis_labels(const std::string& y) {
+Interval drawn_range(const LevelsDrawn& drawn) {
+  const double first = place_of(drawn, drawn.levels.front()), last = place_of(drawn, drawn.levels.back());
+  if (!is_linear(drawn.axis)) return {.low = first / share_beyond, .high = last * share_beyond};
+  return {.low = first - units_beyond * drawn.axis.unit, .high = last + units_beyond * drawn.axis.unit};
+}
+
+std::string level_axis_script(const LevelsDrawn& drawn) {
+  const Interval range = drawn_range(drawn);
+  const auto number = [&](double value) {
+    return of_depth_widths(drawn.axis) ? fmt::format("{:.4f}", value) : fmt::format("{:.8g}", value);
+  };
   return fmt::format(
-      "set xlabel \"depth map width W (px)\" textcolor rgb '{0}'\nset ylabel \"{1}\" textcolor rgb '{0}'\n",
-      plot_ink, y);
+      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
+      "{1}{2}set xrange [{3}:{4}]\n"
+      "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
+      "set key textcolor rgb '{0}' Left reverse samplen 2\n",
+      plot_ink, level_tics(drawn, true), is_linear(drawn.axis) ? "" : "set logscale x 2\n", number(range.low),
+      number(range.high));
+}
+
+std::string axis_labels(const LevelAxis& axis, const std::string& y) {
+  return fmt::format("set xlabel \"{2}\" textcolor rgb '{0}'\nset ylabel \"{1}\" textcolor rgb '{0}'\n",
+                     plot_ink, y, axis_title(axis));
+}
+
+std::vector<Artifact> drawn_artifacts(const NoticeabilityData& data) {
+  std::vector<Artifact> artifacts;
+  for (const ArtifactScores& scores : data.artifacts)
+    if (artifacts.empty() || artifacts.back() != scores.artifact) artifacts.push_back(scores.artifact);
+  return artifacts;
 }
 
 PanelGrid panel_grid(std::size_t panels, int panel_height_px) {

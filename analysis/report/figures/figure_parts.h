@@ -9,17 +9,38 @@ namespace seamline::analysis {
 
 // What the figures of a report share. `inline_svg` replaces `plot_ink` by the page's text colour.
 
-/// Widths seen in the data, rising.
-[[nodiscard]] std::vector<int> tested_widths(const NoticeabilityData& data);
+/// The axis under a figure: levels seen in the data, rising. One that stands apart is drawn two octaves below
+/// the others, not joined to them.
+struct LevelsDrawn {
+  LevelAxis axis;
+  std::vector<double> levels;
+};
+[[nodiscard]] LevelsDrawn levels_drawn(const NoticeabilityData& data);
 
-/// A tic at each width, with or without its number.
-[[nodiscard]] std::string width_tics(const std::vector<int>& widths_px, bool labelled);
+/// Where a level is drawn, moved by a share of an octave (of a sixth of the range on linear axes) so that
+/// several lines stay apart.
+[[nodiscard]] double place_of(const LevelsDrawn& drawn, double level, double shift = 0);
 
-/// Borders, tics and the log2 axis of widths, a little wider than what was tested.
-[[nodiscard]] std::string width_axis(const std::vector<int>& widths_px);
+/// What goes between two rows of a data block: a gap before a level that stands apart.
+[[nodiscard]] std::string gap_before(const LevelsDrawn& drawn, double level);
+
+/// A tic at each level, with or without its number.
+[[nodiscard]] std::string level_tics(const LevelsDrawn& drawn, bool labelled);
+
+/// Where lines leave room for the key: "right", or "left" where noticeability rises.
+[[nodiscard]] const char* key_side(const LevelAxis& axis);
+
+/// The ends of the axis: a little wider than what was tested.
+[[nodiscard]] Interval drawn_range(const LevelsDrawn& drawn);
+
+/// Borders, tics and the axis of levels.
+[[nodiscard]] std::string level_axis_script(const LevelsDrawn& drawn);
 
 /// "depth map width W (px)" under the axis, and `y` beside the other.
-[[nodiscard]] std::string axis_labels(const std::string& y);
+[[nodiscard]] std::string axis_labels(const LevelAxis& axis, const std::string& y);
+
+/// The artifacts of several curves, each once, in their order: a panel each where a study has conditions.
+[[nodiscard]] std::vector<Artifact> drawn_artifacts(const NoticeabilityData& data);
 
 /// A panel in a grid of panels, in screen coordinates (0 to 1, from the bottom left).
 struct Panel {

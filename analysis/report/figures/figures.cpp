@@ -19,17 +19,19 @@ constexpr std::size_t plot_colours = 6;  ///< of `plot_style` that the style she
 constexpr const char* ink = plot_ink;    ///< `inline_svg` replaces it by the page's text colour
 
 std::string axes(const Analysis& analysis) {
-  return width_axis(tested_widths(analysis.data)) + axis_labels("mean noticeability") +
+  return level_axis_script(levels_drawn(analysis.data)) +
+         axis_labels(analysis.data.axis, "mean noticeability") +
          "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
 }
 
-/// A data block `width mean sem`, the widths moved by a share of an octave so that error bars of several
-/// lines stay apart.
-std::string data_block(const std::string& name, const std::vector<CellMean>& cells, double shift_octaves) {
+/// A data block `level mean sem`, the levels moved so that error bars of several lines stay apart.
+std::string data_block(const std::string& name, const LevelsDrawn& drawn, const std::vector<CellMean>& cells,
+                       double shift) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const CellMean& cell : cells)
-    block += fmt::format("{:.6g} {:.6g} {:.6g}\n", cell.width_px * std::exp2(shift_octaves), cell.mean,
-                         std::isnan(cell.sem) ? 0.0 : cell.sem);
+    block += gap_before(drawn, cell.level) + fmt::format("{:.6g} {:.6g} {:.6g}\n",
+                                                         place_of(drawn, cell.level, shift), cell.mean,
+                                                         std::isnan(cell.sem) ? 0.0 : cell.sem);
   return block + "EOD\n";
 }
 
@@ -46,49 +48,100 @@ std::string plot_line(const std::string& block, std::size_t index, const std::st
       block, style.colour, style.point, gnuplot_text(title));
 }
 
-std::string object_panel(const Analysis& analysis, Artifact artifact) {
+std::string object_panel(const Analysis& analysis, const ArtifactScores& scores) {
+  const Artifact artifact = scores.artifact;
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::vector<const ObjectCurve*> objects;
   for (const ObjectCurve& object : analysis.data.objects)
-    if (object.artifact == artifact) objects.push_back(&object);
+    if (object.artifact == artifact && object.condition == scores.condition) objects.push_back(&object);
   std::string blocks, plots;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string name = fmt::format("{}{}", word(artifact), i + 1);
-    blocks += data_block(name, objects[i]->cells, shift(i, objects.size()));
+    blocks += data_block(name, drawn, objects[i]->cells, shift(i, objects.size()));
     const std::string title = fmt::format("{} {}", objects[i]->object_index, objects[i]->object);
     plots += (i == 0 ? "plot " : ", \\\n     ") + plot_line(name, i, title);
   }
   return blocks +
          fmt::format("set title \"{}\" font ',16' textcolor rgb '{}' offset 0,-0.3\n",
-                     gnuplot_text(artifact_title(artifact)), ink) +
+                     gnuplot_text(artifact_title(artifact, scores.condition)), ink) +
          plots + "\n";
 }
 
-Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
-  const std::size_t panels = analysis.data.artifacts.size();
+/// One artifact of a study with conditions: a line each.
+std::string conditions_panel(const Analysis& analysis, Artifact artifact) {
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  const std::size_t count = analysis.data.conditions.size();
+  std::string blocks, plots;
+  std::size_t line = 0;
+  for (const ArtifactScores& scores : analysis.data.artifacts) {
+    if (scores.artifact != artifact) continue;
+    const std::string name = fmt::format("{}{}", word(artifact), line + 1);
+    blocks += data_block(name, drawn, scores.cells, shift(line, count));
+    plots += ", \\\n     " + plot_line(name, line++, scores.condition);
+  }
+  return blocks + fmt::format(
+                      "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
+                      "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' "
+                      "lw 1.2 dt '.' "
+                      "notitle{2}\n",
+                      gnuplot_text(artifact_title(artifact)), ink, plots);
+}
+
+/// Panels in rows of two, margins in pixels, so that labels keep their room whatever the number of panels.
+Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<std::string>& panel_scripts) {
+  const std::size_t panels = panel_scripts.size();
   const std::size_t columns = panels > 1 ? 2 : 1, rows = (panels + columns - 1) / columns;
-  Figure figure{
-      .name = "fig6_objects",
-      .title = "Noticeability by artifact and object",
-      .caption =
-          "Mean noticeability against depth map width, one panel an artifact and one line an object (1 left, "
-          "2 middle, 3 right); bars: one standard error of the mean over participants. Points of one width "
-          "are moved apart a little. After Fig. 6 of the paper. Data: " +
-          source_text(analysis) + ".",
-      .svg = folder / "fig6_objects.svg"};
-  // Margins in pixels, so that labels keep their room whatever the number of panels.
   const double width_px = columns == 1 ? 640 : 1080, height_px = 30 + 400.0 * static_cast<double>(rows);
   std::string script =
       axes(analysis) +
       fmt::format(
           "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' "
-          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top right font ',12'\n",
+          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top {} font ',12'\n",
           rows, columns, gnuplot_text(source_text(analysis)), ink, 66 / width_px, 1 - 14 / width_px,
-          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px);
-  for (const ArtifactScores& scores : analysis.data.artifacts)
-    script += object_panel(analysis, scores.artifact);
+          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px,
+          key_side(analysis.data.axis));
+  for (const std::string& panel : panel_scripts) script += panel;
   draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n",
            Readers::owner);
   return figure;
+}
+
+Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  std::vector<std::string> panels;
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    panels.push_back(object_panel(analysis, scores));
+  return draw_panels(
+      analysis,
+      {.name = "fig6_objects",
+       .title = "Noticeability by artifact and object",
+       .caption =
+           in_words_of(analysis.data.axis,
+                       "Mean noticeability against depth map width, one panel an artifact and one line an "
+                       "object (1 left, 2 middle, 3 right); bars: one standard error of the mean over "
+                       "participants. Points of one width are moved apart a little.") +
+           " After Fig. 6 of the paper. Data: " + source_text(analysis) + ".",
+       .svg = folder / "fig6_objects.svg"},
+      panels);
+}
+
+Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  std::vector<std::string> panels;
+  for (const Artifact artifact : drawn_artifacts(analysis.data))
+    panels.push_back(conditions_panel(analysis, artifact));
+  return draw_panels(
+      analysis,
+      {.name = "fig7_averages",
+       .title = "Noticeability by artifact and condition",
+       .caption =
+           in_words_of(analysis.data.axis,
+                       "Mean noticeability over objects against depth map width, one panel an artifact "
+                       "and one line a condition; bars: one standard error of the mean over "
+                       "participants. Points of one width are moved apart a little.") +
+           " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
+           "Data: " +
+           source_text(analysis) + ".",
+       .svg = folder / "fig7_averages.svg"},
+      panels);
 }
 
 Figure average_figure(const Analysis& analysis, const std::filesystem::path& folder) {
@@ -96,20 +149,23 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       .name = "fig7_averages",
       .title = "Noticeability by artifact",
       .caption =
-          "Mean noticeability over objects against depth map width; bars: one standard error of the mean "
-          "over participants. Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
+          in_words_of(analysis.data.axis,
+                      "Mean noticeability over objects against depth map width; bars: one standard error of "
+                      "the mean over participants.") +
+          " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
           "noticeable (SN). After Fig. 7 of the paper. Data: " +
           source_text(analysis) + ".",
       .svg = folder / "fig7_averages.svg"};
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string script = axes(analysis), plots;
   for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
     const ArtifactScores& scores = analysis.data.artifacts[i];
     const std::string name(word(scores.artifact));
-    script += data_block(name, scores.cells, shift(i, analysis.data.artifacts.size()));
+    script += data_block(name, drawn, scores.cells, shift(i, analysis.data.artifacts.size()));
     plots += ", \\\n     " + plot_line(name, i, artifact_title(scores.artifact));
   }
   script += fmt::format(
-      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top right font ',13'\nset lmargin 7\nset "
+      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top {3} font ',13'\nset lmargin 7\nset "
       "rmargin 2\n"
       "set label 1 'PT  0.5' at graph 0.004, first 0.5 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
       "front\n"
@@ -117,7 +173,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       "front\n"
       "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
       "notitle{2}\n",
-      gnuplot_text(source_text(analysis)), ink, plots);
+      gnuplot_text(source_text(analysis)), ink, plots, key_side(drawn.axis));
   draw_svg(figure.svg, 900, 540, script, Readers::owner);
   return figure;
 }
@@ -132,8 +188,10 @@ void replace_all(std::string& text, const std::string& old, const std::string& f
 std::vector<Figure> draw_figures(const Analysis& analysis, const ReportNumbers& numbers,
                                  const std::filesystem::path& folder) {
   std::vector<Figure> figures;
-  if (!analysis.adaptive) figures.push_back(average_figure(analysis, folder));
-  figures.push_back(object_figure(analysis, folder));
+  const bool conditions = numbers.conditions;
+  if (!analysis.adaptive)
+    figures.push_back(conditions ? conditions_figure(analysis, folder) : average_figure(analysis, folder));
+  if (analysis.adaptive || !conditions) figures.push_back(object_figure(analysis, folder));
   for (std::optional<Figure>& figure :
        std::array{psychometric_figure(analysis, numbers, folder), guessing_figure(analysis, folder),
                   times_figure(analysis, numbers, folder)})

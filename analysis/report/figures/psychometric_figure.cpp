@@ -10,36 +10,41 @@ namespace seamline::analysis {
 
 namespace {
 
-std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, std::int64_t most_trials) {
+std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, const LevelsDrawn& drawn,
+                            std::int64_t most_trials) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const LevelResidual& level : curve.goodness.residuals) {
     const auto n = static_cast<double>(level.counts.trials);
-    block += fmt::format(
-        "{:.6g} {:.6g} {:.4g} {:.6g}\n", level.counts.level, static_cast<double>(level.counts.correct) / n,
-        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
+    block += fmt::format("{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level),
+                         static_cast<double>(level.counts.correct) / n,
+                         std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))),
+                         level.deviance_residual);
   }
+  if (curve.apart)  // no part of the sigmoid: it has no residual
+    block += fmt::format("{:.6g} {:.6g} {:.4g} NaN\n", place_of(drawn, 0), curve.apart->k / curve.apart->n,
+                         std::max(0.3, 1.1 * std::sqrt(curve.apart->n / static_cast<double>(most_trials))));
   return block + "EOD\n";
 }
 
 std::string block_of_band(const std::string& name, const ChoiceCurve& curve) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const BandPoint& point : curve.band)
-    block +=
-        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", point.width_px, point.fitted, point.low, point.high);
+    block += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", point.level, point.fitted, point.low, point.high);
   return block + "EOD\n";
 }
 
 /// The threshold with its interval, at the height where the curve has it; cut at the axis' ends.
-std::string threshold_mark(const ChoiceCurve& curve, double smallest_px, double largest_px,
-                           const char* colour) {
+std::string threshold_mark(const ChoiceCurve& curve, const LevelsDrawn& drawn, const char* colour,
+                           std::size_t number = 1) {
   if (!has_threshold(curve)) return "";
   const PooledFit& pooled = *curve.pooled;
   const double height = fitted_probability(pooled.fit, pooled.fit.function.threshold);
-  const double low = std::max(pooled.threshold_ci95.low, smallest_px / 1.25),
-               high = std::min(pooled.threshold_ci95.high, largest_px * 1.25);
+  const Interval range = drawn_range(drawn);
+  const double low = std::max(pooled.threshold_ci95.low, range.low),
+               high = std::min(pooled.threshold_ci95.high, range.high);
   return fmt::format(
-      "set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} heads size screen 0.004,90 front lc rgb '{}' lw 2\n",
-      low, height, high, height, colour);
+      "set arrow {} from {:.6g},{:.6g} to {:.6g},{:.6g} heads size screen 0.004,90 front lc rgb '{}' lw 2\n",
+      number, low, height, high, height, colour);
 }
 
 double largest_residual(const std::vector<ChoiceCurve>& curves) {
@@ -51,7 +56,7 @@ double largest_residual(const std::vector<ChoiceCurve>& curves) {
 }
 
 std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size_t index, double residual,
-                         const std::vector<int>& widths) {
+                         const LevelsDrawn& drawn) {
   const std::string levels = fmt::format("levels{}", index), band = fmt::format("band{}", index);
   const char* colour = plot_style(index).colour;
   std::int64_t most_trials = 1;
@@ -62,13 +67,13 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
   Panel above = panel, below = panel;
   above.bottom = split + gap;
   below.top = split - gap;
-  return block_of_levels(levels, curve, most_trials) + block_of_band(band, curve) + margins(above) +
+  return block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve) + margins(above) +
          fmt::format(
              "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
              "textcolor rgb '{1}' offset 1.2,0\nunset xlabel\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n"
              "unset arrow\n{2}{3}",
-             gnuplot_text(artifact_title(curve.artifact)), plot_ink, width_tics(widths, false),
-             threshold_mark(curve, widths.front(), widths.back(), colour)) +
+             gnuplot_text(artifact_title(curve.artifact)), plot_ink, level_tics(drawn, false),
+             threshold_mark(curve, drawn, colour)) +
          fmt::format(
              "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
              "textcolor rgb '{0}'\n"
@@ -81,14 +86,59 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
          margins(below) +
          fmt::format(
              "unset title\nunset label 1\nunset arrow\nset ylabel \"residual\" textcolor rgb '{0}' offset "
-             "1.2,0\nset xlabel \"depth map width W (px)\" textcolor rgb '{0}'\n{5}set yrange "
+             "1.2,0\nset xlabel \"{6}\" textcolor rgb '{0}'\n{5}set yrange "
              "[-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, {2}\n"
              "plot 0 with lines lc rgb '{0}' lw 1 notitle, \\\n"
              "     1.96 with lines lc rgb '{0}' lw 1 dt '.' notitle, -1.96 with lines lc rgb '{0}' lw 1 dt "
              "'.' notitle, \\\n"
              "     ${3} using 1:4 with impulses lc rgb '{4}' lw 2 notitle, \\\n"
              "     ${3} using 1:4 with points pt 7 ps 0.6 lc rgb '{4}' notitle\n",
-             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, width_tics(widths, true));
+             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, level_tics(drawn, true),
+             axis_title(drawn.axis));
+}
+
+/// One artifact of a study with conditions: a curve each, and no residuals.
+std::string conditions_panel(const ReportNumbers& numbers, Artifact artifact, const Panel& panel,
+                             const LevelsDrawn& drawn) {
+  std::string blocks, marks = "unset arrow\n", plots;
+  std::int64_t most_trials = 1;
+  for (const ChoiceCurve& curve : numbers.choices)
+    for (const LevelResidual& level : curve.goodness.residuals)
+      most_trials = std::max(most_trials, level.counts.trials);
+  std::size_t line = 0;
+  for (std::size_t i = 0; i < numbers.choices.size(); ++i) {
+    const ChoiceCurve& curve = numbers.choices[i];
+    if (curve.artifact != artifact || !curve.pooled) continue;
+    const char* colour = plot_style(line++).colour;
+    const std::string levels = fmt::format("levels{}", i), band = fmt::format("band{}", i);
+    blocks += block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve);
+    marks += threshold_mark(curve, drawn, colour, line);
+    plots += fmt::format(
+        ", \\\n     ${0} using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '{1}' "
+        "notitle, \\\n     ${0} using 1:2 with lines lc rgb '{1}' lw 2 title \"{2}\", \\\n"
+        "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{1}' notitle",
+        band, colour, gnuplot_text(curve.condition), levels);
+  }
+  return blocks + margins(panel) +
+         fmt::format(
+             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
+             "textcolor rgb '{1}' offset 1.2,0\nset xlabel \"{2}\" textcolor rgb '{1}'\nset yrange "
+             "[0:1.04]\nset ytics 0, 0.2, 1\n{3}"
+             "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
+             "textcolor rgb '{1}'\n"
+             "plot 1.0/3 with lines lc rgb '{1}' lw 1.2 dt '.' notitle{4}\n",
+             gnuplot_text(artifact_title(artifact)), plot_ink, axis_title(drawn.axis), marks, plots);
+}
+
+std::string caption_of(const Analysis& analysis, bool conditions) {
+  return in_words_of(
+             analysis.data.axis,
+             "Share of right choices against depth map width: points (area by number of answers), fitted "
+             "psychometric function with a 95 % band (bootstrap over participants, width by width), "
+             "and the threshold's 95 % interval as a bar. ") +
+         (conditions ? "One line a condition. Dotted: chance, 1/3. Data: "
+                     : "Below each, deviance residuals; dotted: ±1.96, and chance, 1/3, above. Data: ") +
+         source_text(analysis) + ".";
 }
 
 }  // namespace
@@ -99,24 +149,22 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
       std::count_if(numbers.choices.begin(), numbers.choices.end(),
                     [](const ChoiceCurve& curve) { return curve.pooled.has_value(); }));
   if (fitted == 0) return std::nullopt;
-  Figure figure{
-      .name = "psychometric",
-      .title = "Right choices by artifact",
-      .caption =
-          "Share of right choices against depth map width: points (area by number of answers), fitted "
-          "psychometric function with a 95 % band (bootstrap over participants, width by width), and the "
-          "threshold's 95 % interval as a bar. Below each, deviance residuals; dotted: ±1.96, and chance, "
-          "1/3, above. Data: " +
-          source_text(analysis) + ".",
-      .svg = folder / "psychometric.svg"};
-  const PanelGrid grid = panel_grid(fitted, 490);
-  const std::vector<int> widths = tested_widths(analysis.data);
+  Figure figure{.name = "psychometric",
+                .title = "Right choices by artifact",
+                .caption = caption_of(analysis, numbers.conditions),
+                .svg = folder / "psychometric.svg"};
+  const std::vector<Artifact> artifacts = drawn_artifacts(analysis.data);
+  const PanelGrid grid = numbers.conditions ? panel_grid(artifacts.size(), 420) : panel_grid(fitted, 490);
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
   const double residual = largest_residual(numbers.choices);
-  std::string script = width_axis(widths) + multiplot(analysis);
+  std::string script = level_axis_script(drawn) + multiplot(analysis);
   std::size_t place = 0;
+  if (numbers.conditions)
+    for (const Artifact artifact : artifacts)
+      script += conditions_panel(numbers, artifact, grid.panels[place++], drawn);
   for (std::size_t i = 0; i < numbers.choices.size(); ++i)
-    if (numbers.choices[i].pooled)
-      script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, widths);
+    if (numbers.choices[i].pooled && !numbers.conditions)
+      script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, drawn);
   draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }

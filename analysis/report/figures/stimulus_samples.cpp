@@ -75,35 +75,42 @@ class Scissors {
 };
 
 SampleRow sample_row(const std::filesystem::path& set, const Manifest& manifest,
-                     std::vector<const ManifestStimulus*> stimuli, const std::filesystem::path& scratch) {
-  Scissors scissors(set, scratch / fmt::format("sample-{}.png", word(stimuli.front()->stimulus.artifact)));
-  std::sort(stimuli.begin(), stimuli.end(), [](const ManifestStimulus* a, const ManifestStimulus* b) {
-    return a->stimulus.depth.width_px > b->stimulus.depth.width_px;
+                     std::vector<const ManifestStimulus*> stimuli, const LevelAxis& axis,
+                     const std::filesystem::path& scratch) {
+  Scissors scissors(set, scratch / fmt::format("sample-{}-{}.png", word(stimuli.front()->stimulus.artifact),
+                                               stimuli.front()->stimulus.condition));
+  std::sort(stimuli.begin(), stimuli.end(), [&](const ManifestStimulus* a, const ManifestStimulus* b) {
+    return comes_before(axis, b->stimulus.level, a->stimulus.level);
   });
   const Stimulus& first = stimuli.front()->stimulus;
   const ManifestReference& reference = reference_of(set, manifest, first);
-  SampleRow row{
-      .artifact = first.artifact, .scene = first.scene, .object = first.object, .images = {}, .trouble = {}};
+  SampleRow row{.artifact = first.artifact,
+                .condition = first.condition,
+                .scene = first.scene,
+                .object = first.object,
+                .images = {},
+                .trouble = {}};
   if (!scissors.look_at(click_map_picture(manifest, reference), first.object_index, row.trouble)) return row;
   row.images.push_back(scissors.sample(reference_picture(manifest, reference), "reference", ""));
   for (const ManifestStimulus* stimulus : stimuli)
     row.images.push_back(scissors.sample(stimulus_picture(manifest, *stimulus),
-                                         std::to_string(stimulus->stimulus.depth.width_px), stimulus->id));
+                                         tested_text(axis, stimulus->stimulus.level), stimulus->id));
   return row;
 }
 
 /// The stimuli of an artifact that show its first scene's leftmost object.
-std::vector<const ManifestStimulus*> of_first_object(const Manifest& manifest, Artifact artifact) {
+std::vector<const ManifestStimulus*> of_first_object(const Manifest& manifest, Artifact artifact,
+                                                     const std::string& condition) {
   const ManifestStimulus* first = nullptr;
   std::vector<const ManifestStimulus*> found;
   for (const ManifestStimulus& stimulus : manifest.stimuli)
-    if (stimulus.stimulus.artifact == artifact &&
+    if (stimulus.stimulus.artifact == artifact && stimulus.stimulus.condition == condition &&
         (first == nullptr || (stimulus.stimulus.scene == first->stimulus.scene &&
                               stimulus.stimulus.object_index < first->stimulus.object_index)))
       first = &stimulus;
   for (const ManifestStimulus& stimulus : manifest.stimuli)
     if (first != nullptr && stimulus.stimulus.artifact == artifact &&
-        stimulus.stimulus.scene == first->stimulus.scene &&
+        stimulus.stimulus.condition == condition && stimulus.stimulus.scene == first->stimulus.scene &&
         stimulus.stimulus.object_index == first->stimulus.object_index)
       found.push_back(&stimulus);
   return found;
@@ -144,12 +151,12 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
     const Manifest manifest = read_manifest(set);
     std::vector<std::vector<const ManifestStimulus*>> shown;
     for (const ArtifactScores& scores : analysis.data.artifacts)
-      if (auto stimuli = of_first_object(manifest, scores.artifact); !stimuli.empty())
+      if (auto stimuli = of_first_object(manifest, scores.artifact, scores.condition); !stimuli.empty())
         shown.push_back(std::move(stimuli));
     std::vector<SampleRow> rows(shown.size());
     run_parallel(static_cast<int>(rows.size()), analysis.resampling.threads, [&](int index) {
       const auto i = static_cast<std::size_t>(index);
-      rows[i] = sample_row(set, manifest, shown[i], scratch);
+      rows[i] = sample_row(set, manifest, shown[i], analysis.data.axis, scratch);
     });
     return rows;
   } catch (const InputError& error) {

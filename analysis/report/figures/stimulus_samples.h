@@ -18,9 +18,11 @@ struct SampleImage {
   int width_px = 0, height_px = 0;
 };
 
-/// One row of the paper's Fig. 3: one object under one artifact at falling widths, the reference first.
+/// One row of the paper's Fig. 3: one object under one artifact from the least to the most noticeable level,
+/// the reference first.
 struct SampleRow {
   Artifact artifact = Artifact::none;
+  std::string condition;  ///< empty where the study has one
   std::string scene, object;
   std::vector<SampleImage> images;
   std::string trouble;  ///< why there are no images, a sentence

@@ -9,11 +9,12 @@ namespace seamline::analysis {
 
 namespace {
 
-std::string block_of(const ResponseTimes& times, TimedAnswers which, double shift_octaves) {
+std::string block_of(const ResponseTimes& times, const LevelsDrawn& drawn, TimedAnswers which, double shift) {
   std::string block = fmt::format("${} << EOD\n", word(which));
   for (const ResponseTime& row : times.rows)
     if (!row.artifact && row.which == which)
-      block += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", row.width_px * std::exp2(shift_octaves),
+      block += gap_before(drawn, row.level) +
+               fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", place_of(drawn, row.level, shift),
                            row.choice.lower_s, row.choice.median_s, row.choice.upper_s);
   return block + "EOD\n";
 }
@@ -32,11 +33,12 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
                 .title = "Response times",
                 .caption =
                     "Time from the image's onset to the choice: median over answers, bars from the "
-                    "lower to the upper quartile, all artifacts together. Points of one width are "
-                    "moved apart a little. Data: " +
-                    source_text(analysis) + ".",
+                    "lower to the upper quartile, all artifacts together. Points of one " +
+                    level_word(analysis.data.axis) +
+                    " are moved apart a little. Data: " + source_text(analysis) + ".",
                 .svg = folder / "response_times.svg"};
-  std::string script = width_axis(tested_widths(analysis.data)) + axis_labels("time to the choice (s)") +
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  std::string script = level_axis_script(drawn) + axis_labels(drawn.axis, "time to the choice (s)") +
                        fmt::format(
                            "set yrange [0:*]\nset offsets graph 0, 0, 0.05, 0\nset key above horizontal "
                            "font ',13'\nset lmargin 8\nset rmargin 2\n"
@@ -47,7 +49,7 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
   for (TimedAnswers which : {TimedAnswers::right, TimedAnswers::wrong}) {
     const PlotStyle style = plot_style(index++);
     if (!has(numbers.times, which)) continue;
-    script += block_of(numbers.times, which, which == TimedAnswers::right ? -0.04 : 0.04);
+    script += block_of(numbers.times, drawn, which, which == TimedAnswers::right ? -0.04 : 0.04);
     plots += fmt::format(
         "{0}${1} using 1:2:(0):($4-$2) with vectors nohead lc rgb '{2}' lw 1.5 notitle, \\\n     ${1} using "
         "1:3 with linespoints lc rgb '{2}' lw 2 pt {3} ps 0.75 title '{1} choices'",

@@ -11,45 +11,48 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json corrected_json(const CorrectedCurve& corrected) {
+Json corrected_json(const CorrectedCurve& corrected, const LevelAxis& axis) {
+  const std::string unit = unit_suffix(axis);
   const CurveThresholds& found = corrected.estimates;
-  Json json = {{"perceptual_threshold_px", json_width(found.perceptual, 1)},
-               {"slightly_noticeable_px", json_width(found.slightly_noticeable, 1)},
-               {"inflection_px", json_width(found.inflection, 1)},
-               {"expanded_percentile_ci95",
-                {{"perceptual_threshold_px", json_interval(corrected.perceptual_bootstrap, 1)},
-                 {"slightly_noticeable_px", json_interval(corrected.slightly_noticeable_bootstrap, 1)}}},
-               {"above_chance", corrected.above_chance},
-               {"curve", Json::array()}};
+  Json json = {
+      {"perceptual_threshold" + unit, json_estimate(found.perceptual, axis)},
+      {"slightly_noticeable" + unit, json_estimate(found.slightly_noticeable, axis)},
+      {"inflection" + unit, json_estimate(found.inflection, axis)},
+      {"expanded_percentile_ci95",
+       {{"perceptual_threshold" + unit, json_interval(corrected.perceptual_bootstrap, axis)},
+        {"slightly_noticeable" + unit, json_interval(corrected.slightly_noticeable_bootstrap, axis)}}},
+      {"above_chance", corrected.above_chance},
+      {"curve", Json::array()}};
   for (std::size_t w = 0; w < corrected.cells.size(); ++w)
-    json["curve"].push_back({{"width_px", corrected.width_px[w]},
+    json["curve"].push_back({{level_key(axis), json_level(axis, corrected.level[w])},
                              {"saw", json_number(corrected.cells[w].saw)},
                              {"noticeability", json_number(corrected.cells[w].noticeability)}});
   return json;
 }
 
-Json objects_json(const ObjectInfluence& objects) {
+Json objects_json(const ObjectInfluence& objects, const LevelAxis& axis) {
+  const std::string unit = unit_suffix(axis);
   if (objects.without.empty()) return nullptr;
-  Json json = {{"perceptual_threshold_px", json_interval(*objects.perceptual, 1)},
-               {"slightly_noticeable_px", json_interval(*objects.slightly_noticeable, 1)},
-               {"inflection_px", json_interval(*objects.inflection, 1)},
+  Json json = {{"perceptual_threshold" + unit, json_interval(*objects.perceptual, axis)},
+               {"slightly_noticeable" + unit, json_interval(*objects.slightly_noticeable, axis)},
+               {"inflection" + unit, json_interval(*objects.inflection, axis)},
                {"without", Json::array()}};
-  const auto px = [](const WidthEstimate& estimate) {
-    return estimate.log2_px ? json_number(std::exp2(*estimate.log2_px)) : Json(nullptr);
+  const auto level = [&](const ThresholdEstimate& estimate) {
+    return estimate.level_x ? json_number(level_at(axis, *estimate.level_x)) : Json(nullptr);
   };
   for (const WithoutObject& without : objects.without)
     json["without"].push_back({{"scene", without.scene},
                                {"object", without.object},
                                {"object_index", without.object_index},
-                               {"perceptual_threshold_px", px(without.thresholds.perceptual)},
-                               {"slightly_noticeable_px", px(without.thresholds.slightly_noticeable)},
-                               {"inflection_px", px(without.thresholds.inflection)}});
+                               {"perceptual_threshold" + unit, level(without.thresholds.perceptual)},
+                               {"slightly_noticeable" + unit, level(without.thresholds.slightly_noticeable)},
+                               {"inflection" + unit, level(without.thresholds.inflection)}});
   return json;
 }
 
-Json view_json(const WidthEstimate& estimate, double field_of_view_deg) {
-  if (!estimate.log2_px) return nullptr;
-  const double width_px = std::exp2(*estimate.log2_px);
+Json view_json(const ThresholdEstimate& estimate, double field_of_view_deg) {
+  if (!estimate.level_x) return nullptr;
+  const double width_px = std::exp2(*estimate.level_x);
   return {{"equirectangular_px", json_number(width_in_field_of_view_px(width_px, field_of_view_deg))},
           {"pinhole_px", json_number(pinhole_width_px(width_px, field_of_view_deg))}};
 }
@@ -81,14 +84,17 @@ Json screening_json(const Screening& screening) {
   return json;
 }
 
-Json screened_json(const ScreenedThresholds& result) {
+Json screened_json(const ScreenedThresholds& result, const LevelAxis& axis, bool conditions) {
+  const std::string unit = unit_suffix(axis);
   Json json = {{"who", result.who}, {"left_out", result.left_out}, {"artifacts", Json::array()}};
-  for (const ArtifactThresholds& thresholds : result.thresholds)
-    json["artifacts"].push_back(
-        {{"artifact", word(thresholds.artifact)},
-         {"perceptual_threshold_px", json_width(thresholds.estimates.perceptual, 1)},
-         {"slightly_noticeable_px", json_width(thresholds.estimates.slightly_noticeable, 1)},
-         {"inflection_px", json_width(thresholds.estimates.inflection, 1)}});
+  for (const ArtifactThresholds& thresholds : result.thresholds) {
+    Json artifact = {{"artifact", word(thresholds.artifact)}};
+    if (conditions) artifact["condition"] = thresholds.condition;
+    artifact["perceptual_threshold" + unit] = json_estimate(thresholds.estimates.perceptual, axis);
+    artifact["slightly_noticeable" + unit] = json_estimate(thresholds.estimates.slightly_noticeable, axis);
+    artifact["inflection" + unit] = json_estimate(thresholds.estimates.inflection, axis);
+    json["artifacts"].push_back(artifact);
+  }
   return json;
 }
 
@@ -109,16 +115,19 @@ Json guessing_json(const GuessCorrection& correction) {
 Json artifact_checks_json(const Analysis& analysis, std::size_t index) {
   const CurveThresholds& found = analysis.thresholds[index].estimates;
   const double view_deg = analysis.options.field_of_view_deg;
+  const LevelAxis& axis = analysis.data.axis;
+  const std::string unit = unit_suffix(axis);
   Json json;
   json["logistic_thresholds"] = {
-      {"perceptual_threshold_px", json_width(found.perceptual_logistic, 1)},
-      {"slightly_noticeable_px", json_width(found.slightly_noticeable_logistic, 1)}};
+      {"perceptual_threshold" + unit, json_estimate(found.perceptual_logistic, axis)},
+      {"slightly_noticeable" + unit, json_estimate(found.slightly_noticeable_logistic, axis)}};
   json["corrected_for_guessing"] = index < analysis.guessing.curves.size()
-                                       ? corrected_json(analysis.guessing.curves[index])
+                                       ? corrected_json(analysis.guessing.curves[index], axis)
                                        : Json(nullptr);
   json["one_object_left_out"] = index < analysis.object_influence.size()
-                                    ? objects_json(analysis.object_influence[index])
+                                    ? objects_json(analysis.object_influence[index], axis)
                                     : Json(nullptr);
+  if (!of_depth_widths(axis)) return json;
   json["field_of_view"] = {{"degrees", json_number(view_deg)},
                            {"perceptual_threshold", view_json(found.perceptual, view_deg)},
                            {"slightly_noticeable", view_json(found.slightly_noticeable, view_deg)},
@@ -132,7 +141,8 @@ Json checks_json(const Analysis& analysis) {
   json["screening"] = screening_json(analysis.screening);
   json["thresholds_by_screen"] = Json::array();
   for (const ScreenedThresholds& result : analysis.screened)
-    json["thresholds_by_screen"].push_back(screened_json(result));
+    json["thresholds_by_screen"].push_back(
+        screened_json(result, analysis.data.axis, has_conditions(analysis.data)));
   json["exclude_screened"] = analysis.options.exclude_screened;
   json["sos_parameter"] = {
       {"a", json_number(analysis.sos.a)},

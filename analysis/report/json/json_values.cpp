@@ -1,6 +1,7 @@
 #include "analysis/report/json/json_values.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "support/text/csv.h"
 
@@ -12,20 +13,25 @@ Json json_number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(six_digits(*value)) : Json(nullptr);
 }
 
-Json json_interval(const WidthInterval& interval, double px_per_unit) {
-  const auto end = [&](double log2_px) {
-    return std::isfinite(log2_px) ? json_number(std::exp2(log2_px) / px_per_unit) : Json(nullptr);
+Json json_interval(const LevelInterval& interval, const LevelAxis& axis, double divisor) {
+  const LevelRange range = range_at(axis, interval);
+  const auto end = [&](double level) {
+    return std::isfinite(level) ? json_number(level / divisor) : Json(nullptr);
   };
-  return {end(interval.low_log2_px), end(interval.high_log2_px)};
+  return {end(range.low), end(range.high)};
 }
 
-Json json_width(const WidthEstimate& estimate, double px_per_unit) {
+Json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis, double divisor) {
   Json json;
   json["estimate"] =
-      estimate.log2_px ? json_number(std::exp2(*estimate.log2_px) / px_per_unit) : Json(nullptr);
+      estimate.level_x ? json_number(level_at(axis, *estimate.level_x) / divisor) : Json(nullptr);
   json["reason"] = estimate.reason.empty() ? Json(nullptr) : Json(estimate.reason);
-  json["ci95"] = json_interval(estimate.ci95, px_per_unit);
+  json["ci95"] = json_interval(estimate.ci95, axis, divisor);
   return json;
+}
+
+Json json_level(const LevelAxis& axis, double level) {
+  return facts(axis.quantity).whole ? Json(static_cast<std::int64_t>(level)) : json_number(level);
 }
 
 }  // namespace seamline::analysis

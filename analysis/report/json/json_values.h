@@ -2,17 +2,22 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/statistics/estimate.h"
+#include "analysis/scores/level_axis.h"
 
 namespace seamline::analysis {
 
 /// Six significant digits, or null when there is no finite number.
 [[nodiscard]] nlohmann::ordered_json json_number(std::optional<double> value);
 
-/// {estimate, reason, ci95: [low, high]} of a width in units of `px_per_unit` px; an open end is null.
-[[nodiscard]] nlohmann::ordered_json json_width(const WidthEstimate& estimate, double px_per_unit);
+/// {estimate, reason, ci95: [low, high]} of a level, divided by `divisor`; an open end is null.
+[[nodiscard]] nlohmann::ordered_json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis,
+                                                   double divisor = 1);
 
-/// [low, high] in px; an open end is null.
-[[nodiscard]] nlohmann::ordered_json json_interval(const WidthInterval& interval, double px_per_unit);
+/// [low, high] of levels, divided by `divisor`; an open end is null.
+[[nodiscard]] nlohmann::ordered_json json_interval(const LevelInterval& interval, const LevelAxis& axis,
+                                                   double divisor = 1);
+
+/// A level as a number: whole where the quantity is.
+[[nodiscard]] nlohmann::ordered_json json_level(const LevelAxis& axis, double level);
 
 }  // namespace seamline::analysis

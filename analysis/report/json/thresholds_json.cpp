@@ -14,14 +14,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json width(const WidthEstimate& estimate, const ThresholdRow& row, double px_per_unit) {
-  Json json = json_width(estimate, px_per_unit);
-  if (px_per_unit == 1) json["ci95_text"] = interval_text(estimate.ci95, row.smallest_px, row.largest_px);
+Json estimate_json(const ThresholdEstimate& estimate, const ThresholdRow& row, double divisor) {
+  Json json = json_estimate(estimate, row.tested.axis, divisor);
+  if (divisor == 1) json["ci95_text"] = interval_text(estimate.ci95, row.tested);
   return json;
 }
 
-Json cell_json(const CellMean& cell) {
-  return {{"width_px", cell.width_px},
+Json cell_json(const CellMean& cell, const LevelAxis& axis) {
+  return {{level_key(axis), json_level(axis, cell.level)},
           {"n", cell.n},
           {"mean", json_number(cell.mean)},
           {"sem", json_number(cell.sem)},
@@ -30,63 +30,84 @@ Json cell_json(const CellMean& cell) {
 
 Json curve_json(const ArtifactScores& scores, const CurveThresholds& fits) {
   Json curve = Json::array();
-  const std::vector<double> log2_px = log2_widths(scores.width_px);
   for (std::size_t i = 0; i < scores.cells.size(); ++i) {
-    Json point = cell_json(scores.cells[i]);
+    Json point = cell_json(scores.cells[i], scores.axis);
+    const double level = scores.cells[i].level;
+    if (stands_apart(scores.axis, level)) {
+      point["isotonic"] = point["logistic"] = nullptr;
+      curve.push_back(point);
+      continue;
+    }
     point["isotonic"] = json_number(fits.isotonic.value[i]);
-    point["logistic"] = json_number(value_at(fits.logistic.curve, log2_px[i]));
+    point["logistic"] = json_number(value_at(fits.logistic.curve, x_of(scores.axis, level)));
     curve.push_back(point);
   }
   return curve;
 }
 
-Json cells_json(const NoticeabilityData& data, Artifact artifact) {
+Json cells_json(const NoticeabilityData& data, Artifact artifact, const std::string& condition) {
   Json cells = Json::array();
   for (const ObjectCurve& object : data.objects) {
-    if (object.artifact != artifact) continue;
+    if (object.artifact != artifact || object.condition != condition) continue;
     for (const CellMean& cell : object.cells) {
       Json json = {{"artifact", word(artifact)},
                    {"scene", object.scene},
                    {"object", object.object},
                    {"object_index", object.object_index}};
-      json.update(cell_json(cell));
+      json.update(cell_json(cell, data.axis));
       cells.push_back(json);
     }
   }
   return cells;
 }
 
-Json logistic_json(const Logistic4Fit& fit) {
+Json logistic_json(const Logistic4Fit& fit, const LevelAxis& axis) {
   return {{"upper", json_number(fit.curve.upper)},
           {"lower", json_number(fit.curve.lower)},
-          {"centre_px", json_number(std::exp2(fit.curve.centre_log2_px))},
-          {"scale_octaves", json_number(fit.curve.scale_octaves)},
+          {"centre" + unit_suffix(axis), json_number(level_at(axis, fit.curve.centre_x))},
+          {"scale_" + length_key(axis), json_number(std::abs(difference_at(axis, fit.curve.scale_octaves)))},
           {"residual_sum_of_squares", json_number(fit.residual_sum_of_squares)},
           {"identified", fit.verdict == Centre::identified}};
+}
+
+Json differences_json(const Analysis& analysis) {
+  Json differences = Json::array();
+  for (const ThresholdDifference& found : analysis.differences)
+    differences.push_back({{"artifact", word(found.artifact)},
+                           {"quantity", found.quantity},
+                           {"condition", found.condition},
+                           {"to", found.to},
+                           {"participants", found.participants},
+                           {"estimate", json_number(found.estimate)},
+                           {"bounds", {json_number(found.bounds.low), json_number(found.bounds.high)}},
+                           {"ci95", {json_number(found.ci95.low), json_number(found.ci95.high)}},
+                           {"text", found.text}});
+  return differences;
 }
 
 Json artifact_json(const Analysis& analysis, std::size_t index, const std::vector<ThresholdRow>& rows) {
   const ArtifactThresholds& thresholds = analysis.thresholds[index];
   Json json;
   json["artifact"] = word(thresholds.artifact);
+  if (has_conditions(analysis.data)) json["condition"] = thresholds.condition;
   json["participants"] = thresholds.participants;
+  const LevelAxis& axis = analysis.data.axis;
+  const std::string unit = unit_suffix(axis);
   Json planted, paper, bootstrap;
   for (const ThresholdRow& row : rows) {
-    if (row.artifact != thresholds.artifact) continue;
-    json[row.key + "_px"] = width(row.here, row, 1);
-    json[row.key + "_texels_per_degree"] = width(row.here, row, 360);
+    if (row.artifact != thresholds.artifact || row.condition != thresholds.condition) continue;
+    json[row.key + unit] = estimate_json(row.here, row, 1);
+    if (of_depth_widths(axis)) json[row.key + "_texels_per_degree"] = estimate_json(row.here, row, 360);
     paper[row.key + "_px"] = row.paper_px ? Json(*row.paper_px) : Json(nullptr);
-    if (row.planted)
-      planted[row.key + "_px"] =
-          row.planted->log2_px ? json_number(std::exp2(*row.planted->log2_px)) : Json(nullptr);
-    if (row.bootstrap) bootstrap[row.key + "_px"] = json_interval(*row.bootstrap, 1);
+    if (row.planted) planted[row.key + unit] = json_number(level_of(*row.planted, axis));
+    if (row.bootstrap) bootstrap[row.key + unit] = json_interval(*row.bootstrap, axis);
   }
   json["planted"] = planted;
-  json["paper"] = paper;
+  if (beside_the_paper(analysis)) json["paper"] = paper;
   json["expanded_percentile_ci95"] = bootstrap;
-  json["logistic"] = logistic_json(thresholds.estimates.logistic);
+  json["logistic"] = logistic_json(thresholds.estimates.logistic, axis);
   json["curve"] = curve_json(analysis.data.artifacts[index], thresholds.estimates);
-  json["cells"] = cells_json(analysis.data, thresholds.artifact);
+  json["cells"] = cells_json(analysis.data, thresholds.artifact, thresholds.condition);
   json.update(artifact_checks_json(analysis, index));
   return json;
 }
@@ -115,11 +136,18 @@ std::string thresholds_json(const Analysis& analysis) {
   json["intervals"] =
       "95 %: PT and SN by an inverted score test, IP by the expanded percentile bootstrap over participants";
   json["notes"] = analysis.notes;
+  const LevelAxis& axis = analysis.data.axis;
+  if (!of_depth_widths(axis))
+    json["level"] = {{"quantity", facts(axis.quantity).key},
+                     {"axis", is_linear(axis) ? "linear" : "log2"},
+                     {"noticeability", noticeability_word(axis.noticeability)}};
+  if (has_conditions(analysis.data)) json["conditions"] = analysis.data.conditions;
   const std::vector<ThresholdRow> rows = threshold_rows(analysis);
   json["artifacts"] = Json::array();
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
     json["artifacts"].push_back(artifact_json(analysis, i, rows));
   json.update(checks_json(analysis));
+  if (has_conditions(analysis.data)) json["differences"] = differences_json(analysis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

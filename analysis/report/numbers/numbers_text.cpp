@@ -11,8 +11,10 @@ namespace seamline::analysis {
 namespace {
 
 std::string choices_text(const ReportNumbers& numbers) {
-  std::vector<std::vector<std::string>> lines = {
-      {"right choices", "threshold_px", "95 %", "width_octaves", "lapse", "deviance p", "verdict"}};
+  const LevelAxis& axis = numbers.axis;
+  std::vector<std::vector<std::string>> lines = {{"right choices", "threshold" + unit_suffix(axis), "95 %",
+                                                  "width_" + length_key(axis), "lapse", "deviance p",
+                                                  "verdict"}};
   std::string missing;
   for (const ChoiceCurve& curve : numbers.choices) {
     if (!curve.pooled) {
@@ -21,13 +23,15 @@ std::string choices_text(const ReportNumbers& numbers) {
     }
     const PooledFit& pooled = *curve.pooled;
     const bool known = has_threshold(curve);
-    lines.push_back(
-        {std::string(word(curve.artifact)),
-         known ? fmt::format("{:.0f}", pooled.fit.function.threshold) : "-",
-         known ? fmt::format("{:.0f} to {:.0f}", pooled.threshold_ci95.low, pooled.threshold_ci95.high) : "-",
-         known ? fmt::format("{:.2f}", pooled.fit.width) : "-",
-         known ? fmt::format("{:.3f}", pooled.fit.function.lapse) : "-",
-         std::isnan(curve.deviance_p) ? "-" : fmt::format("{:.3f}", curve.deviance_p), pooled.verdict.text});
+    lines.push_back({std::string(word(curve.artifact)) + in_condition(curve.condition),
+                     known ? estimated_text(axis, pooled.fit.function.threshold) : "-",
+                     known ? estimated_text(axis, pooled.threshold_ci95.low) + " to " +
+                                 estimated_text(axis, pooled.threshold_ci95.high)
+                           : "-",
+                     known ? fmt::format("{:.2f}", pooled.fit.width) : "-",
+                     known ? fmt::format("{:.3f}", pooled.fit.function.lapse) : "-",
+                     std::isnan(curve.deviance_p) ? "-" : fmt::format("{:.3f}", curve.deviance_p),
+                     pooled.verdict.text});
   }
   return (lines.size() > 1 ? aligned(lines) : "") + missing;
 }
@@ -46,7 +50,7 @@ std::string times_text(const ReportNumbers& numbers) {
   std::vector<std::vector<std::string>> lines = {{"response times", "answers", "median_s", "quartiles_s"}};
   for (const ResponseTime& row : numbers.times.rows)
     if (!row.artifact && row.which == TimedAnswers::all)
-      lines.push_back({fmt::format("{} px", row.width_px), std::to_string(row.answers),
+      lines.push_back({level_text(numbers.axis.quantity, row.level), std::to_string(row.answers),
                        fmt::format("{:.2f}", row.choice.median_s),
                        fmt::format("{:.2f} to {:.2f}", row.choice.lower_s, row.choice.upper_s)});
   return aligned(lines);

@@ -10,11 +10,15 @@ namespace {
 void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
   if (analysis.adaptive) {
     numbers.comparisons_missing =
-        "Artifacts are not compared by a model of ratings: widths were placed by the answers, so ratings "
-        "were not asked at the same widths of everybody. Compare the thresholds of the tracks.";
+        in_words_of(analysis.data.axis,
+                    "Artifacts are not compared by a model of ratings: widths were placed by the answers, so "
+                    "ratings were not asked at the same widths of everybody. Compare the thresholds of the "
+                    "tracks.");
     return;
   }
   OrdinalStudyRequest request;
+  request.conditions = analysis.data.conditions;
+  request.axis = analysis.data.axis;
   request.fit.threads = analysis.resampling.threads;
   try {
     numbers.comparisons = ordinal_study(analysis, {}, request);
@@ -27,6 +31,8 @@ void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
 
 ReportNumbers report_numbers(const Analysis& analysis) {
   ReportNumbers numbers;
+  numbers.axis = analysis.data.axis;
+  numbers.conditions = has_conditions(analysis.data);
   numbers.choices = choice_curves(analysis);
   add_comparisons(numbers, analysis);
   numbers.times = response_times(analysis);

@@ -14,6 +14,8 @@ namespace seamline::analysis {
 
 /// What a report says beside the thresholds, computed once; HTML, CSV, JSON and figures are written from it.
 struct ReportNumbers {
+  LevelAxis axis;
+  bool conditions = false;                  ///< whether the study has several, so that results name them
   std::vector<ChoiceCurve> choices;         ///< one an artifact, in the order of the analysis
   std::optional<OrdinalStudy> comparisons;  ///< none: see `comparisons_missing`
   std::string comparisons_missing;          ///< a sentence

@@ -26,18 +26,19 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
     for (auto width :
          {&CurveThresholds::perceptual, &CurveThresholds::slightly_noticeable, &CurveThresholds::inflection})
       (corrected.estimates.*width).reason = (thresholds.estimates.*width).reason;
-  const std::optional<PaperThresholds> paper = paper_thresholds(thresholds.artifact);
-  const auto found = planted.find(thresholds.artifact);
+  const std::optional<PaperThresholds> paper =
+      beside_the_paper(analysis) ? paper_thresholds(thresholds.artifact) : std::nullopt;
+  const auto found = planted.find({thresholds.artifact, thresholds.condition});
   const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;
-  const auto row = [&](const char* quantity, const char* key, const WidthEstimate& here) {
+  const auto row = [&](const char* quantity, const char* key, const ThresholdEstimate& here) {
     return ThresholdRow{.artifact = thresholds.artifact,
+                        .condition = thresholds.condition,
+                        .tested = tested_levels(scores),
                         .quantity = quantity,
                         .key = key,
                         .level = {},
                         .here = here,
                         .bootstrap = {},
-                        .smallest_px = scores.width_px.front(),
-                        .largest_px = scores.width_px.back(),
                         .paper_px = {},
                         .planted = {},
                         .logistic = {},
@@ -75,14 +76,15 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
   rows.insert(rows.end(), {pt, sn, ip});
 }
 
-std::string edge_text(double log2_px, int smallest_px, int largest_px) {
-  if (log2_px == below_every_width) return fmt::format("below {}", smallest_px);
-  if (log2_px == above_every_width) return fmt::format("above {}", largest_px);
-  return fmt::format("{:.0f}", std::exp2(log2_px));
+std::string edge_text(double level, const TestedLevels& tested) {
+  if (level == -infinity) return "below " + tested_text(tested.axis, tested.smallest);
+  if (level == infinity) return "above " + tested_text(tested.axis, tested.largest);
+  return estimated_text(tested.axis, level);
 }
 
-std::string width_text(const WidthEstimate& estimate) {
-  return estimate.log2_px ? fmt::format("{:.0f}", std::exp2(*estimate.log2_px)) : estimate.reason;
+std::string level_text(const ThresholdEstimate& estimate, const LevelAxis& axis) {
+  const std::optional<double> level = level_of(estimate, axis);
+  return level ? estimated_text(axis, *level) : estimate.reason;
 }
 
 }  // namespace
@@ -93,32 +95,53 @@ std::vector<ThresholdRow> threshold_rows(const Analysis& analysis) {
   return rows;
 }
 
-std::string artifact_title(Artifact artifact) {
+TestedLevels tested_levels(const ArtifactScores& scores) {
+  TestedLevels tested{.axis = scores.axis, .smallest = 0, .largest = 0};
+  bool some = false;
+  for (const double level : scores.level) {
+    if (stands_apart(scores.axis, level)) continue;
+    tested.smallest = some ? std::min(tested.smallest, level) : level;
+    tested.largest = some ? std::max(tested.largest, level) : level;
+    some = true;
+  }
+  return tested;
+}
+
+bool beside_the_paper(const Analysis& analysis) {
+  return of_depth_widths(analysis.data.axis) && !has_conditions(analysis.data);
+}
+
+std::string artifact_title(Artifact artifact, const std::string& condition) {
   std::string title(word(artifact));
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   if (const std::optional<PaperThresholds> paper = paper_thresholds(artifact))
     title += fmt::format(" (type {})", paper->type);
-  return title;
+  return condition.empty() ? title : title + ", " + condition;
 }
 
-std::string size_text(const WidthEstimate& estimate, const std::string& times) {
-  if (!estimate.log2_px) return estimate.reason;
-  const double width_px = std::exp2(*estimate.log2_px);
+std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis) {
+  return estimate.level_x ? std::optional(level_at(axis, *estimate.level_x)) : std::nullopt;
+}
+
+std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis, const std::string& times) {
+  if (!estimate.level_x || !of_depth_widths(axis)) return level_text(estimate, axis);
+  const double width_px = level_at(axis, *estimate.level_x);
   return fmt::format("{:.0f} {} {:.0f}", width_px, times, width_px / 2);
 }
 
-std::string interval_text(const WidthInterval& interval, int smallest_px, int largest_px) {
-  const std::string low = edge_text(interval.low_log2_px, smallest_px, largest_px);
-  if (interval.low_log2_px == interval.high_log2_px && !std::isfinite(interval.low_log2_px)) return low;
-  return low + " to " + edge_text(interval.high_log2_px, smallest_px, largest_px);
+std::string interval_text(const LevelInterval& interval, const TestedLevels& tested) {
+  const LevelRange range = range_at(tested.axis, interval);
+  const std::string low = edge_text(range.low, tested);
+  if (range.low == range.high && !std::isfinite(range.low)) return low;
+  return low + " to " + edge_text(range.high, tested);
 }
 
-std::optional<double> bound_px(double log2_px) {
-  return std::isfinite(log2_px) ? std::optional(std::exp2(log2_px)) : std::nullopt;
+std::optional<double> closed(double bound) {
+  return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-std::string estimate_text(const WidthEstimate& estimate, int smallest_px, int largest_px) {
-  return fmt::format("{} ({})", width_text(estimate), interval_text(estimate.ci95, smallest_px, largest_px));
+std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested) {
+  return fmt::format("{} ({})", level_text(estimate, tested.axis), interval_text(estimate.ci95, tested));
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& lines) {
@@ -135,18 +158,23 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
 }
 
 std::string table_text(const Analysis& analysis) {
-  const bool simulated = !analysis.planted.empty();
-  std::vector<std::vector<std::string>> lines = {{"artifact", "", "here", "95 % interval (W)", "paper (W)"}};
-  if (simulated) lines.front().emplace_back("planted (W)");
+  const bool simulated = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const LevelAxis& axis = analysis.data.axis;
+  const std::string of_width = of_depth_widths(axis) ? " (W)" : "";
+  std::vector<std::vector<std::string>> lines = {{"artifact", "", "here", "95 % interval" + of_width}};
+  if (paper) lines.front().push_back("paper" + of_width);
+  if (simulated) lines.front().push_back("planted" + of_width);
   for (const ThresholdRow& row : threshold_rows(analysis)) {
-    lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact) : "", row.quantity,
-                     size_text(row.here, "x"), interval_text(row.here.ci95, row.smallest_px, row.largest_px),
-                     row.paper_px ? std::to_string(*row.paper_px) : "-"});
-    if (simulated) lines.back().push_back(row.planted ? width_text(*row.planted) : "");
+    lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "", row.quantity,
+                     size_text(row.here, axis, "x"), interval_text(row.here.ci95, row.tested)});
+    if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
+    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, axis) : "");
   }
   std::string text =
-      fmt::format("Depth map width W x height in px; {}\n", source_text(analysis)) + aligned(lines);
-  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point. -: the paper gives no value.\n";
+      (of_depth_widths(axis) ? std::string("Depth map width W x height in px") : axis_title(axis)) + "; " +
+      source_text(analysis) + "\n" + aligned(lines);
+  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point.";
+  text += paper ? " -: the paper gives no value.\n" : "\n";
   if (simulated)
     text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";
   return text;

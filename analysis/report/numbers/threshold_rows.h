@@ -7,43 +7,60 @@
 
 namespace seamline::analysis {
 
+/// What was tested of a curve, without a level that stands apart.
+struct TestedLevels {
+  LevelAxis axis;
+  double smallest = 0, largest = 0;
+};
+[[nodiscard]] TestedLevels tested_levels(const ArtifactScores& scores);
+
 /// One number of Table 1: a quantity of an artifact with everything that is printed beside it. What terminal,
 /// CSV, JSON and report are all written from, so that they cannot disagree.
 struct ThresholdRow {
   Artifact artifact = Artifact::none;
+  std::string condition;  ///< empty where the study has one
+  TestedLevels tested;
   std::string quantity;         ///< "PT", "SN" or "IP"
   std::string key;              ///< "perceptual_threshold", "slightly_noticeable", "inflection"
   std::optional<double> level;  ///< of noticeability; none for IP
-  WidthEstimate here;
-  std::optional<WidthInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
-  int smallest_px = 0, largest_px = 0;     ///< tested
+  ThresholdEstimate here;
+  std::optional<LevelInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
   std::optional<int> paper_px;
-  std::optional<WidthEstimate> planted;   ///< present when all participants are `threshold` observers
-  std::optional<WidthEstimate> logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
-  std::optional<WidthInterval> object_range;  ///< range when each object is left out; none with one object
-  WidthEstimate corrected;                    ///< the same quantity of the curve corrected for guessing
-  std::optional<WidthInterval>
+  std::optional<ThresholdEstimate> planted;  ///< present when all participants are `threshold` observers
+  std::optional<ThresholdEstimate>
+      logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
+  std::optional<LevelInterval> object_range;  ///< range when each object is left out; none with one object
+  ThresholdEstimate corrected;                ///< the same quantity of the curve corrected for guessing
+  std::optional<LevelInterval>
       corrected_bootstrap;  ///< PT and SN: expanded percentile interval, for comparison
 };
 
 [[nodiscard]] std::vector<ThresholdRow> threshold_rows(const Analysis& analysis);
 
-/// "Receiver (type 1)"; artifacts outside the paper have no type.
-[[nodiscard]] std::string artifact_title(Artifact artifact);
+/// "Receiver (type 1)", with the condition behind it: "Receiver (type 1), soft"; artifacts outside the paper
+/// have no type.
+[[nodiscard]] std::string artifact_title(Artifact artifact, const std::string& condition = "");
 
-/// "426 × 213" (width and height of the depth map), or the reason why there is none. `times` is the sign
-/// between.
-[[nodiscard]] std::string size_text(const WidthEstimate& estimate, const std::string& times = "×");
+/// "426 × 213" (width and height of the depth map; `times` is the sign between), the level of other
+/// quantities, or the reason why there is none.
+[[nodiscard]] std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis,
+                                    const std::string& times = "×");
 
-/// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested widths is
+/// The estimated level; none where there is none.
+[[nodiscard]] std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis);
+
+/// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested levels is
 /// said in words.
-[[nodiscard]] std::string interval_text(const WidthInterval& interval, int smallest_px, int largest_px);
+[[nodiscard]] std::string interval_text(const LevelInterval& interval, const TestedLevels& tested);
 
-/// A bound in px; none when it is open.
-[[nodiscard]] std::optional<double> bound_px(double log2_px);
+/// A bound; none when it is open.
+[[nodiscard]] std::optional<double> closed(double bound);
 
 /// "426 (380 to 470)", or the reason why there is no estimate with its interval.
-[[nodiscard]] std::string estimate_text(const WidthEstimate& estimate, int smallest_px, int largest_px);
+[[nodiscard]] std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested);
+
+/// Whether the paper's values stand beside the study's: it measured depth widths, in one condition.
+[[nodiscard]] bool beside_the_paper(const Analysis& analysis);
 
 /// Lines of cells as text with columns as wide as their widest cell.
 [[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& lines);

@@ -7,21 +7,19 @@
 namespace seamline::analysis {
 
 std::vector<std::string> otherwise_estimated_cells(const ThresholdRow& row) {
-  const auto text = [&](const WidthEstimate& estimate) {
-    return estimate_text(estimate, row.smallest_px, row.largest_px);
-  };
+  const auto text = [&](const ThresholdEstimate& estimate) { return estimate_text(estimate, row.tested); };
   const bool inflection = row.quantity == "IP";  // which is the logistic's own
   std::string logistic;
   if (inflection)
     logistic = text(row.here);
   else if (row.logistic)
     logistic = text(*row.logistic);
-  return {row.quantity == "PT" ? artifact_title(row.artifact) : "",
+  return {row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "",
           row.quantity,
           inflection ? "" : text(row.here),
           logistic,
           text(row.corrected),
-          row.object_range ? interval_text(*row.object_range, row.smallest_px, row.largest_px) : ""};
+          row.object_range ? interval_text(*row.object_range, row.tested) : ""};
 }
 
 std::vector<std::vector<std::string>> screened_lines(const Analysis& analysis) {
@@ -29,12 +27,13 @@ std::vector<std::vector<std::string>> screened_lines(const Analysis& analysis) {
   for (const ScreenedThresholds& result : analysis.screened)
     for (const ArtifactThresholds& thresholds : result.thresholds)
       for (const ArtifactScores& scores : analysis.data.artifacts) {
-        if (scores.artifact != thresholds.artifact) continue;
-        const auto text = [&](const WidthEstimate& estimate) {
-          return estimate_text(estimate, scores.width_px.front(), scores.width_px.back());
+        if (scores.artifact != thresholds.artifact || scores.condition != thresholds.condition) continue;
+        const auto text = [&](const ThresholdEstimate& estimate) {
+          return estimate_text(estimate, tested_levels(scores));
         };
         const bool first = &thresholds == &result.thresholds.front();
-        lines.push_back({first ? who_text(result, analysis) : "", std::string(word(thresholds.artifact)),
+        lines.push_back({first ? who_text(result, analysis) : "",
+                         std::string(word(thresholds.artifact)) + in_condition(thresholds.condition),
                          text(thresholds.estimates.perceptual),
                          text(thresholds.estimates.slightly_noticeable),
                          text(thresholds.estimates.inflection)});

@@ -15,7 +15,9 @@ std::string beside_text(const Analysis& analysis) {
   std::vector<std::vector<std::string>> lines = {
       {"artifact", "", "isotonic", "logistic", "corrected for guessing", "one object left out"}};
   for (const ThresholdRow& row : threshold_rows(analysis)) lines.push_back(otherwise_estimated_cells(row));
-  return "The same widths W in px, otherwise estimated (95 % interval)\n" + aligned(lines);
+  return (of_depth_widths(analysis.data.axis) ? std::string("The same widths W in px")
+                                              : "The same thresholds, " + axis_title(analysis.data.axis)) +
+         ", otherwise estimated (95 % interval)\n" + aligned(lines);
 }
 
 std::string screened_text(const Analysis& analysis) {

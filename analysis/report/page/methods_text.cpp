@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
 #include "support/files/assets.h"
@@ -12,10 +13,25 @@ namespace seamline::analysis {
 namespace {
 
 std::string widths_text(const Analysis& analysis) {
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string text;
-  for (int width : tested_widths(analysis.data))
-    text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", width, width / 2);
-  return text;
+  for (const double level : drawn.levels)
+    text += (text.empty() ? "" : ", ") + (of_depth_widths(drawn.axis)
+                                              ? fmt::format("{} × {}", level, std::floor(level / 2))
+                                              : tested_text(drawn.axis, level));
+  if (of_depth_widths(drawn.axis)) return "Equirectangular depth maps of " + text + " texels were tested.";
+  const QuantityFacts& about = facts(drawn.axis.quantity);
+  return fmt::format("Levels of the {} were tested: {}{}.", about.name, text,
+                     about.unit.empty() ? "" : " " + std::string(about.unit));
+}
+
+/// Which conditions there were, and that each has thresholds of its own.
+std::string conditions_text(const Analysis& analysis) {
+  if (!has_conditions(analysis.data)) return "";
+  std::string names;
+  for (const std::string& name : analysis.data.conditions) names += (names.empty() ? "" : ", ") + name;
+  return fmt::format(" There were {} conditions: {}. Each has curves and thresholds of its own.",
+                     analysis.data.conditions.size(), names);
 }
 
 std::string people_text(const Analysis& analysis) {
@@ -50,8 +66,8 @@ std::string procedure(const Analysis& analysis) {
       "depth map; {} judged up to {} images each, in an order of their own. They chose the object that they "
       "took for the inserted one (forced choice) and rated how noticeable the insertion was: 1 slightly, 2 "
       "moderately, 3 very, 4 extremely. Noticeability is the rating when the choice was right and 0 when it "
-      "was wrong. Equirectangular depth maps of {} texels were tested.",
-      source_text(analysis), trials, widths_text(analysis));
+      "was wrong. {}{}",
+      source_text(analysis), trials, widths_text(analysis), conditions_text(analysis));
 }
 
 constexpr const char* means_text =
@@ -65,15 +81,21 @@ constexpr const char* means_text =
     "one time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.";
 
 std::string intervals_text(const Analysis& analysis) {
-  return fmt::format(
-      "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
-      "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 degrees of "
-      "freedom; the variance over participants is read at the mean that the level implies, as in Wilson's "
-      "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples "
-      "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
-      "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
-      "the widths tested.",
-      analysis.resampling.replicates, analysis.resampling.seed);
+  return in_words_of(
+      analysis.data.axis,
+      fmt::format(
+          "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
+          "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 "
+          "degrees of "
+          "freedom; the variance over participants is read at the mean that the level implies, as in "
+          "Wilson's "
+          "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap "
+          "samples "
+          "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
+          "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold "
+          "beyond "
+          "the widths tested.",
+          analysis.resampling.replicates, analysis.resampling.seed));
 }
 
 constexpr const char* checks_method_text =
@@ -101,23 +123,35 @@ std::string software(const Analysis& analysis) {
 
 std::string choices_text(const Analysis& analysis, int replicates) {
   return fmt::format(
-      "Right choices were described by psychometric functions, cumulative normal in log2 width with a guess "
+      "Right choices were described by psychometric functions, cumulative normal in {} with a guess "
       "rate of 1/3 and a lapse rate estimated up to 0.1, fitted by maximum likelihood to the answers of all "
       "participants (Wichmann and Hill, 2001). The interval of the threshold is that of the profile "
       "likelihood, scaled by the variance of the threshold over participants (leaving out one at a time) "
       "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
       "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
       "from the fit.",
-      replicates, analysis.resampling.seed, deviance_replicates);
+      in_words_of(analysis.data.axis, "log2 width"), replicates, analysis.resampling.seed,
+      deviance_replicates);
 }
 
-std::string comparisons_text(const OrdinalStudy& study) {
+std::string differences_text(const Analysis& analysis) {
+  return fmt::format(
+      "Thresholds of each condition were compared to those of '{}' ({}). Their intervals are expanded "
+      "percentile intervals of {} bootstrap samples of participants (seed {}), drawn for all conditions "
+      "together; a sample whose threshold lies beyond the levels tested counts as anywhere there.",
+      analysis.data.conditions.front(), length_unit(analysis.data.axis), analysis.resampling.replicates,
+      analysis.resampling.seed);
+}
+
+std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& numbers) {
   return fmt::format(
       "Artifacts were compared by a cumulative link mixed model (Agresti, 2010) of noticeability with {} "
-      "link, a level and a slope over log2 width for each artifact, objects nested in artifacts and a normal "
+      "link, a {} and a slope over {} for each artifact{}, objects nested in artifacts and a normal "
       "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
-      word(study.fit.link), study.fit.nodes,
+      word(study.fit.link), of_depth_widths(numbers.axis) ? "level" : "mean",
+      in_words_of(numbers.axis, "log2 width"), numbers.conditions ? " in each condition" : "",
+      study.fit.nodes,
       study.errors == ErrorSource::participants
           ? "were computed by leaving out each participant in turn, with Student's t"
           : "are those of the likelihood's curvature",
@@ -137,14 +171,17 @@ std::string adaptive_text(const ReportNumbers& numbers) {
     for (const study::Parameter parameter : track.informed)
       informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
   }
-  return fmt::format(
-      "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
-      "posterior "
-      "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend on "
-      "the "
-      "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
-      rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
-      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it.");
+  return in_words_of(
+      {.quantity = numbers.axis.quantity},
+      fmt::format(
+          "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
+          "posterior "
+          "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend "
+          "on "
+          "the "
+          "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
+          rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
+          informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it."));
 }
 
 constexpr const char* reaction_times_text =
@@ -205,7 +242,10 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
   if (analysis.adaptive) {
     paragraphs.push_back(adaptive_text(numbers));
   } else {
-    paragraphs.emplace_back(means_text);
+    paragraphs.push_back(in_words_of(analysis.data.axis, means_text));
+    if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))
+      paragraphs.emplace_back(
+          "The level none stands apart: it lies on no logarithmic axis, and is no part of the fits.");
     if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis));
     for (const ChoiceCurve& curve : numbers.choices)
       if (curve.pooled) {
@@ -213,8 +253,9 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
         break;
       }
     if (numbers.comparisons && has_estimates(numbers.comparisons->fit.verdict))
-      paragraphs.push_back(comparisons_text(*numbers.comparisons));
-    paragraphs.emplace_back(checks_method_text);
+      paragraphs.push_back(comparisons_text(*numbers.comparisons, numbers));
+    if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
+    paragraphs.push_back(in_words_of(analysis.data.axis, checks_method_text));
   }
   paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);

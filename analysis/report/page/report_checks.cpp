@@ -17,9 +17,9 @@ namespace {
 using Cells = std::vector<std::string>;
 
 /// The estimate as resolution in a smaller field of view; a dash without an estimate.
-std::string view_text(const WidthEstimate& estimate, double view_deg) {
-  if (!estimate.log2_px) return "–";
-  const double width_px = std::exp2(*estimate.log2_px);
+std::string view_text(const ThresholdEstimate& estimate, double view_deg) {
+  if (!estimate.level_x) return "–";
+  const double width_px = std::exp2(*estimate.level_x);
   return fmt::format("{:.0f} / {:.0f}", width_in_field_of_view_px(width_px, view_deg),
                      pinhole_width_px(width_px, view_deg));
 }
@@ -27,18 +27,15 @@ std::string view_text(const WidthEstimate& estimate, double view_deg) {
 std::string beside_html(const Analysis& analysis) {
   const double view_deg = analysis.options.field_of_view_deg;
   std::vector<Cells> lines;
+  const bool views = of_depth_widths(analysis.data.axis);
   for (const ThresholdRow& row : threshold_rows(analysis)) {
     lines.push_back(otherwise_estimated_cells(row));
-    lines.back().push_back(view_text(row.here, view_deg));
+    if (views) lines.back().push_back(view_text(row.here, view_deg));
   }
-  return html_table({{"artifact"},
-                     {""},
-                     {"isotonic"},
-                     {"logistic"},
-                     {"corrected for guessing"},
-                     {"one object left out"},
-                     {fmt::format("px for {:.3g}°", view_deg)}},
-                    lines);
+  std::vector<HtmlColumn> columns = {
+      {"artifact"}, {""}, {"isotonic"}, {"logistic"}, {"corrected for guessing"}, {"one object left out"}};
+  if (views) columns.push_back({fmt::format("px for {:.3g}°", view_deg)});
+  return html_table(columns, lines);
 }
 
 std::string screened_html(const Analysis& analysis) {
@@ -53,6 +50,11 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
     html +=
         "<p>Thresholds are not estimated otherwise, nor corrected for guessing: there are no curves of "
         "mean noticeability.</p>\n";
+  else if (!of_depth_widths(analysis.data.axis))
+    html += html_paragraph("The thresholds otherwise estimated: " + axis_title(analysis.data.axis) +
+                           ", 95 % interval in brackets.") +
+            beside_html(analysis) + html_paragraph(guessers_text(analysis.guessing)) +
+            figure_html(figures, "corrected_for_guessing");
   else
     html += fmt::format(
                 "<p>The thresholds otherwise estimated: width W in px, 95 % interval in brackets. Last "

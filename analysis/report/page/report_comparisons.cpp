@@ -59,10 +59,11 @@ std::string comparisons_html(const ReportNumbers& numbers) {
   if (!numbers.comparisons) return html + html_paragraph(numbers.comparisons_missing);
   const OrdinalStudy& study = *numbers.comparisons;
   html += fmt::format(
-      "<p>An ordinal mixed model of noticeability (0 to 4): a level and a slope over log2 width for each "
-      "artifact, objects within artifacts, and a random level for each participant; {} answers of {} "
+      "<p>An ordinal mixed model of noticeability (0 to 4): a {} and a slope over {} for each "
+      "artifact{}, objects within artifacts, and a random level for each participant; {} answers of {} "
       "participants. Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds.</p>\n",
-      study.fit.observations, study.fit.participants);
+      of_depth_widths(numbers.axis) ? "level" : "mean", in_words_of(numbers.axis, "log2 width"),
+      numbers.conditions ? " in each condition" : "", study.fit.observations, study.fit.participants);
   for (const std::string& note : study.notes) html += html_paragraph(note);
   if (!has_estimates(study.fit.verdict))
     return html + html_paragraph("No comparison is made: " + std::string(word(study.fit.verdict)) + ".");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/report/numbers/threshold_rows.h"
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/report_parts.h"
 #include "support/files/assets.h"
@@ -26,7 +27,11 @@ std::string participants_text(const ParticipantCounts& counts) {
 
 std::string header(const Analysis& analysis) {
   std::string html =
-      fmt::format("<header>\n<h1>How much depth resolution: {}</h1>\n", html_escape(analysis.log.study_name));
+      fmt::format("<header>\n<h1>{}: {}</h1>\n",
+                  of_depth_widths(analysis.data.axis)
+                      ? std::string("How much depth resolution")
+                      : "Thresholds of " + std::string(facts(analysis.data.axis.quantity).name),
+                  html_escape(analysis.log.study_name));
   if (analysis.counts.simulated > 0)
     html += fmt::format("<div class=\"badge\">{}</div>\n", html_escape(source_text(analysis)));
   html += "<dl class=\"facts\">\n" +
@@ -47,9 +52,16 @@ std::string thresholds_section(const Analysis& analysis) {
   std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
   html +=
       "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. IP: "
-      "inflection point. Width × height of the equirectangular depth map in px. “–” under paper: the paper "
-      "gives no value. Above or below at every width: the curve does not cross the level within the widths "
-      "tested.</p>\n";
+      "inflection point. " +
+      (of_depth_widths(analysis.data.axis)
+           ? std::string("Width × height of the equirectangular depth map in px. ")
+           : html_escape("Levels: " + axis_title(analysis.data.axis) + ". ")) +
+      (beside_the_paper(analysis) ? "“–” under paper: the paper gives no value. " : "") +
+      (of_depth_widths(analysis.data.axis)
+           ? "Above or below at every width: the curve does not cross the level within the widths tested."
+           : "Above or below at every level: mean noticeability is, and does not cross within the levels "
+             "tested.") +
+      "</p>\n";
   if (!analysis.planted.empty())
     html +=
         "<p>Planted values are PT, SN and IP of the expected answers that the simulated observers were "
@@ -58,12 +70,13 @@ std::string thresholds_section(const Analysis& analysis) {
   return html;
 }
 
-std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive) {
+std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive, const LevelAxis& axis) {
   std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
   if (adaptive)
-    html +=
-        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the answers. The "
-        "means of objects below are over different people at different widths.</p>\n";
+    html += in_words_of(axis,
+                        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the "
+                        "answers. The means of objects below are over different people at different "
+                        "widths.</p>\n");
   return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
 }
 
@@ -101,12 +114,13 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), report_style());
-  html += header(analysis) + contents + thresholds_section(analysis) +
-          noticeability_section(figures, analysis.adaptive) + psychometric_html(numbers, figures) +
-          comparisons_html(numbers) + checks_html(analysis, figures) + times_html(numbers, figures);
+  html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) +
+          noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
+          psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
+          times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(numbers);
-  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples) + methods_section(analysis, numbers) +
-          data_section;
+  html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
+          methods_section(analysis, numbers) + data_section;
   return html + "</body>\n</html>\n";
 }
 

@@ -19,6 +19,9 @@ namespace seamline::analysis {
 /// Table 1 from the data, beside the paper's and the planted values.
 [[nodiscard]] std::string threshold_table_html(const Analysis& analysis);
 
+/// What thresholds differ by between conditions; empty where the study has one.
+[[nodiscard]] std::string differences_html(const Analysis& analysis);
+
 /// The thresholds otherwise estimated, corrected for guessing, and with and without those whom a screen
 /// names.
 [[nodiscard]] std::string checks_html(const Analysis& analysis, const std::vector<Figure>& figures);
@@ -33,6 +36,6 @@ namespace seamline::analysis {
 
 [[nodiscard]] std::string participant_table_html(const ReportNumbers& numbers);
 
-[[nodiscard]] std::string samples_html(const StimulusSamples& samples);
+[[nodiscard]] std::string samples_html(const StimulusSamples& samples, const LevelAxis& axis = {});
 
 }  // namespace seamline::analysis

@@ -28,11 +28,11 @@ std::string times_html(const ReportNumbers& numbers, const std::vector<Figure>& 
   std::vector<std::vector<std::string>> lines;
   for (const ResponseTime& row : numbers.times.rows)
     if (!row.artifact)
-      lines.push_back({row.which == TimedAnswers::all ? std::to_string(row.width_px) : "",
+      lines.push_back({row.which == TimedAnswers::all ? tested_text(numbers.axis, row.level) : "",
                        std::string(word(row.which)), std::to_string(row.answers), std::to_string(row.people),
                        quartiles_text(row.choice), quartiles_text(row.rating)});
   return html + figure_html(figures, "response_times") +
-         html_table({{"W, px"},
+         html_table({{of_depth_widths(numbers.axis) ? std::string("W, px") : axis_title(numbers.axis)},
                      {"choices"},
                      {"answers", true},
                      {"participants", true},

@@ -12,31 +12,38 @@ namespace seamline::analysis {
 
 namespace {
 
-CsvValue px(std::optional<double> value) {
+CsvValue number(std::optional<double> value) {
   return value ? CsvValue(*value) : CsvValue(std::monostate{});
 }
 
-/// The columns of an estimate: name_px, its interval and the reason why there is none.
-void add_columns(CsvTable& table, const std::string& name, const std::string& meaning) {
+/// The columns of an estimate: name_px (or the unit of another quantity), its interval and the reason why
+/// there is none.
+void add_columns(CsvTable& table, const LevelAxis& axis, const std::string& name,
+                 const std::string& meaning) {
+  const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
   table.columns.push_back(
-      {name + "_px", "px", meaning + "; empty when there is none, see " + name + "_reason"});
-  table.columns.push_back({name + "_low_px", "px", "lower end of its 95 % interval; empty when open"});
-  table.columns.push_back({name + "_high_px", "px", "upper end of its 95 % interval; empty when open"});
+      {name + suffix, unit, meaning + "; empty when there is none, see " + name + "_reason"});
+  table.columns.push_back({name + "_low" + suffix, unit, "lower end of its 95 % interval; empty when open"});
+  table.columns.push_back({name + "_high" + suffix, unit, "upper end of its 95 % interval; empty when open"});
   table.columns.push_back({name + "_reason", "text", "why there is no estimate"});
 }
 
-void add_values(std::vector<CsvValue>& row, const WidthEstimate& estimate) {
-  row.push_back(estimate.log2_px ? CsvValue(std::exp2(*estimate.log2_px)) : CsvValue(std::monostate{}));
-  row.push_back(px(bound_px(estimate.ci95.low_log2_px)));
-  row.push_back(px(bound_px(estimate.ci95.high_log2_px)));
+void add_values(std::vector<CsvValue>& row, const LevelAxis& axis, const ThresholdEstimate& estimate) {
+  const LevelRange ci95 = range_at(axis, estimate.ci95);
+  row.push_back(number(level_of(estimate, axis)));
+  row.push_back(number(closed(ci95.low)));
+  row.push_back(number(closed(ci95.high)));
   row.emplace_back(estimate.reason);
 }
 
 CsvTable beside_table(const Analysis& analysis) {
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
   CsvTable table{.name = "thresholds_beside", .columns = {artifact_column, quantity_column}, .rows = {}};
-  add_columns(table, "isotonic", "PT and SN of the isotonic fit, as in thresholds.csv; IP of the logistic");
-  add_columns(table, "logistic", "read off the least-squares four-parameter logistic");
-  add_columns(table, "corrected", "of the curve corrected for guessing");
+  add_columns(table, axis, "isotonic",
+              "PT and SN of the isotonic fit, as in thresholds.csv; IP of the logistic");
+  add_columns(table, axis, "logistic", "read off the least-squares four-parameter logistic");
+  add_columns(table, axis, "corrected", "of the curve corrected for guessing");
   table.columns.push_back(
       {"one_object_out_text", "text",
        "range of the estimates when each object in turn is left out; no confidence interval"});
@@ -51,13 +58,12 @@ CsvTable beside_table(const Analysis& analysis) {
   const double view_deg = analysis.options.field_of_view_deg;
   for (const ThresholdRow& row : threshold_rows(analysis)) {
     std::vector<CsvValue> values = {std::string(word(row.artifact)), row.quantity};
-    add_values(values, row.here);
-    add_values(values, row.logistic ? *row.logistic : row.here);
-    add_values(values, row.corrected);
-    values.emplace_back(row.object_range ? interval_text(*row.object_range, row.smallest_px, row.largest_px)
-                                         : "");
+    add_values(values, axis, row.here);
+    add_values(values, axis, row.logistic ? *row.logistic : row.here);
+    add_values(values, axis, row.corrected);
+    values.emplace_back(row.object_range ? interval_text(*row.object_range, row.tested) : "");
     const auto of_width = [&](auto convert) {
-      return row.here.log2_px ? CsvValue(convert(std::exp2(*row.here.log2_px))) : CsvValue(std::monostate{});
+      return row.here.level_x ? CsvValue(convert(*level_of(row.here, axis))) : CsvValue(std::monostate{});
     };
     values.push_back(of_width([](double width_px) { return texels_per_degree(width_px); }));
     values.emplace_back(view_deg);
@@ -66,15 +72,22 @@ CsvTable beside_table(const Analysis& analysis) {
     values.push_back(of_width([&](double width_px) { return pinhole_width_px(width_px, view_deg); }));
     values.emplace_back(source_text(analysis));
     table.rows.push_back(values);
+    conditions.push_back(row.condition);
   }
+  if (!of_depth_widths(axis))
+    for (const char* name : {"texels_per_degree", "field_of_view_deg", "field_of_view_px", "pinhole_px"})
+      drop_column(table, name);
+  add_conditions(table, has_conditions(analysis.data), conditions);
   return table;
 }
 
 CsvTable corrected_curves_table(const Analysis& analysis) {
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
   CsvTable table{
       .name = "curves_corrected",
       .columns = {artifact_column,
-                  width_column,
+                  level_column(axis),
                   {"uncorrected", "noticeability 0 to 4", "mean noticeability as in curves.csv"},
                   {"saw", "probability", "P(saw the insertion) by the latent-class model"},
                   {"rating_of_seen", "1 to 4", "mean rating of those who saw; empty when nobody did"},
@@ -83,12 +96,15 @@ CsvTable corrected_curves_table(const Analysis& analysis) {
       .rows = {}};
   for (std::size_t i = 0; i < analysis.guessing.curves.size(); ++i) {
     const CorrectedCurve& curve = analysis.guessing.curves[i];
-    for (std::size_t w = 0; w < curve.cells.size(); ++w)
-      table.rows.push_back({std::string(word(curve.artifact)), whole(curve.width_px[w]),
+    for (std::size_t w = 0; w < curve.cells.size(); ++w) {
+      conditions.push_back(curve.condition);
+      table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, curve.level[w]),
                             analysis.data.artifacts[i].cells[w].mean, curve.cells[w].saw,
                             curve.cells[w].noticeability / curve.cells[w].saw, curve.cells[w].noticeability,
                             source_text(analysis)});
+    }
   }
+  add_conditions(table, has_conditions(analysis.data), conditions);
   return table;
 }
 
@@ -110,6 +126,8 @@ CsvTable guessers_table(const Analysis& analysis) {
 }
 
 CsvTable screening_table(const Analysis& analysis) {
+  const std::string screened_cells = in_words_of(analysis.data.axis, "the same over artifacts and widths") +
+                                     (has_conditions(analysis.data) ? ", conditions apart" : "");
   CsvTable table{.name = "screening",
                  .columns = {participant_column,
                              {"catch_trials", "count", "catch trials answered"},
@@ -121,7 +139,7 @@ CsvTable screening_table(const Analysis& analysis) {
                              {"kurtosis_named", "0 or 1", std::string(rule_of(Screen::kurtosis))},
                              {"correlation_stimuli", "-1 to 1",
                               "Pearson correlation with the mean of the others, over stimuli"},
-                             {"correlation_conditions", "-1 to 1", "the same over artifacts and widths"},
+                             {"correlation_conditions", "-1 to 1", screened_cells},
                              {"correlation_named", "0 or 1", std::string(rule_of(Screen::correlation))},
                              {"below_p913", "0 or 1",
                               "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
@@ -144,27 +162,33 @@ CsvTable screened_thresholds_table(const Analysis& analysis) {
                              artifact_column,
                              quantity_column},
                  .rows = {}};
-  add_columns(table, "estimate", "width W");
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
+  add_columns(table, axis, "estimate", in_words_of(axis, "width W"));
   for (const ScreenedThresholds& result : analysis.screened)
     for (const ArtifactThresholds& thresholds : result.thresholds) {
       const CurveThresholds& found = thresholds.estimates;
-      const auto add = [&](const char* quantity, const WidthEstimate& estimate) {
+      const auto add = [&](const char* quantity, const ThresholdEstimate& estimate) {
         std::vector<CsvValue> row = {result.who, whole(result.left_out.size()),
                                      std::string(word(thresholds.artifact)), std::string(quantity)};
-        add_values(row, estimate);
+        add_values(row, axis, estimate);
         table.rows.push_back(row);
+        conditions.push_back(thresholds.condition);
       };
       add("PT", found.perceptual);
       add("SN", found.slightly_noticeable);
       add("IP", found.inflection);
     }
+  add_conditions(table, has_conditions(analysis.data), conditions);
   return table;
 }
 
 CsvTable opinion_scores_table(const Analysis& analysis) {
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
   CsvTable table{.name = "opinion_scores",
                  .columns = {artifact_column,
-                             width_column,
+                             level_column(axis),
                              {"scene", "text", "name of the scene in the study file"},
                              {"object", "text", "name of the inserted object"},
                              {"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"},
@@ -178,18 +202,52 @@ CsvTable opinion_scores_table(const Analysis& analysis) {
   for (std::size_t s = 0; s < analysis.opinion.size(); ++s) {
     const ScoredStimulus& stimulus = analysis.scores.stimuli[s];
     const OpinionScore& mos = analysis.opinion[s];
-    table.rows.push_back({std::string(word(stimulus.artifact)), whole(stimulus.width_px), stimulus.scene,
-                          stimulus.object, whole(stimulus.object_index), whole(mos.n), mos.mean, mos.sd,
-                          mos.ci95_low, mos.ci95_high, source_text(analysis)});
+    table.rows.push_back({std::string(word(stimulus.artifact)), level_value(axis, stimulus.level),
+                          stimulus.scene, stimulus.object, whole(stimulus.object_index), whole(mos.n),
+                          mos.mean, mos.sd, mos.ci95_low, mos.ci95_high, source_text(analysis)});
+    conditions.push_back(stimulus.condition);
   }
+  add_conditions(table, has_conditions(analysis.data), conditions);
+  return table;
+}
+
+CsvTable differences_table(const Analysis& analysis) {
+  const std::string length = "_" + length_key(analysis.data.axis), unit = length_unit(analysis.data.axis);
+  CsvTable table{.name = "threshold_differences",
+                 .columns = {artifact_column,
+                             quantity_column,
+                             {"condition", "word", "whose threshold is compared"},
+                             {"to", "word", "condition that it is compared to: the study's first"},
+                             {"participants", "count", "participants on the curves of all conditions"},
+                             {"estimate" + length, unit,
+                              "threshold of the condition less that of the first, along the axis; empty when "
+                              "either is missing"},
+                             {"bound_low" + length, unit,
+                              "what the difference is above when a threshold lies beyond the levels tested; "
+                              "empty when nothing is known"},
+                             {"bound_high" + length, unit, "what it is below"},
+                             {"ci95_low" + length, unit,
+                              "lower end of its 95 % interval over participants; empty when open"},
+                             {"ci95_high" + length, unit, "upper end of it; empty when open"},
+                             {"text", "text", "the same in words"},
+                             source_column},
+                 .rows = {}};
+  for (const ThresholdDifference& found : analysis.differences)
+    table.rows.push_back({std::string(word(found.artifact)), found.quantity, found.condition, found.to,
+                          whole(found.participants), number(found.estimate), finite(found.bounds.low),
+                          finite(found.bounds.high), finite(found.ci95.low), finite(found.ci95.high),
+                          found.text, source_text(analysis)});
   return table;
 }
 
 }  // namespace
 
 std::vector<CsvTable> checks_tables(const Analysis& analysis) {
-  return {beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
-          screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
+  std::vector<CsvTable> tables = {
+      beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
+      screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
+  if (has_conditions(analysis.data)) tables.push_back(differences_table(analysis));
+  return tables;
 }
 
 }  // namespace seamline::analysis

@@ -191,15 +191,75 @@ std::vector<Field> report_fields(const std::vector<CsvTable>& tables) {
   return fields;
 }
 
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+void replace_first(std::string& text, const std::string& old, const std::string& fresh) {
+  if (const std::size_t at = text.find(old); at != std::string::npos) text.replace(at, old.size(), fresh);
+}
+
+/// What a study with conditions has besides.
+std::vector<Field> condition_fields(const LevelAxis& axis) {
+  std::vector<Field> fields = {
+      {"conditions[]", "text", "conditions of the study, in its order"},
+      {"artifacts[].condition", "text", "condition of the curve"},
+      {"thresholds_by_screen[].artifacts[].condition", "text", "condition of the curve"},
+      {"differences[].artifact", "word", "the artifact"},
+      {"differences[].quantity", "word", "PT, SN or IP"},
+      {"differences[].condition", "text", "condition whose threshold is compared"},
+      {"differences[].to", "text", "condition that it is compared to: the study's first"},
+      {"differences[].participants", "count", "participants on the curves of all conditions"},
+      {"differences[].estimate", length_unit(axis),
+       "threshold of the condition less that of the first, along the axis; null when either is missing"},
+      {"differences[].bounds[]", length_unit(axis),
+       "between what the difference lies when a threshold is beyond the levels tested; null when open"},
+      {"differences[].ci95[]", length_unit(axis),
+       "95 % interval over participants, drawn for all conditions together; null when open"},
+      {"differences[].text", "text", "the same in words"}};
+  return fields;
+}
+
+/// The fields of a study's own quantity and conditions. Those above are of depth widths in one condition.
+std::vector<Field> of_study(std::vector<Field> fields, const LevelAxis& axis, bool conditions) {
+  if (conditions) {
+    std::erase_if(fields, [](const Field& field) { return contains(field.path, ".paper."); });
+    for (Field& field : condition_fields(axis)) fields.push_back(std::move(field));
+  }
+  if (of_depth_widths(axis)) return fields;
+  std::erase_if(fields, [](const Field& field) {
+    return contains(field.path, ".paper.") || contains(field.path, "texels_per_degree") ||
+           contains(field.path, "field_of_view");
+  });
+  for (Field& field : fields) {
+    if (contains(field.path, "width_px")) {
+      replace_first(field.path, "width_px", level_key(axis));
+      field.meaning = facts(axis.quantity).name;
+    }
+    replace_first(field.path, "scale_octaves", "scale_" + length_key(axis));
+    replace_first(field.path, "_px", unit_suffix(axis));
+    if (field.unit == "px") field.unit = facts(axis.quantity).unit;
+    if (field.unit == "octaves") field.unit = length_unit(axis);
+    if (field.path.ends_with("logistic.upper"))
+      field.meaning = "what the fitted logistic tends to, upper end";
+    if (field.path.ends_with("logistic.lower")) field.meaning = "what it tends to, lower end";
+    field.meaning = in_words_of(axis, field.meaning);
+  }
+  fields.push_back({"level.quantity", "word", "what the levels are values of"});
+  fields.push_back({"level.axis", "word", "linear or log2"});
+  fields.push_back({"level.noticeability", "word", "rises or falls as the level grows"});
+  return fields;
+}
+
 }  // namespace
 
-CsvTable report_dictionary(const std::vector<CsvTable>& tables) {
+CsvTable report_dictionary(const std::vector<CsvTable>& tables, const LevelAxis& axis, bool conditions) {
   CsvTable dictionary = data_dictionary(tables);
   const auto add = [&](const char* file, const std::vector<Field>& fields) {
     for (const Field& field : fields)
       dictionary.rows.push_back({std::string(file), field.path, field.unit, field.meaning});
   };
-  add("thresholds.json", thresholds_fields());
+  add("thresholds.json", of_study(thresholds_fields(), axis, conditions));
   add("report.json", report_fields(tables));
   return dictionary;
 }

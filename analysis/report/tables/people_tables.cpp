@@ -9,7 +9,7 @@ CsvTable response_times_table(const ReportNumbers& numbers) {
   CsvTable table{
       .name = "response_times",
       .columns = {{"artifact", "word", "as elsewhere, or all of them together"},
-                  width_column,
+                  level_column(numbers.axis),
                   {"which", "word", "answers counted: all, right choices, or wrong choices"},
                   {"answers", "count", "answers of people; simulated observers have no times"},
                   {"participants", "count", "participants among whose answers they are"},
@@ -21,11 +21,15 @@ CsvTable response_times_table(const ReportNumbers& numbers) {
                   {"rating_median_s", "s", "median of the same"},
                   {"rating_upper_s", "s", "upper quartile of the same"}},
       .rows = {}};
-  for (const ResponseTime& row : numbers.times.rows)
-    table.rows.push_back({std::string(row.artifact ? word(*row.artifact) : "all"), whole(row.width_px),
-                          std::string(word(row.which)), whole(row.answers), whole(row.people),
-                          row.choice.lower_s, row.choice.median_s, row.choice.upper_s, row.rating.lower_s,
-                          row.rating.median_s, row.rating.upper_s});
+  std::vector<std::string> conditions;
+  for (const ResponseTime& row : numbers.times.rows) {
+    conditions.push_back(row.artifact ? row.condition : "all");
+    table.rows.push_back({std::string(row.artifact ? word(*row.artifact) : "all"),
+                          level_value(numbers.axis, row.level), std::string(word(row.which)),
+                          whole(row.answers), whole(row.people), row.choice.lower_s, row.choice.median_s,
+                          row.choice.upper_s, row.rating.lower_s, row.rating.median_s, row.rating.upper_s});
+  }
+  add_conditions(table, numbers.conditions, conditions);
   return table;
 }
 

@@ -18,28 +18,34 @@ std::string joined(const std::vector<std::string>& sentences) {
 }  // namespace
 
 CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbers) {
+  const LevelAxis& axis = numbers.axis;
+  const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
+  const std::string length = "_" + length_key(axis), lengths = length_unit(axis);
+  std::vector<std::string> conditions;
   CsvTable table{
       .name = "psychometric",
       .columns =
           {artifact_column,
            people_column,
            {"answers", "count", "answers that are fitted"},
-           {"threshold_px", "px",
-            "width W where the function, before guess and lapse, is 0.5; empty unless it is identified"},
-           {"threshold_low_px", "px",
+           {"threshold" + suffix, unit,
+            in_words_of(axis, "width W") +
+                " where the function, before guess and lapse, is 0.5; empty unless it is identified"},
+           {"threshold_low" + suffix, unit,
             "lower end of its 95 % interval over participants (scaled profile likelihood); empty when open"},
-           {"threshold_high_px", "px", "upper end of it; empty when open"},
-           {"width_octaves", "octaves",
+           {"threshold_high" + suffix, unit, "upper end of it; empty when open"},
+           {"width" + length, lengths,
             "distance between 0.05 and 0.95 of the function, before guess and lapse; empty unless it is "
             "identified"},
-           {"width_low_octaves", "octaves", "lower end of its 95 % percentile interval over participants"},
-           {"width_high_octaves", "octaves", "upper end of it"},
-           {"lapse", "share 0 to 1", "wrong choices that have nothing to do with the width; bound 0.1"},
+           {"width_low" + length, lengths, "lower end of its 95 % percentile interval over participants"},
+           {"width_high" + length, lengths, "upper end of it"},
+           {"lapse", "share 0 to 1",
+            in_words_of(axis, "wrong choices that have nothing to do with the width; bound 0.1")},
            {"lapse_low", "share 0 to 1", "lower end of its 95 % percentile interval over participants"},
            {"lapse_high", "share 0 to 1", "upper end of it"},
            {"guess", "share 0 to 1", "right choices of those who see nothing; fixed"},
            {"deviance", "", "twice the log likelihood that a function through every point would gain"},
-           {"degrees_of_freedom", "count", "widths less free parameters"},
+           {"degrees_of_freedom", "count", in_words_of(axis, "widths less free parameters")},
            {"deviance_p", "0 to 1",
             "share of data sets simulated from the fit that fit as badly, as if answers were independent; "
             "empty: not tested"},
@@ -51,6 +57,7 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
            source_column},
       .rows = {}};
   for (const ChoiceCurve& curve : numbers.choices) {
+    conditions.push_back(curve.condition);
     std::vector<CsvValue> row = {std::string(word(curve.artifact)), whole(curve.people)};
     if (!curve.pooled) {
       row.resize(table.columns.size() - 2);
@@ -74,45 +81,65 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
                            joined(curve.warnings), curve.missing, source_text(analysis)});
     table.rows.push_back(row);
   }
+  add_conditions(table, numbers.conditions, conditions);
   return table;
 }
 
 CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers& numbers) {
+  const LevelAxis& axis = numbers.axis;
+  std::vector<std::string> conditions;
   CsvTable table{.name = "psychometric_levels",
                  .columns = {artifact_column,
-                             width_column,
+                             level_column(axis),
                              {"correct", "count", "right choices"},
                              {"trials", "count", "answers"},
                              {"share", "share 0 to 1", "correct / trials"},
                              {"fitted", "share 0 to 1", "what the fitted function expects"},
                              {"deviance_residual", "",
-                              "signed root of the width's part of the deviance; about standard normal when "
-                              "the fit is right"},
+                              in_words_of(axis, "signed root of the width's part of the deviance") +
+                                  "; about standard normal when the fit is right"},
                              source_column},
                  .rows = {}};
-  for (const ChoiceCurve& curve : numbers.choices)
-    for (const LevelResidual& level : curve.goodness.residuals)
+  for (const ChoiceCurve& curve : numbers.choices) {
+    for (const LevelResidual& level : curve.goodness.residuals) {
+      conditions.push_back(curve.condition);
       table.rows.push_back(
-          {std::string(word(curve.artifact)), whole(level.counts.level), level.counts.correct,
+          {std::string(word(curve.artifact)), level_value(axis, level.counts.level), level.counts.correct,
            level.counts.trials,
            static_cast<double>(level.counts.correct) / static_cast<double>(level.counts.trials), level.fitted,
            level.deviance_residual, source_text(analysis)});
+    }
+    if (!curve.apart) continue;
+    conditions.push_back(curve.condition);
+    table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, 0),
+                          std::llround(curve.apart->k), std::llround(curve.apart->n),
+                          curve.apart->k / curve.apart->n, CsvValue(std::monostate{}),
+                          CsvValue(std::monostate{}), source_text(analysis)});
+  }
+  add_conditions(table, numbers.conditions, conditions);
   return table;
 }
 
 CsvTable psychometric_band_table(const ReportNumbers& numbers) {
   CsvTable table{.name = "psychometric_band",
                  .columns = {artifact_column,
-                             {"width_px", "px", "width W of the depth map where the curve is read"},
+                             {level_key(numbers.axis), std::string(facts(numbers.axis.quantity).unit),
+                              in_words_of(numbers.axis, "width W of the depth map where the curve is read")},
                              {"fitted", "share 0 to 1", "expected share of right choices"},
                              {"low", "share 0 to 1",
-                              "2.5 % point over bootstrap replicates of participants, width by width"},
+                              in_words_of(numbers.axis,
+                                          "2.5 % point over bootstrap replicates of participants, width by "
+                                          "width")},
                              {"high", "share 0 to 1", "97.5 % point of the same"}},
                  .rows = {}};
+  std::vector<std::string> conditions;
   for (const ChoiceCurve& curve : numbers.choices)
-    for (const BandPoint& point : curve.band)
+    for (const BandPoint& point : curve.band) {
+      conditions.push_back(curve.condition);
       table.rows.push_back(
-          {std::string(word(curve.artifact)), point.width_px, point.fitted, point.low, point.high});
+          {std::string(word(curve.artifact)), point.level, point.fitted, point.low, point.high});
+    }
+  add_conditions(table, numbers.conditions, conditions);
   return table;
 }
 
