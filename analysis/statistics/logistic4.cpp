@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "analysis/statistics/logistic_polish.h"
+#include "analysis/statistics/levenberg_marquardt.h"
 
 namespace seamline::analysis {
 
@@ -67,6 +66,30 @@ void accumulate(const Projection& at, std::span<const double> level_x, const Eig
     gradient.noalias() += jacobian * residual;
   }
 }
+
+/// The four parameters over fixed widths, within the bounds of the grid.
+struct FourParameters {
+  static constexpr int parameters = 4;
+  using Place = Projection;
+
+  std::span<const double> level_x;
+  const Eigen::VectorXd& means;
+  const LogisticBox& box;
+
+  void normal_equations(const Projection& at, Eigen::Matrix4d& curvature, Eigen::Vector4d& gradient) const {
+    accumulate(at, level_x, means, curvature, gradient);
+  }
+  void step(const Projection& from, const Eigen::Vector4d& move, Projection& to) const {
+    project(std::clamp(from.curve.centre_x + move[2], box.lowest_centre, box.highest_centre),
+            std::clamp(from.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)),
+                       box.smallest_scale, box.largest_scale),
+            level_x, means, to);
+  }
+  static double distance(const Projection& from, const Projection& to) {
+    return std::abs(to.curve.centre_x - from.curve.centre_x) +
+           std::abs(std::log(to.curve.scale_octaves / from.curve.scale_octaves));
+  }
+};
 
 }  // namespace
 
@@ -156,35 +179,16 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
   return starts;
 }
 
-/// Levenberg-Marquardt within the bounds of the grid. Returns the residual sum of squares.
+/// Descends within the bounds of the grid. Returns the residual sum of squares.
 double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorXd& means,
                                Logistic4& curve) const {
   Projection best, tried;
   project(start.centre_x, start.scale_octaves, level_x_, means, best);
-  double damping = 1e-3;
-  Eigen::Matrix4d curvature;
-  Eigen::Vector4d gradient;
-  bool stale = true;  // the normal equations are not those of `best`
-  for (int step = 0; step < LogisticPolish::most_steps && damping < 1e8; ++step) {
-    if (stale) accumulate(best, level_x_, means, curvature, gradient);
-    Eigen::Matrix4d damped = curvature;
-    damped.diagonal() += damping * (curvature.diagonal().array() + 1e-9).matrix();
-    const Eigen::Vector4d move = damped.inverse() * gradient;
-    project(std::clamp(best.curve.centre_x + move[2], centres_.front(), centres_.back()),
-            std::clamp(best.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)), scales_.front(),
-                       scales_.back()),
-            level_x_, means, tried);
-    stale = tried.residual_sum_of_squares < best.residual_sum_of_squares;
-    if (!stale) {
-      damping *= 8;
-      continue;
-    }
-    const double moved = std::abs(tried.curve.centre_x - best.curve.centre_x) +
-                         std::abs(std::log(tried.curve.scale_octaves / best.curve.scale_octaves));
-    std::swap(best, tried);
-    damping = std::max(damping / 8, 1e-12);
-    if (moved < LogisticPolish::smallest_move) break;
-  }
+  const LogisticBox grid{.lowest_centre = centres_.front(),
+                         .highest_centre = centres_.back(),
+                         .smallest_scale = scales_.front(),
+                         .largest_scale = scales_.back()};
+  levenberg_marquardt(FourParameters{.level_x = level_x_, .means = means, .box = grid}, best, tried);
   curve = best.curve;
   return best.residual_sum_of_squares;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ struct Logistic4 {
   double centre_x = 0;
   double scale_octaves = 1;
 };
+
+/// 1 / (1 + exp(z)): 1 far below 0, 0 far above.
+[[nodiscard]] inline double falling_logistic(double z) {
+  return 1 / (1 + std::exp(z));
+}
 
 [[nodiscard]] double value_at(const Logistic4& curve, double level_x);
 

@@ -4,6 +4,7 @@
 
 #include "analysis/statistics/estimate.h"
 #include "analysis/statistics/logistic4.h"
+#include "analysis/statistics/resampling.h"
 
 namespace seamline::analysis {
 
@@ -22,5 +23,21 @@ namespace seamline::analysis {
 /// The same as an estimate, with the reason where there is none; its interval is left open.
 [[nodiscard]] ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
                                                         std::span<const double> level_x);
+
+/// The 95 % interval of the width where the least-squares logistic equals a level, by inverting a score test
+/// at each width w: is the best logistic through the level at w (`fit_through_level`) worse than chance
+/// allows?
+///
+///     T(w) = h' (y - f) / s0(w)   against Student's t with n - 1 degrees of freedom
+///
+/// y are the means, f the logistic through the level at w, h = J (J' J)^-1 j(w) with the derivatives J of
+/// that logistic by its four parameters at the widths tested and j(w) at w, so that h' (y - f) is what the
+/// unconstrained curve at w lies above the level, to first order. s0(w)^2 = h' S0 h, S0 the covariance of the
+/// means with each variance read (`VarianceFunction`) at f. Everything is taken where the test supposes the
+/// truth to be: taken at the unconstrained fit instead, the interval covers 91 to 98 %
+/// (documentation/coverage.md). Open under four widths. `people` is at least 2.
+[[nodiscard]] LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
+                                                    const std::vector<double>& level_x,
+                                                    const MeanVector& means, int people);
 
 }  // namespace seamline::analysis

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "analysis/statistics/logistic_interval.h"
 #include "analysis/statistics/logistic_level.h"
 #include "analysis/thresholds/curve_replicates.h"
 
