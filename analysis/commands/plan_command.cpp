@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "analysis/foresight/plan_study.h"
+#include "analysis/foresight/plan_text.h"
 #include "support/text/number_option.h"
 
 namespace seamline::analysis {

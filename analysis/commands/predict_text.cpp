@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/paper_values.h"
 #include "support/files/markdown_table.h"
 

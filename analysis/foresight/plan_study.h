@@ -59,20 +59,4 @@ struct Plan {
 /// and last width around them.
 [[nodiscard]] std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study);
 
-/// A design that gives the wanted median width of every interval that can be had.
-struct PlannedDesign {
-  std::size_t width_set = 0;
-  int participants = 0;
-};
-
-/// The design that meets the wish with the fewest participants (then the fewest widths), none when no design
-/// tried does.
-[[nodiscard]] std::optional<PlannedDesign> fewest_participants(const Plan& plan);
-
-/// The one with the fewest answers, participants times widths.
-[[nodiscard]] std::optional<PlannedDesign> fewest_answers(const Plan& plan);
-
-/// The table for a terminal, and the designs that meet the wish.
-[[nodiscard]] std::string plan_text(const Plan& plan);
-
 }  // namespace seamline::analysis

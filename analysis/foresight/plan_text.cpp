@@ -1,10 +1,11 @@
+#include "analysis/foresight/plan_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "analysis/foresight/plan_study.h"
 #include "support/files/markdown_table.h"
 
 namespace seamline::analysis {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/psychometric/intervals/fit_warnings.h"
 #include "analysis/psychometric/likelihood/overdispersion.h"
 #include "analysis/psychometric/likelihood/search.h"
 #include "analysis/statistics/interval.h"

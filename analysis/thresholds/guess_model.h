@@ -37,6 +37,9 @@ struct SeeingCell {
   double log_likelihood = 0;
   int steps = 0;  ///< of the EM algorithm
   bool converged = false;
+
+  /// NaN where nobody saw.
+  [[nodiscard]] double mean_rating_of_seen() const { return noticeability / saw; }
 };
 
 /// Fits s and q of one cell by EM for given guessers. In v(r) = s q(r) the log likelihood is concave, so what

@@ -12,7 +12,7 @@
 namespace seamline::stability {
 namespace {
 
-bool has_warning(const FitReport& report, const std::string& part) {
+bool has_warning(const JudgedFit& report, const std::string& part) {
   return std::any_of(report.warnings.begin(), report.warnings.end(),
                      [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
 }
@@ -51,7 +51,7 @@ PsychometricFunction planted_function(double lapse) {
 }
 
 Finding try_verdict(const WantedVerdict& wanted, const FitRule& fit) {
-  const FitReport report = fit(wanted.counts, wanted.options, {.deviance_replicates = 0, .unit = "px"});
+  const JudgedFit report = fit(wanted.counts, wanted.options, {.deviance_replicates = 0, .unit = "px"});
   int wrong = report.verdict.text.rfind(wanted.text, 0) == 0 ? 0 : 1;
   const Interval& ci = report.threshold_ci95;
   wrong += std::isfinite(wanted.must_hold.low) && !(ci.low <= wanted.must_hold.low) ? 1 : 0;
@@ -69,7 +69,7 @@ Finding try_verdict(const WantedVerdict& wanted, const FitRule& fit) {
 Finding try_million_trials() {
   const auto counts =
       counts_at_widths(1'000'000, [](double px) { return response_probability(planted_function(0.02), px); });
-  const FitReport report = make_fit_report(counts, falling_choice_of_three(), {.deviance_replicates = 0});
+  const JudgedFit report = judge_fit(counts, falling_choice_of_three(), {.deviance_replicates = 0});
   const double error = worse(
       relative_error(report.fit.function.threshold, 500),
       worse(relative_error(report.fit.function.scale, 0.8), std::abs(report.fit.function.lapse - 0.02)));
@@ -97,7 +97,7 @@ Finding try_wide_levels() {
     }
     FitOptions options = options_for_alternatives(2);
     options.sigmoid = sigmoid;
-    const FitReport report = make_fit_report(counts, options, {.deviance_replicates = 0});
+    const JudgedFit report = judge_fit(counts, options, {.deviance_replicates = 0});
     if (report.verdict.kind != Verdict::Kind::identified) return {nan, report.verdict.text};
     error = worse(error, worse(relative_error(report.fit.function.threshold, 0.02),
                                relative_error(report.fit.function.scale, 5)));
@@ -108,10 +108,10 @@ Finding try_wide_levels() {
 Finding try_large_lapse() {
   const auto counts =
       counts_at_widths(2000, [](double px) { return response_probability(planted_function(0.2), px); });
-  const FitReport capped = make_fit_report(counts, falling_choice_of_three(), {.deviance_replicates = 0});
+  const JudgedFit capped = judge_fit(counts, falling_choice_of_three(), {.deviance_replicates = 0});
   FitOptions wide = falling_choice_of_three();
   wide.lapse = free_rate(0.5);
-  const FitReport free = make_fit_report(counts, wide, {.deviance_replicates = 0});
+  const JudgedFit free = judge_fit(counts, wide, {.deviance_replicates = 0});
   const bool said = capped.fit.function.lapse == 0.1 && has_warning(capped, "lapse rate is at its bound");
   return {said ? std::abs(free.fit.function.lapse - 0.2) : nan,
           fmt::format("lapse {:.4g} with a cap of 0.1{}, {:.4g} with one of 0.5", capped.fit.function.lapse,
@@ -121,7 +121,7 @@ Finding try_large_lapse() {
 Finding try_not_monotone() {
   const std::vector<LevelCounts> counts = {{64, 58, 60},   {128, 30, 60},  {256, 57, 60}, {512, 25, 60},
                                            {1024, 48, 60}, {2048, 20, 60}, {4096, 22, 60}};
-  const FitReport report = make_fit_report(counts, falling_choice_of_three(), {.deviance_replicates = 999});
+  const JudgedFit report = judge_fit(counts, falling_choice_of_three(), {.deviance_replicates = 999});
   const bool said = has_warning(report, "misfit") && has_warning(report, "not monotone");
   return {said ? report.deviance_p : nan,
           fmt::format("p {:.3g}{}", report.deviance_p, said ? ", with warnings" : ", no warning")};

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric/report/fit_report.h"
+#include "analysis/psychometric/intervals/judged_fit.h"
 #include "stability/common/namespaces.h"
 #include "stability/common/stability_case.h"
 
@@ -20,8 +20,8 @@ namespace seamline::stability {
 /// The function that is planted in data: threshold 500 px.
 [[nodiscard]] PsychometricFunction planted_function(double lapse);
 
-/// How counts become a fit with verdict; the product's is `make_fit_report`.
-using FitRule = std::function<FitReport(const std::vector<LevelCounts>& counts, const FitOptions& options,
+/// How counts become a fit with verdict; the product's is `judge_fit`.
+using FitRule = std::function<JudgedFit(const std::vector<LevelCounts>& counts, const FitOptions& options,
                                         const FitRequest& request)>;
 
 /// A fit must come to a verdict. Counts: another verdict, an interval without the values that it must hold, a
@@ -33,7 +33,7 @@ struct WantedVerdict {
   Interval must_hold = {};  ///< finite ends: the threshold's interval must hold them
   bool open_high = false;   ///< the interval's upper end must be open
 };
-[[nodiscard]] Finding try_verdict(const WantedVerdict& wanted, const FitRule& fit = make_fit_report);
+[[nodiscard]] Finding try_verdict(const WantedVerdict& wanted, const FitRule& fit = judge_fit);
 
 /// A million trials a level, exactly as expected: relative error of the threshold.
 [[nodiscard]] Finding try_million_trials();

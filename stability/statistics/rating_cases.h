@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "analysis/ordinal/likelihood/ordinal_fit.h"
+#include "analysis/ordinal/likelihood/mixed_fit.h"
 #include "analysis/scores/cells.h"
 #include "stability/common/namespaces.h"
 #include "stability/common/stability_case.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/log_analysis/analysis.h"
-#include "analysis/report/tables/section_tables.h"
+#include "analysis/report/tables/people_tables.h"
 #include "study/log/log.h"
 #include "study/running/simulation.h"
 #include "tests/study/temporary_set.h"

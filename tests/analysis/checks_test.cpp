@@ -8,9 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/numbers/threshold_rows.h"
-#include "analysis/report/page/checks_text.h"
+#include "analysis/report/page/checks_section.h"
 #include "analysis/report/page/report_html.h"
+#include "analysis/report/text/checks_text.h"
+#include "analysis/report/text/threshold_text.h"
 #include "support/text/error.h"
 #include "tests/analysis/threshold_people.h"
 

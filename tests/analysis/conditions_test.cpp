@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "analysis/log_analysis/analysis.h"
+#include "analysis/log_analysis/report_numbers.h"
+#include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/numbers/report_numbers.h"
-#include "analysis/report/numbers/threshold_rows.h"
 #include "tests/analysis/condition_people.h"
 
 namespace seamline::analysis {

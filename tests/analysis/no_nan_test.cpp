@@ -6,17 +6,20 @@
 #include <filesystem>
 
 #include "analysis/commands/predict_text.h"
-#include "analysis/foresight/plan_study.h"
-#include "analysis/psychometric/report/fit_report.h"
+#include "analysis/foresight/plan_text.h"
+#include "analysis/psychometric/intervals/judged_fit.h"
+#include "analysis/psychometric/report/fit_json.h"
+#include "analysis/psychometric/report/fit_text.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/json/report_json.h"
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/numbers/numbers_text.h"
-#include "analysis/report/numbers/threshold_rows.h"
-#include "analysis/report/page/checks_text.h"
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/report_html.h"
+#include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
+#include "analysis/report/text/checks_text.h"
+#include "analysis/report/text/numbers_text.h"
+#include "analysis/report/text/threshold_text.h"
 #include "study/log/log_admin.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
@@ -103,7 +106,7 @@ std::vector<FitOptions> every_way() {
 TEST(NoNan, InAFit) {
   for (const NamedCounts& data : degenerate_counts())
     for (const FitOptions& options : every_way()) {
-      const FitReport report = make_fit_report(
+      const JudgedFit report = judge_fit(
           data.counts, options,
           {.percents = {50, 75, 99.9}, .bootstrap_replicates = 20, .deviance_replicates = 20, .unit = "px"});
       expect_numbers("fit of " + data.name, fit_text(report));

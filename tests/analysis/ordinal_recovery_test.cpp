@@ -1,7 +1,7 @@
 // Planted parameters come back, and the same bits for any number of threads.
 #include <gtest/gtest.h>
 
-#include "analysis/ordinal/likelihood/ordinal_fit.h"
+#include "analysis/ordinal/likelihood/mixed_fit.h"
 #include "tests/analysis/ordinal_people.h"
 
 namespace seamline::analysis {

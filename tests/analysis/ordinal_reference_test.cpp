@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "analysis/ordinal/likelihood/ordinal_fit.h"
+#include "analysis/ordinal/likelihood/mixed_fit.h"
 
 namespace seamline::analysis {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "analysis/ordinal/contrasts/study_contrasts.h"
 #include "analysis/ordinal/contrasts/study_model.h"
 #include "support/running/parallel.h"
 #include "tests/analysis/ordinal_study_people.h"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/log_analysis/ordinal_of_log.h"
+#include "analysis/log_analysis/report_numbers.h"
 #include "support/text/error.h"
 #include "tests/analysis/ordinal_study_people.h"
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/ordinal/likelihood/ordinal_fit.h"
+#include "analysis/ordinal/likelihood/mixed_fit.h"
 #include "support/text/error.h"
 #include "support/text/numbers.h"
 #include "tests/analysis/ordinal_people.h"

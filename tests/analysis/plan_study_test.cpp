@@ -1,4 +1,4 @@
-#include "analysis/foresight/plan_study.h"
+#include "analysis/foresight/plan_text.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

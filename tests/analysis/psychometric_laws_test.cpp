@@ -18,8 +18,8 @@ using test::contradiction;
 using test::simulated_set;
 using test::SimulatedSet;
 
-FitReport report_of(const SimulatedSet& set, int replicates, std::uint64_t seed) {
-  return make_fit_report(
+JudgedFit report_of(const SimulatedSet& set, int replicates, std::uint64_t seed) {
+  return judge_fit(
       set.counts, set.options,
       {.percents = {75, 40}, .bootstrap_replicates = replicates, .deviance_replicates = 0, .seed = seed});
 }

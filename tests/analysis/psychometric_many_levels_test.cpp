@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "analysis/psychometric/intervals/judged_fit.h"
 #include "analysis/psychometric/likelihood/binomial_sampler.h"
 #include "analysis/psychometric/likelihood/level_bins.h"
-#include "analysis/psychometric/report/fit_report.h"
 
 namespace seamline::analysis {
 using namespace study;
@@ -30,7 +30,7 @@ std::vector<LevelCounts> simulated(int levels, double scale) {
 }
 
 TEST(PsychometricManyLevels, AHundredThousandAreFittedInBinsThatChangeNothing) {
-  const FitReport report = make_fit_report(simulated(100'000, 0.8), options_for_alternatives(3), {});
+  const JudgedFit report = judge_fit(simulated(100'000, 0.8), options_for_alternatives(3), {});
   EXPECT_LE(report.fit.search.problem.levels.size(), most_unpooled_levels);
   EXPECT_EQ(report.goodness.residuals.size(), 100'000U);
   ASSERT_TRUE(report.threshold);
@@ -43,8 +43,8 @@ TEST(PsychometricManyLevels, AHundredThousandAreFittedInBinsThatChangeNothing) {
 }
 
 TEST(PsychometricManyLevels, ASteepFunctionAmongThemIsLookedAtCloser) {
-  const FitReport report =
-      make_fit_report(simulated(100'000, 0.002), options_for_alternatives(3), {.deviance_replicates = 0});
+  const JudgedFit report =
+      judge_fit(simulated(100'000, 0.002), options_for_alternatives(3), {.deviance_replicates = 0});
   ASSERT_TRUE(report.threshold);
   EXPECT_NEAR(std::log2(*report.threshold / 500), 0, 0.004);
 }

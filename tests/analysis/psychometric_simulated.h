@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "analysis/psychometric/likelihood/binomial_sampler.h"
+#include "analysis/psychometric/report/fit_json.h"
 #include "analysis/psychometric/report/fit_quantities.h"
+#include "analysis/psychometric/report/fit_text.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::test {
@@ -90,7 +92,7 @@ inline bool holds(const Interval& interval, double value) {
 }
 
 /// What a report says against itself, in words; empty when nothing.
-inline std::string contradiction(const FitReport& report) {
+inline std::string contradiction(const JudgedFit& report) {
   using Kind = Verdict::Kind;
   const Interval &ci95 = report.threshold_ci95, &range = report.verdict.range;
   const Kind kind = report.verdict.kind;

@@ -70,12 +70,12 @@ TEST(PsychometricSimulated, TwentyThousandSetsWithoutAContradiction) {
     const SimulatedSet set = test::simulated_set(seed);
     FitRequest request{.percents = {75}, .deviance_replicates = 0, .seed = seed};
     double start = milliseconds();
-    const FitReport alone = make_fit_report(set.counts, set.options, request);
+    const JudgedFit alone = judge_fit(set.counts, set.options, request);
     const double profile_ms = milliseconds() - start;
     request.bootstrap_replicates = replicates;
     request.percents.clear();
     start = milliseconds();
-    const FitReport report = make_fit_report(set.counts, set.options, request);
+    const JudgedFit report = judge_fit(set.counts, set.options, request);
     const double bootstrap_ms = milliseconds() - start - profile_ms;
     std::string found = test::contradiction(alone);
     if (found.empty()) found = test::contradiction(report);

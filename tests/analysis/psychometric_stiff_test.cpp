@@ -6,7 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/psychometric/report/fit_report.h"
+#include "analysis/psychometric/intervals/judged_fit.h"
+#include "analysis/psychometric/report/fit_json.h"
 #include "stability/statistics/curve_fit_cases.h"
 #include "support/arithmetic/random.h"
 #include "support/text/error.h"
@@ -20,13 +21,13 @@ using Kind = Verdict::Kind;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-FitReport report_of(const std::vector<LevelCounts>& counts, const FitOptions& options, int replicates = 200) {
-  return make_fit_report(counts, options, {.deviance_replicates = replicates, .unit = "px"});
+JudgedFit report_of(const std::vector<LevelCounts>& counts, const FitOptions& options, int replicates = 200) {
+  return judge_fit(counts, options, {.deviance_replicates = replicates, .unit = "px"});
 }
 
 TEST(PsychometricStiff, AllRightIsABoundWhenTheDirectionIsGiven) {
   const auto counts = counts_at_widths(60, [](double) { return 1.0; });
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::above);
   EXPECT_EQ(report.verdict.text, "above 4096 px");
   EXPECT_EQ(report.threshold_ci95.high, INFINITY);
@@ -36,7 +37,7 @@ TEST(PsychometricStiff, AllRightIsABoundWhenTheDirectionIsGiven) {
   EXPECT_EQ(report_of(counts, rising).verdict.text, "below 64 px");
 
   rising.direction.reset();
-  const FitReport unknown = report_of(counts, rising);
+  const JudgedFit unknown = report_of(counts, rising);
   EXPECT_EQ(unknown.verdict.kind, Kind::not_identified);
   EXPECT_THAT(unknown.verdict.text, HasSubstr("ceiling"));
 }
@@ -46,7 +47,7 @@ TEST(PsychometricStiff, AllChanceIsNotIdentified) {
   for (bool direction_given : {true, false}) {
     FitOptions options = falling_choice_of_three();
     if (!direction_given) options.direction.reset();
-    const FitReport report = report_of(counts, options);
+    const JudgedFit report = report_of(counts, options);
     EXPECT_EQ(report.verdict.text, "not identified: every level at chance");
     EXPECT_EQ(report.verdict.kind, Kind::not_identified);
   }
@@ -63,7 +64,7 @@ TEST(PsychometricStiff, FlatBetweenChanceAndCeilingAndBelowChanceAreNotIdentifie
 
 TEST(PsychometricStiff, PerfectStepIsAnIntervalOfLevels) {
   const auto counts = counts_at_widths(60, [](double px) { return px < 300 ? 1.0 : 1.0 / 3; });
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::between);
   EXPECT_EQ(report.verdict.text, "between 256 and 512 px");
   EXPECT_NEAR(report.threshold_ci95.low, 256, 1);
@@ -79,7 +80,7 @@ TEST(PsychometricStiff, StepThroughALevelIsANumberNearIt) {
     return px < 200 ? 1.0 : px < 300 ? 0.7 : 1.0 / 3;
   });
   // F is 0.55 at 256 px: the threshold lies a little beyond, the less the steeper the function.
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::identified);
   ASSERT_TRUE(report.threshold);
   EXPECT_GT(*report.threshold, 256);
@@ -95,7 +96,7 @@ TEST(PsychometricStiff, AStepThroughTheLastLevelIsANumberToo) {
   // It once said "above 2048", without an estimate, beside an interval of 3152.9 to 4095.5.
   std::vector<LevelCounts> counts = counts_at_widths(60, [](double) { return 1.0; });
   counts.back().correct = 30;
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::identified);
   ASSERT_TRUE(report.threshold);
   EXPECT_NEAR(report.threshold_ci95.low, 3153, 10);
@@ -107,7 +108,7 @@ TEST(PsychometricStiff, AStepThroughTheLastLevelIsANumberToo) {
 TEST(PsychometricStiff, OneLevelAndNoTrials) {
   EXPECT_EQ(report_of({{.level = 64, .correct = 20, .trials = 30}}, falling_choice_of_three()).verdict.text,
             "not identified: one level tested");
-  const FitReport report = report_of({{.level = 64}, {.level = 128}}, falling_choice_of_three());
+  const JudgedFit report = report_of({{.level = 64}, {.level = 128}}, falling_choice_of_three());
   EXPECT_EQ(report.verdict.text, "not identified: no trials");
   EXPECT_FALSE(fit_json(report).empty());
 }
@@ -115,13 +116,13 @@ TEST(PsychometricStiff, OneLevelAndNoTrials) {
 TEST(PsychometricStiff, TwoLevels) {
   // Chance and ceiling: somewhere between. In the middle of the rise, without lapses: a number, and a
   // warning.
-  const FitReport separated =
+  const JudgedFit separated =
       report_of({{.level = 64, .correct = 60, .trials = 60}, {.level = 4096, .correct = 20, .trials = 60}},
                 falling_choice_of_three());
   EXPECT_EQ(separated.verdict.text, "between 64 and 4096 px");
   FitOptions options = falling_choice_of_three();
   options.lapse = fixed_rate(0);
-  const FitReport rise = report_of(
+  const JudgedFit rise = report_of(
       {{.level = 256, .correct = 180, .trials = 200}, {.level = 1024, .correct = 100, .trials = 200}},
       options);
   EXPECT_EQ(rise.verdict.kind, Kind::identified);
@@ -131,7 +132,7 @@ TEST(PsychometricStiff, TwoLevels) {
 
 TEST(PsychometricStiff, OneTrialALevel) {
   std::vector<LevelCounts> counts = counts_at_widths(1, [](double px) { return px < 300 ? 1.0 : 0.0; });
-  const FitReport few = report_of(counts, falling_choice_of_three());
+  const JudgedFit few = report_of(counts, falling_choice_of_three());
   // A step between 256 and 512 by its looks; seven answers do not say so.
   EXPECT_EQ(few.verdict.kind, Kind::between);
   EXPECT_LT(few.verdict.range.low, 150);
@@ -148,7 +149,7 @@ TEST(PsychometricStiff, OneTrialALevel) {
                       .correct = random.binomial(1, response_probability(planted_function(0.02), px)),
                       .trials = 1});
   }
-  const FitReport many = report_of(counts, falling_choice_of_three(), 0);
+  const JudgedFit many = report_of(counts, falling_choice_of_three(), 0);
   EXPECT_LE(many.threshold_ci95.low, 500);
   EXPECT_GE(many.threshold_ci95.high, 500);
   EXPECT_TRUE(std::isfinite(many.threshold_ci95.high));
@@ -161,7 +162,7 @@ TEST(PsychometricStiff, RowsWithoutTrialsChangeNothing) {
   counts.insert(counts.begin() + 3, {.level = 300});
   counts.insert(counts.begin() + 4, {.level = 301});
   counts.push_back({.level = 1e6});
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_DOUBLE_EQ(report.fit.function.threshold, threshold);
   EXPECT_THAT(report.warnings, Contains(HasSubstr("3 rows without a trial")));
 }
@@ -169,7 +170,7 @@ TEST(PsychometricStiff, RowsWithoutTrialsChangeNothing) {
 TEST(PsychometricStiff, NonMonotoneDataAreAMisfitWithEvidence) {
   const std::vector<LevelCounts> counts = {{64, 58, 60},   {128, 30, 60},  {256, 57, 60}, {512, 25, 60},
                                            {1024, 48, 60}, {2048, 20, 60}, {4096, 22, 60}};
-  const FitReport report = report_of(counts, falling_choice_of_three(), 999);
+  const JudgedFit report = report_of(counts, falling_choice_of_three(), 999);
   EXPECT_LT(report.deviance_p, 0.01);
   EXPECT_THAT(report.warnings,
               Contains(::testing::AllOf(HasSubstr("misfit: deviance"), HasSubstr("not monotone"))));
@@ -179,7 +180,7 @@ TEST(PsychometricStiff, NonMonotoneDataAreAMisfitWithEvidence) {
 TEST(PsychometricStiff, AMillionTrialsALevel) {
   const auto counts =
       counts_at_widths(1'000'000, [](double px) { return response_probability(planted_function(0.02), px); });
-  const FitReport report = report_of(counts, falling_choice_of_three());
+  const JudgedFit report = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(report.verdict.kind, Kind::identified);
   EXPECT_NEAR(report.fit.function.threshold, 500, 0.01);
   EXPECT_NEAR(report.fit.function.scale, 0.8, 1e-5);
@@ -201,7 +202,7 @@ TEST(PsychometricStiff, LevelsFromAMillionthToAMillion) {
                                         .lapse = 0.03};
     FitOptions options = options_for_alternatives(2);
     options.sigmoid = sigmoid;
-    const FitReport report = report_of(
+    const JudgedFit report = report_of(
         counts_at(levels, 100'000, [&](double x) { return response_probability(function, x); }), options, 0);
     EXPECT_EQ(report.verdict.kind, Kind::identified) << report.verdict.text;
     EXPECT_NEAR(report.fit.function.threshold, 0.02, 0.0002);
@@ -211,7 +212,7 @@ TEST(PsychometricStiff, LevelsFromAMillionthToAMillion) {
   // The same levels on a linear axis: all but one lie within a tenth of the range. A step there.
   FitOptions linear = options_for_alternatives(2);
   linear.axis = Axis::linear;
-  const FitReport report =
+  const JudgedFit report =
       report_of(counts_at(levels, 100, [](double x) { return x > 0.5 ? 1.0 : 0.5; }), linear, 0);
   EXPECT_EQ(report.verdict.text, "between 0.1 and 1 px");
 }
@@ -219,12 +220,12 @@ TEST(PsychometricStiff, LevelsFromAMillionthToAMillion) {
 TEST(PsychometricStiff, LapseOfAFifthHitsTheCapAndIsFoundWithAWiderOne) {
   const auto counts =
       counts_at_widths(2000, [](double px) { return response_probability(planted_function(0.2), px); });
-  const FitReport capped = report_of(counts, falling_choice_of_three());
+  const JudgedFit capped = report_of(counts, falling_choice_of_three());
   EXPECT_EQ(capped.fit.function.lapse, 0.1);
   EXPECT_THAT(capped.warnings, Contains(HasSubstr("lapse rate is at its bound of 0.1")));
   FitOptions wider = falling_choice_of_three();
   wider.lapse = free_rate(0.5);
-  const FitReport found = report_of(counts, wider);
+  const JudgedFit found = report_of(counts, wider);
   EXPECT_NEAR(found.fit.function.lapse, 0.2, 1e-3);
   EXPECT_NEAR(found.fit.function.threshold, 500, 2);
   EXPECT_LT(found.lapse_ci95.low, 0.2);
@@ -234,7 +235,7 @@ TEST(PsychometricStiff, LapseOfAFifthHitsTheCapAndIsFoundWithAWiderOne) {
 TEST(PsychometricStiff, AThresholdBeyondTheLevelsIsABoundOrAWarning) {
   PsychometricFunction far = planted_function(0);
   far.threshold = 20000;
-  const FitReport report =
+  const JudgedFit report =
       report_of(counts_at_widths(60, [&](double px) { return response_probability(far, px); }),
                 falling_choice_of_three());
   EXPECT_NE(report.verdict.kind, Kind::between);

@@ -1,12 +1,12 @@
 // What the report computes beside the thresholds, against the same from elsewhere or by hand.
-#include "analysis/report/numbers/report_numbers.h"
+#include "analysis/log_analysis/report_numbers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/report/tables/number_tables.h"
+#include "analysis/report/tables/people_tables.h"
 #include "tests/analysis/report_people.h"
 
 namespace seamline::analysis {
@@ -134,9 +134,8 @@ TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
     EXPECT_THAT(curve.missing, HasSubstr("placed by the answers"));
   EXPECT_EQ(numbers.tracks.size() % 3, 0U);
   ASSERT_FALSE(numbers.tracks.empty());
-  const std::vector<CsvTable> tables = number_tables(analysis, numbers);
-  EXPECT_EQ(tables.back().name, "tracks");
-  EXPECT_EQ(tables.back().rows.size(), numbers.tracks.size());
+  EXPECT_EQ(tracks_table(numbers).name, "tracks");
+  EXPECT_EQ(tracks_table(numbers).rows.size(), numbers.tracks.size());
 }
 
 }  // namespace

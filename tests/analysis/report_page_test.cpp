@@ -9,10 +9,11 @@
 
 #include "analysis/report/json/report_json.h"
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/numbers/numbers_text.h"
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/report_html.h"
+#include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
+#include "analysis/report/text/numbers_text.h"
 #include "support/text/html.h"
 #include "tests/analysis/report_people.h"
 

@@ -7,9 +7,9 @@
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/numbers/threshold_rows.h"
 #include "analysis/report/page/report_html.h"
-#include "analysis/report/tables/tables.h"
+#include "analysis/report/tables/noticeability_tables.h"
+#include "analysis/report/text/threshold_text.h"
 #include "support/text/csv.h"
 #include "support/text/html.h"
 #include "support/text/numbers.h"
@@ -92,7 +92,8 @@ TEST(Csv, TextThatASpreadsheetWouldRunIsDefused) {
 }
 
 TEST(Csv, EveryColumnOfEveryTableIsInTheDictionary) {
-  const std::vector<CsvTable> tables = report_tables(analysed_without_the_second(test::simulate_log(4, 1)));
+  const std::vector<CsvTable> tables =
+      noticeability_tables(analysed_without_the_second(test::simulate_log(4, 1)));
   std::size_t columns = 0;
   for (const CsvTable& table : tables) {
     columns += table.columns.size();

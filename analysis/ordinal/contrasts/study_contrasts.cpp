@@ -1,7 +1,8 @@
+#include "analysis/ordinal/contrasts/study_contrasts.h"
+
 // The questions that a study's model answers, as weights on its coefficients.
 #include <fmt/format.h>
 
-#include "analysis/ordinal/contrasts/study_design.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {

@@ -56,9 +56,4 @@ struct StudyDesign {
 /// "at 512 px", "at 2.5 degrees".
 [[nodiscard]] std::string at_reference(const StudyDesign& design);
 
-/// The questions that the design can answer, in link units. `participants` gives groups their degrees of
-/// freedom (participants less groups), everything else has one less than the participants; infinite when
-/// `robust` is false.
-[[nodiscard]] std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust);
-
 }  // namespace seamline::analysis

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "analysis/ordinal/contrasts/max_t.h"
+#include "analysis/ordinal/contrasts/study_contrasts.h"
+#include "analysis/ordinal/likelihood/mixed_fit.h"
 #include "support/files/markdown_table.h"
 #include "support/text/csv.h"
 #include "support/text/numbers.h"

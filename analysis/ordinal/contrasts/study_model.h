@@ -19,7 +19,7 @@ struct OrdinalStudyRequest {
 
 /// Where standard errors come from.
 enum class ErrorSource {
-  participants,  ///< leaving out each participant in turn (robust_covariance.h)
+  participants,  ///< leaving out each participant in turn (mixed_fit.cpp)
   model          ///< the likelihood's curvature: only right when participants differ in their level alone
 };
 

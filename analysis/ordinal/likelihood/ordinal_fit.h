@@ -57,7 +57,7 @@ struct OrdinalFit {
   /// Of (cuts, coefficients, participant_sd) from the inverse Hessian; no row for the sd when the model has
   /// none or when it is 0.
   Eigen::MatrixXd covariance;
-  /// Of (cuts, coefficients) by leaving out one participant at a time (robust_covariance.h); empty without
+  /// Of (cuts, coefficients) by leaving out one participant at a time (mixed_fit.cpp); empty without
   /// participants or when the fit hangs on a single one.
   Eigen::MatrixXd robust_covariance;
   Eigen::VectorXd participant_effect;  ///< conditional mode in link units, in order of participant number
@@ -72,9 +72,5 @@ struct OrdinalFit {
 
 /// Maximum likelihood without participants (R: ordinal::clm). Throws InputError as check_ordinal_data.
 [[nodiscard]] OrdinalFit fit_cumulative_link(const OrdinalData& data, const OrdinalRequest& request);
-
-/// Maximum likelihood with a random intercept a participant (R: ordinal::clmm). Throws InputError as
-/// check_ordinal_data, and when `data.participant` is empty or `request.nodes` is out of range.
-[[nodiscard]] OrdinalFit fit_cumulative_link_mixed(const OrdinalData& data, const OrdinalRequest& request);
 
 }  // namespace seamline::analysis

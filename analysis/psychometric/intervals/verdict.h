@@ -48,18 +48,4 @@ struct ThresholdFinding {
 /// The same as a sentence: "The threshold lies below 64 px."
 [[nodiscard]] std::string verdict_sentence(const Verdict& verdict);
 
-/// All that the warnings are about.
-struct FitEvidence {
-  Verdict verdict;
-  Interval width_ci95;
-  OverdispersionEstimate overdispersion;
-  Goodness goodness;
-  double deviance_p = 0;  ///< NaN: not tested
-};
-
-/// What a reader of the fit must know, a sentence each with the evidence: separation, rates at their bounds,
-/// misfit and reversals, tiny counts, extrapolation, overdispersion, levels left out.
-[[nodiscard]] std::vector<std::string> warnings_on(const PsychometricFit& fit, const FitEvidence& evidence,
-                                                   const std::string& unit = "");
-
 }  // namespace seamline::analysis

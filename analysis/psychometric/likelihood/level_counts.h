@@ -12,6 +12,8 @@ struct LevelCounts {
   double level = 0;          ///< in the user's unit, e.g. px
   std::int64_t correct = 0;  ///< right choices; "yes" answers in a yes/no task; 0 to `trials`
   std::int64_t trials = 0;
+
+  [[nodiscard]] double share() const { return static_cast<double>(correct) / static_cast<double>(trials); }
 };
 
 /// Reads a CSV file (support/text/csv_read.h) whose header line names the columns `level`, `correct` and

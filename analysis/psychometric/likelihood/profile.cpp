@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -14,48 +13,15 @@ namespace {
 constexpr int most_strides = 60, most_cuts = 60;
 constexpr double stride_growth = 1.7;
 constexpr double relative_precision = 1e-6;  ///< of an end, in lengths of the interval's half
-constexpr std::size_t scan_climbs = 4;
-constexpr double beyond_share = 0.01;  ///< how far beyond a crossing other ridges are looked for
+constexpr double beyond_share = 0.01;        ///< how far beyond a crossing other ridges are looked for
 constexpr std::size_t steps_followed = 16;
-constexpr double step_slack = 3;          ///< log units: less likely steps may still start a climb
-constexpr int probes_in_gap = 4;          ///< places tried between two levels
-constexpr std::size_t most_gaps = 64;     ///< with more levels several count as one gap
-constexpr int probes_elsewhere = 8;       ///< of a scale or a rate
-constexpr double steepest_tried = 0.001;  ///< gaps; scales from here on double
+constexpr double step_slack = 3;       ///< log units: less likely steps may still start a climb
+constexpr int probes_in_gap = 4;       ///< places tried between two levels
+constexpr std::size_t most_gaps = 64;  ///< with more levels several count as one gap
+constexpr int probes_elsewhere = 8;    ///< of a scale or a rate
 
 double depth(double best, double value) {
   return std::sqrt(2 * std::max(0.0, best - value));
-}
-
-/// Scales that may be the likeliest for a level at `place`: the grid's, steeper ones, and those on which a
-/// tested level keeps its own performance (the steep ridges).
-std::vector<double> log_scales_at(const Search& search, const SoughtLevel& level, double place) {
-  const FitProblem& problem = search.problem;
-  std::vector<double> log_scales = search.log_scales;
-  for (double scale = steepest_tried * problem.smallest_gap; std::log(scale) < search.log_scales.front();
-       scale *= 2)
-    log_scales.push_back(std::log(scale));
-  const auto after = std::upper_bound(problem.levels.begin(), problem.levels.end(), place,
-                                      [](double t, const UnitCounts& counts) { return t < counts.t; });
-  const auto first = after - std::min<std::ptrdiff_t>(3, after - problem.levels.begin());
-  const auto end = after + std::min<std::ptrdiff_t>(3, problem.levels.end() - after);
-  for (double l : search.lapses)
-    for (double g : search.guesses) {
-      const double A = 1 - g - l,
-                   sought = level.of == SoughtLevel::Of::sigmoid ? level.share : (level.share - g) / A;
-      if (!(sought > 0 && sought < 1)) continue;
-      const double z = study::sigmoid_quantile(problem.sigmoid, sought);
-      for (auto counts = first; counts != end; ++counts) {
-        const double F = (counts->k / counts->n - g) / A;
-        if (!(F > 0 && F < 1)) continue;
-        const double scale =
-            problem.sign * (counts->t - place) / (study::sigmoid_quantile(problem.sigmoid, F) - z);
-        if (scale > 0 && std::isfinite(scale) && std::log(scale) > problem.lower[1])
-          log_scales.push_back(std::log(scale));
-      }
-    }
-  std::sort(log_scales.begin(), log_scales.end());
-  return log_scales;
 }
 
 }  // namespace
@@ -63,13 +29,6 @@ std::vector<double> log_scales_at(const Search& search, const SoughtLevel& level
 /// A value of the coordinate and the profile there.
 struct Profile::Probe {
   double x = 0, value = 0;
-};
-
-struct Profile::Coordinate {
-  int index = 0;
-  SoughtLevel level = {};
-  double lower = 0, upper = 0;  ///< bounds of the search
-  double start = 0;             ///< at the maximum
 };
 
 Interval Profile::place(const SoughtLevel& level, double cut) const {
@@ -101,87 +60,19 @@ Interval Profile::rate(int index, double cut) const {
   return {.low = std::max(found.low, lower), .high = std::min(found.high, upper)};
 }
 
-Interval Profile::interval(const Coordinate& coordinate, double cut) const {
+Interval Profile::interval(const ProfileCoordinate& coordinate, double cut) const {
   const std::vector<StepFit> steps =
       likely_steps(search_.problem, search_.best.value - cut / 2 - step_slack, steps_followed);
   return {.low = end(coordinate, cut, -1, steps), .high = end(coordinate, cut, 1, steps)};
 }
 
 bool Profile::holds(const SoughtLevel& level, double place, double cut) const {
-  const Coordinate coordinate{.index = parameter::threshold,
-                              .level = level,
-                              .lower = search_.problem.lower[0],
-                              .upper = search_.problem.upper[0],
-                              .start = place};
-  return anywhere(coordinate, place, search_.best, {}).value >= search_.best.value - cut / 2;
-}
-
-Maximum Profile::near(const Coordinate& coordinate, double x, const Maximum& warm) const {
-  Held held{.fixed = {}, .level = coordinate.level};
-  held.fixed[static_cast<std::size_t>(coordinate.index)] = true;
-  Theta start = warm.theta;
-  if (coordinate.index == 0) {
-    start[0] = x;
-  } else {
-    start[coordinate.index] = x;
-  }
-  return maximise(search_.problem, held, start, warm.eta);
-}
-
-/// Where climbs to the profile at x begin, besides the warm start: the likeliest combinations of a grid, and
-/// with the place held the best of every local maximum over the scale.
-std::vector<Theta> Profile::starts(const Coordinate& coordinate, double x) const {
-  std::array<std::vector<double>, 4> axes = {search_.places, search_.log_scales, search_.lapses,
-                                             search_.guesses};
-  const bool holds_place = coordinate.index == 0;
-  if (holds_place) axes[1] = log_scales_at(search_, coordinate.level, x);
-  axes[static_cast<std::size_t>(coordinate.index)] = {x};
-  std::vector<Maximum> found;
-  for (double s : axes[1])
-    for (double m : axes[0]) {
-      Maximum best{.value = -infinity};
-      for (double l : axes[2])
-        for (double g : axes[3]) {
-          const Theta coordinates{m, s, l, g};
-          const std::optional<Theta> theta = theta_with(search_.problem, coordinates, coordinate.level);
-          if (!theta) continue;
-          if (const double value = objective_value(search_.problem, *theta, 0); value > best.value)
-            best = {.theta = coordinates, .value = value};
-        }
-      if (holds_place || std::isfinite(best.value)) found.push_back(best);
-    }
-  if (holds_place) {
-    std::vector<Maximum> peaks;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const bool beaten = (i > 0 && found[i - 1].value > found[i].value) ||
-                          (i + 1 < found.size() && found[i + 1].value > found[i].value);
-      if (!beaten && std::isfinite(found[i].value)) peaks.push_back(found[i]);
-    }
-    found = std::move(peaks);
-  }
-  const std::size_t kept = std::min(found.size(), scan_climbs);
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
-                    [](const Maximum& a, const Maximum& b) { return a.value > b.value; });
-  std::vector<Theta> thetas;
-  for (std::size_t i = 0; i < kept; ++i) thetas.push_back(found[i].theta);
-  return thetas;
-}
-
-/// The profile at x: the highest of climbs from everywhere.
-Maximum Profile::anywhere(const Coordinate& coordinate, double x, const Maximum& warm,
-                          const std::vector<StepFit>& steps) const {
-  Maximum best = near(coordinate, x, warm);
-  if (!std::isfinite(best.value)) best.value = -infinity;
-  const auto consider = [&](const Theta& start) {
-    const Maximum other = near(coordinate, x, {.theta = start, .eta = warm.eta});
-    if (other.value > best.value) best = other;
-  };
-  consider(search_.best.theta);
-  if (search_.smooth) consider(search_.smooth->theta);
-  for (const Theta& start : starts(coordinate, x)) consider(start);
-  if (coordinate.index != 0)
-    for (const StepFit& step : steps) consider(step.middle);
-  return best;
+  const ProfileCoordinate coordinate{.index = parameter::threshold,
+                                     .level = level,
+                                     .lower = search_.problem.lower[0],
+                                     .upper = search_.problem.upper[0],
+                                     .start = place};
+  return highest_profile(search_, coordinate, place, search_.best, {}).value >= search_.best.value - cut / 2;
 }
 
 /// Functions known to be within the cut, with their coordinate.
@@ -190,7 +81,7 @@ struct Profile::Top {
   Maximum at;
 };
 
-std::vector<Profile::Top> Profile::tops(const Coordinate& coordinate, double needed,
+std::vector<Profile::Top> Profile::tops(const ProfileCoordinate& coordinate, double needed,
                                         const std::vector<StepFit>& steps) const {
   const FitProblem& problem = search_.problem;
   std::vector<Top> tops = {{.x = coordinate.start, .at = search_.best}};
@@ -224,7 +115,7 @@ std::vector<Profile::Top> Profile::tops(const Coordinate& coordinate, double nee
 }
 
 /// Where the axis is looked at beyond the end of a ridge, rising.
-std::vector<double> Profile::probes(const Coordinate& coordinate) const {
+std::vector<double> Profile::probes(const ProfileCoordinate& coordinate) const {
   std::vector<double> places;
   const double first = coordinate.lower, last = coordinate.upper;
   if (coordinate.index != 0) {
@@ -254,7 +145,7 @@ std::vector<double> Profile::probes(const Coordinate& coordinate) const {
 }
 
 /// The crossing of the ridge on which `top` lies, and of those that begin within it.
-double Profile::end_of_ridge(const Coordinate& coordinate, double cut, double towards, Top top,
+double Profile::end_of_ridge(const ProfileCoordinate& coordinate, double cut, double towards, Top top,
                              const std::vector<StepFit>& steps) const {
   const double needed = search_.best.value - cut / 2;
   const double bound = towards > 0 ? coordinate.upper : coordinate.lower;
@@ -268,13 +159,13 @@ double Profile::end_of_ridge(const Coordinate& coordinate, double cut, double to
       std::isfinite(sd) && sd > 0 ? std::clamp(sd * std::sqrt(cut), 1e-7 * whole, 0.5 * whole) : 0.1 * whole;
   for (int i = 0; i < most_strides; ++i, stride *= stride_growth) {
     double x = towards > 0 ? std::min(bound, inside + stride) : std::max(bound, inside - stride);
-    Maximum there = near(coordinate, x, warm);
+    Maximum there = climb_held(search_, coordinate, x, warm);
     if (!(there.value >= needed)) {
       // The crossing on this ridge; a little beyond it every other ridge is looked at.
       const double end = crossing(coordinate, cut, inside, {.x = x, .value = there.value}, warm);
       const double beyond = end + towards * std::max(beyond_share * std::abs(end - coordinate.start), 1e-12);
       x = towards > 0 ? std::min(bound, beyond) : std::max(bound, beyond);
-      there = anywhere(coordinate, x, warm, steps);
+      there = highest_profile(search_, coordinate, x, warm, steps);
       if (!(there.value >= needed)) return end;
     }
     if (x == bound) return towards * infinity;
@@ -284,7 +175,7 @@ double Profile::end_of_ridge(const Coordinate& coordinate, double cut, double to
   return towards * infinity;
 }
 
-double Profile::end(const Coordinate& coordinate, double cut, double towards,
+double Profile::end(const ProfileCoordinate& coordinate, double cut, double towards,
                     const std::vector<StepFit>& steps) const {
   const double needed = search_.best.value - cut / 2;
   const double bound = towards > 0 ? coordinate.upper : coordinate.lower;
@@ -304,7 +195,7 @@ double Profile::end(const Coordinate& coordinate, double cut, double towards,
           needed)
         continue;
     }
-    const Maximum there = anywhere(coordinate, places[i], outermost.at, steps);
+    const Maximum there = highest_profile(search_, coordinate, places[i], outermost.at, steps);
     if (there.value >= needed)
       return end_of_ridge(coordinate, cut, towards, {.x = places[i], .at = there}, steps);
   }
@@ -312,11 +203,11 @@ double Profile::end(const Coordinate& coordinate, double cut, double towards,
 }
 
 /// Illinois' method on the signed root of the deviance, which is nearly straight.
-double Profile::crossing(const Coordinate& coordinate, double cut, double inside, const Probe& first_outside,
-                         Maximum warm) const {
+double Profile::crossing(const ProfileCoordinate& coordinate, double cut, double inside,
+                         const Probe& first_outside, Maximum warm) const {
   const double best = search_.best.value, target = std::sqrt(cut);
   double outside = first_outside.x;
-  double f_inside = depth(best, near(coordinate, inside, warm).value) - target;
+  double f_inside = depth(best, climb_held(search_, coordinate, inside, warm).value) - target;
   double f_outside = depth(best, first_outside.value) - target;
   if (!std::isfinite(f_outside)) f_outside = 10;
   const auto is_wide =
@@ -328,7 +219,7 @@ double Profile::crossing(const Coordinate& coordinate, double cut, double inside
   for (int i = 0; i < most_cuts && is_wide(); ++i) {
     const double share = f_inside < 0 ? std::clamp(f_inside / (f_inside - f_outside), 0.02, 0.98) : 0.5;
     x = i % 8 == 7 ? inside + (outside - inside) / 2 : inside + share * (outside - inside);
-    Maximum there = near(coordinate, x, warm);
+    Maximum there = climb_held(search_, coordinate, x, warm);
     double f = depth(best, there.value) - target;
     if (!std::isfinite(f)) f = 10;
     if (std::abs(f) < 1e-7) break;

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "analysis/psychometric/likelihood/monotone_bound.h"
-#include "analysis/psychometric/likelihood/search.h"
+#include "analysis/psychometric/likelihood/profile_height.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -38,21 +38,16 @@ class Profile {
 
  private:
   struct Probe;
-  struct Coordinate;
   struct Top;
-  [[nodiscard]] Interval interval(const Coordinate& coordinate, double cut) const;
-  [[nodiscard]] double end(const Coordinate& coordinate, double cut, double towards,
+  [[nodiscard]] Interval interval(const ProfileCoordinate& coordinate, double cut) const;
+  [[nodiscard]] double end(const ProfileCoordinate& coordinate, double cut, double towards,
                            const std::vector<StepFit>& steps) const;
-  [[nodiscard]] double end_of_ridge(const Coordinate& coordinate, double cut, double towards, Top top,
+  [[nodiscard]] double end_of_ridge(const ProfileCoordinate& coordinate, double cut, double towards, Top top,
                                     const std::vector<StepFit>& steps) const;
-  [[nodiscard]] std::vector<Top> tops(const Coordinate& coordinate, double needed,
+  [[nodiscard]] std::vector<Top> tops(const ProfileCoordinate& coordinate, double needed,
                                       const std::vector<StepFit>& steps) const;
-  [[nodiscard]] std::vector<double> probes(const Coordinate& coordinate) const;
-  [[nodiscard]] std::vector<Theta> starts(const Coordinate& coordinate, double x) const;
-  [[nodiscard]] Maximum near(const Coordinate& coordinate, double x, const Maximum& warm) const;
-  [[nodiscard]] Maximum anywhere(const Coordinate& coordinate, double x, const Maximum& warm,
-                                 const std::vector<StepFit>& steps) const;
-  [[nodiscard]] double crossing(const Coordinate& coordinate, double cut, double inside,
+  [[nodiscard]] std::vector<double> probes(const ProfileCoordinate& coordinate) const;
+  [[nodiscard]] double crossing(const ProfileCoordinate& coordinate, double cut, double inside,
                                 const Probe& first_outside, Maximum warm) const;
 
   const Search& search_;

@@ -9,7 +9,9 @@
 #include <memory>
 #include <optional>
 
-#include "analysis/psychometric/report/fit_report.h"
+#include "analysis/psychometric/report/fit_json.h"
+#include "analysis/psychometric/report/fit_quantities.h"
+#include "analysis/psychometric/report/fit_text.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -126,7 +128,7 @@ void run_fit(const FitArguments& arguments) {
     if (progress) progress->advance(share - told, now_doing);
     told = share;
   };
-  const FitReport report = make_fit_report(counts, options_of(arguments), request);
+  const JudgedFit report = judge_fit(counts, options_of(arguments), request);
   progress.reset();
   std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
 }

@@ -1,3 +1,5 @@
+#include "analysis/psychometric/report/fit_json.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -48,7 +50,7 @@ Json rate_json(const Rate& rate) {
   return rate.is_free() ? Json{{"free_to", rate.high}} : Json{{"fixed", rate.low}};
 }
 
-Json model_json(const FitReport& report) {
+Json model_json(const JudgedFit& report) {
   const FitOptions& options = report.fit.options;
   return {
       {"sigmoid", word(options.sigmoid)},
@@ -75,7 +77,7 @@ Json levels_json(const Goodness& goodness) {
 
 }  // namespace
 
-std::string fit_json(const FitReport& report) {
+std::string fit_json(const JudgedFit& report) {
   Json json;
   json["format"] = "seamline psychometric fit";
   json["version"] = 1;

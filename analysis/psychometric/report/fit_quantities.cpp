@@ -8,7 +8,7 @@ namespace seamline::analysis {
 
 namespace {
 
-FitQuantity threshold(const FitReport& report) {
+FitQuantity threshold(const JudgedFit& report) {
   FitQuantity quantity{.name = "threshold",
                        .unit = report.request.unit,
                        .estimate = report.threshold,
@@ -23,7 +23,7 @@ FitQuantity threshold(const FitReport& report) {
   return quantity;
 }
 
-FitQuantity width(const FitReport& report) {
+FitQuantity width(const JudgedFit& report) {
   FitQuantity quantity{.name = "width",
                        .unit = report.fit.options.axis == study::Axis::log2 ? "octaves" : report.request.unit,
                        .estimate = {},
@@ -46,7 +46,7 @@ FitQuantity width(const FitReport& report) {
   return quantity;
 }
 
-FitQuantity rate(const FitReport& report, const char* name, const Rate& rule, double value,
+FitQuantity rate(const JudgedFit& report, const char* name, const Rate& rule, double value,
                  const Interval& ci95) {
   FitQuantity quantity{
       .name = name, .unit = {}, .estimate = value, .ci95 = ci95, .bootstrap_ci95 = {}, .reason = {}};
@@ -62,7 +62,7 @@ FitQuantity rate(const FitReport& report, const char* name, const Rate& rule, do
 
 }  // namespace
 
-std::vector<FitQuantity> quantities(const FitReport& report) {
+std::vector<FitQuantity> quantities(const JudgedFit& report) {
   const PsychometricFit& fit = report.fit;
   std::vector<FitQuantity> all = {
       threshold(report), width(report),
@@ -78,7 +78,7 @@ std::vector<FitQuantity> quantities(const FitReport& report) {
   return all;
 }
 
-std::vector<FitQuantity> percent_quantities(const FitReport& report) {
+std::vector<FitQuantity> percent_quantities(const JudgedFit& report) {
   std::vector<FitQuantity> all;
   for (const PercentLevel& level : report.percents) {
     FitQuantity quantity{.name = fmt::format("{:g}", level.percent),
@@ -97,6 +97,14 @@ std::vector<FitQuantity> percent_quantities(const FitReport& report) {
     all.push_back(quantity);
   }
   return all;
+}
+
+const char* word(study::Direction direction) {
+  return direction == study::Direction::increasing ? "increasing" : "decreasing";
+}
+
+const char* word(study::Axis axis) {
+  return axis == study::Axis::log2 ? "log2" : "linear";
 }
 
 }  // namespace seamline::analysis

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric/report/fit_report.h"
+#include "analysis/psychometric/intervals/judged_fit.h"
 
 namespace seamline::analysis {
 
@@ -18,9 +18,13 @@ struct FitQuantity {
 };
 
 /// Threshold, width, lapse, guess, overdispersion.
-[[nodiscard]] std::vector<FitQuantity> quantities(const FitReport& report);
+[[nodiscard]] std::vector<FitQuantity> quantities(const JudgedFit& report);
 
 /// Levels of percentages correct.
-[[nodiscard]] std::vector<FitQuantity> percent_quantities(const FitReport& report);
+[[nodiscard]] std::vector<FitQuantity> percent_quantities(const JudgedFit& report);
+
+/// "increasing", "decreasing"; "linear", "log2": the words of the command line.
+[[nodiscard]] const char* word(study::Direction direction);
+[[nodiscard]] const char* word(study::Axis axis);
 
 }  // namespace seamline::analysis

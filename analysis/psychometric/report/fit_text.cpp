@@ -1,3 +1,5 @@
+#include "analysis/psychometric/report/fit_text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +16,7 @@ std::string interval_text(const Interval& ci95) {
   return end(ci95.low) + " to " + end(ci95.high);
 }
 
-CsvTable quantities_table(const FitReport& report) {
+CsvTable quantities_table(const JudgedFit& report) {
   CsvTable table{.name = "fit",
                  .columns = {{"quantity", "", ""}, {"estimate", "", ""}, {"95 % interval", "", ""}},
                  .rows = {}};
@@ -50,16 +52,14 @@ CsvTable levels_table(const Goodness& goodness) {
                              {"residual", "", ""}},
                  .rows = {}};
   for (const LevelResidual& level : goodness.residuals)
-    table.rows.push_back(
-        {level.counts.level, level.counts.correct, level.counts.trials,
-         static_cast<double>(level.counts.correct) / static_cast<double>(level.counts.trials), level.fitted,
-         level.deviance_residual});
+    table.rows.push_back({level.counts.level, level.counts.correct, level.counts.trials, level.counts.share(),
+                          level.fitted, level.deviance_residual});
   return table;
 }
 
 }  // namespace
 
-std::string fit_text(const FitReport& report) {
+std::string fit_text(const JudgedFit& report) {
   const PsychometricFit& fit = report.fit;
   std::string text = fmt::format("Threshold: {}\n\n", report.verdict.text);
   text += markdown_table(quantities_table(report), 5) + "\n";

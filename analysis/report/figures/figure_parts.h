@@ -60,19 +60,4 @@ struct PanelGrid {
 /// The title above a whole figure: who answered.
 [[nodiscard]] std::string multiplot(const Analysis& analysis);
 
-// Figures that may be missing have no value then.
-
-/// Right choices against width: points by trials, fitted curve with its band, residuals below.
-[[nodiscard]] std::optional<Figure> psychometric_figure(const Analysis& analysis,
-                                                        const ReportNumbers& numbers,
-                                                        const std::filesystem::path& folder);
-
-/// Mean noticeability as answered and corrected for guessing.
-[[nodiscard]] std::optional<Figure> guessing_figure(const Analysis& analysis,
-                                                    const std::filesystem::path& folder);
-
-/// Median time to the choice against width, right and wrong choices apart, with quartiles.
-[[nodiscard]] std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers& numbers,
-                                                 const std::filesystem::path& folder);
-
 }  // namespace seamline::analysis

@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/figures/guessing_figure.h"
+#include "analysis/report/figures/psychometric_figure.h"
+#include "analysis/report/figures/times_figure.h"
+#include "analysis/report/text/threshold_text.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 
@@ -98,8 +101,7 @@ Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<st
           "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' "
           "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top {} font ',12'\n",
           rows, columns, gnuplot_text(source_text(analysis)), ink, 66 / width_px, 1 - 14 / width_px,
-          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px,
-          key_side(analysis.data.axis));
+          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px, key_side(analysis.data.axis));
   for (const std::string& panel : panel_scripts) script += panel;
   draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n",
            Readers::owner);
@@ -212,7 +214,7 @@ std::string inline_svg(const Figure& figure) {
   replace_all(svg, "rgb( 51,  51,  52)", "currentColor");
   replace_all(svg, "rgb(51,51,52)", "currentColor");
   replace_all(svg, ink, "currentColor");
-  // Lines take the page's colours: on a dark page each is a lighter one of the same hue (report_style.cpp).
+  // Lines take the page's colours: on a dark page each is a lighter one of the same hue (page_style.cpp).
   for (std::size_t i = 0; i < plot_colours; ++i) {
     const std::string colour = plot_style(i).colour;
     const auto part = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16); };

@@ -1,7 +1,9 @@
+#include "analysis/report/figures/guessing_figure.h"
+
 #include <fmt/format.h>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
 
@@ -77,8 +79,7 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string script = level_axis_script(drawn) + axis_labels(drawn.axis, "mean noticeability") +
                        "set ytics 0, 1, 4\nset yrange [0:4.15]\nset key top " +
-                       std::string(key_side(drawn.axis)) + " font ',12'\n" +
-                       multiplot(analysis);
+                       std::string(key_side(drawn.axis)) + " font ',12'\n" + multiplot(analysis);
   for (std::size_t i = 0; i < grid.panels.size(); ++i)
     script += conditions ? conditions_panel(analysis, drawn, artifacts[i], grid.panels[i])
                          : panel_script(analysis, drawn, i, grid.panels[i]);

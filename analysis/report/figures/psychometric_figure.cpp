@@ -1,10 +1,12 @@
+#include "analysis/report/figures/psychometric_figure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
 
@@ -15,10 +17,9 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, c
   std::string block = fmt::format("${} << EOD\n", name);
   for (const LevelResidual& level : curve.goodness.residuals) {
     const auto n = static_cast<double>(level.counts.trials);
-    block += fmt::format("{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level),
-                         static_cast<double>(level.counts.correct) / n,
-                         std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))),
-                         level.deviance_residual);
+    block += fmt::format(
+        "{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level), level.counts.share(),
+        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
   }
   if (curve.apart)  // no part of the sigmoid: it has no residual
     block += fmt::format("{:.6g} {:.6g} {:.4g} NaN\n", place_of(drawn, 0), curve.apart->k / curve.apart->n,

@@ -1,3 +1,5 @@
+#include "analysis/report/figures/times_figure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,9 +1,6 @@
 #include "analysis/report/json/report_json.h"
 
 #include "analysis/report/json/json_values.h"
-#include "analysis/report/tables/checks_tables.h"
-#include "analysis/report/tables/number_tables.h"
-#include "analysis/report/tables/tables.h"
 #include "support/files/assets.h"
 
 namespace seamline::analysis {
@@ -32,13 +29,6 @@ std::string rows_text(const CsvTable& table) {
 }
 
 }  // namespace
-
-std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& numbers) {
-  std::vector<CsvTable> tables = report_tables(analysis);
-  for (CsvTable& table : number_tables(analysis, numbers)) tables.push_back(std::move(table));
-  for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
-  return tables;
-}
 
 std::string report_json(const Analysis& analysis, const MethodsText& methods,
                         const std::vector<CsvTable>& tables) {

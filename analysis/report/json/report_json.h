@@ -10,9 +10,6 @@ namespace seamline::analysis {
 inline constexpr const char* report_format = "seamline report";
 inline constexpr int report_version = 1;
 
-/// Every table of the report, in the order of the page. `name` + ".csv" is a file each.
-[[nodiscard]] std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& numbers);
-
 /// The text of `REPORT/report.json`: format, version, study, source, notes, methods, and under `tables` the
 /// rows of every CSV table as objects, so that a field means what the data dictionary says of the column of
 /// the same name. Empty cells and NaN are null.

@@ -5,7 +5,7 @@
 
 #include "analysis/report/json/checks_json.h"
 #include "analysis/report/json/json_values.h"
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/report/text/threshold_text.h"
 #include "support/files/assets.h"
 
 namespace seamline::analysis {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report/numbers/report_numbers.h"
+#include "analysis/log_analysis/report_numbers.h"
 
 namespace seamline::analysis {
 

@@ -2,9 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report/numbers/threshold_rows.h"
+#include "analysis/log_analysis/threshold_rows.h"
+#include "analysis/report/page/checks_section.h"
+#include "analysis/report/page/comparisons_section.h"
+#include "analysis/report/page/differences_section.h"
+#include "analysis/report/page/html_parts.h"
 #include "analysis/report/page/methods_text.h"
-#include "analysis/report/page/report_parts.h"
+#include "analysis/report/page/page_style.h"
+#include "analysis/report/page/people_section.h"
+#include "analysis/report/page/psychometric_section.h"
+#include "analysis/report/page/samples_section.h"
+#include "analysis/report/page/thresholds_section.h"
 #include "support/files/assets.h"
 #include "support/text/html.h"
 
@@ -113,7 +121,7 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Seamline: "
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
-      html_escape(analysis.log.study_name), report_style());
+      html_escape(analysis.log.study_name), page_style());
   html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +

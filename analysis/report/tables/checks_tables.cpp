@@ -4,17 +4,13 @@
 
 #include <cmath>
 
-#include "analysis/report/numbers/threshold_rows.h"
 #include "analysis/report/tables/table_columns.h"
+#include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/angular_resolution.h"
 
 namespace seamline::analysis {
 
 namespace {
-
-CsvValue number(std::optional<double> value) {
-  return value ? CsvValue(*value) : CsvValue(std::monostate{});
-}
 
 /// The columns of an estimate: name_px (or the unit of another quantity), its interval and the reason why
 /// there is none.
@@ -100,7 +96,7 @@ CsvTable corrected_curves_table(const Analysis& analysis) {
       conditions.push_back(curve.condition);
       table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, curve.level[w]),
                             analysis.data.artifacts[i].cells[w].mean, curve.cells[w].saw,
-                            curve.cells[w].noticeability / curve.cells[w].saw, curve.cells[w].noticeability,
+                            curve.cells[w].mean_rating_of_seen(), curve.cells[w].noticeability,
                             source_text(analysis)});
     }
   }

@@ -1,4 +1,5 @@
-#include "analysis/report/tables/section_tables.h"
+#include "analysis/report/tables/comparisons_tables.h"
+
 #include "analysis/report/tables/table_columns.h"
 
 namespace seamline::analysis {

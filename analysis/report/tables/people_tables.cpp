@@ -1,6 +1,7 @@
+#include "analysis/report/tables/people_tables.h"
+
 #include <fmt/format.h>
 
-#include "analysis/report/tables/section_tables.h"
 #include "analysis/report/tables/table_columns.h"
 
 namespace seamline::analysis {

@@ -1,6 +1,7 @@
+#include "analysis/report/tables/psychometric_tables.h"
+
 #include <cmath>
 
-#include "analysis/report/tables/section_tables.h"
 #include "analysis/report/tables/table_columns.h"
 
 namespace seamline::analysis {
@@ -103,11 +104,9 @@ CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers
   for (const ChoiceCurve& curve : numbers.choices) {
     for (const LevelResidual& level : curve.goodness.residuals) {
       conditions.push_back(curve.condition);
-      table.rows.push_back(
-          {std::string(word(curve.artifact)), level_value(axis, level.counts.level), level.counts.correct,
-           level.counts.trials,
-           static_cast<double>(level.counts.correct) / static_cast<double>(level.counts.trials), level.fitted,
-           level.deviance_residual, source_text(analysis)});
+      table.rows.push_back({std::string(word(curve.artifact)), level_value(axis, level.counts.level),
+                            level.counts.correct, level.counts.trials, level.counts.share(), level.fitted,
+                            level.deviance_residual, source_text(analysis)});
     }
     if (!curve.apart) continue;
     conditions.push_back(curve.condition);

@@ -1,10 +1,11 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "analysis/scores/level_axis.h"
+#include "analysis/log_analysis/threshold_rows.h"
 #include "support/text/csv.h"
 
 namespace seamline::analysis {
@@ -60,6 +61,17 @@ inline void drop_column(CsvTable& table, const std::string& name) {
 /// The number, or an empty cell when it is NaN or infinite (an open end).
 [[nodiscard]] inline CsvValue finite(double value) {
   return std::isfinite(value) ? CsvValue(value) : CsvValue(std::monostate{});
+}
+
+/// The number, or an empty cell where there is none.
+[[nodiscard]] inline CsvValue number(std::optional<double> value) {
+  return value ? CsvValue(*value) : CsvValue(std::monostate{});
+}
+
+/// The level of an estimate, or an empty cell where there is none.
+[[nodiscard]] inline CsvValue number(const std::optional<ThresholdEstimate>& estimate,
+                                     const LevelAxis& axis) {
+  return number(estimate ? level_of(*estimate, axis) : std::nullopt);
 }
 
 }  // namespace seamline::analysis

@@ -1,0 +1,62 @@
+#include "analysis/log_analysis/participant_rows.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string why_not(const ParticipantUse& person, const std::string& screens) {
+  switch (person.use) {
+    case Use::used:
+      return "";
+    case Use::excluded:
+      return "excluded by the researcher";
+    case Use::pilot:
+      return "pilot";
+    case Use::incomplete:
+      return fmt::format("did not finish: {} of {} trials", person.answers, person.record.planned_trials);
+    case Use::screened:
+      return "named by " + screens;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
+  std::map<std::string, int> rating_sum;
+  for (const study::Answer& answer : analysis.log.answers) rating_sum[answer.participant] += answer.rating;
+  std::map<std::string, std::string> screens;
+  for (const ScreenedPerson& person : analysis.screening.people)
+    for (Screen screen : every_screen) {
+      std::string& text = screens[person.code];
+      if (person.named_by(screen)) text += (text.empty() ? "" : ", ") + std::string(word(screen));
+    }
+  std::vector<ParticipantRow> rows;
+  for (const ParticipantUse& person : analysis.people) {
+    const std::string& code = person.record.code;
+    const std::string named = screens.contains(code) ? screens[code] : "";
+    rows.push_back(
+        {.code = code,
+         .kind = person.record.simulated ? "simulated: " + person.record.observer : "person",
+         .use = person.use,
+         .why = why_not(person, named),
+         .pilot = person.record.pilot,
+         .answers = person.answers,
+         .planned_trials = person.record.planned_trials,
+         .correct = person.correct,
+         .mean_rating = person.answers > 0 ? rating_sum[code] / static_cast<double>(person.answers) : nan,
+         .screens = named,
+         .screened = screens.contains(code),
+         .median_choice_s = person.median_choice_s});
+  }
+  return rows;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,59 @@
+#include "analysis/log_analysis/report_numbers.h"
+
+#include "support/text/error.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
+  if (analysis.adaptive) {
+    numbers.comparisons_missing =
+        in_words_of(analysis.data.axis,
+                    "Artifacts are not compared by a model of ratings: widths were placed by the answers, so "
+                    "ratings were not asked at the same widths of everybody. Compare the thresholds of the "
+                    "tracks.");
+    return;
+  }
+  OrdinalStudyRequest request;
+  request.conditions = analysis.data.conditions;
+  request.axis = analysis.data.axis;
+  request.fit.threads = analysis.resampling.threads;
+  try {
+    numbers.comparisons = ordinal_study(analysis, {}, request);
+  } catch (const InputError& error) {
+    numbers.comparisons_missing = std::string("Artifacts cannot be compared: ") + error.what();
+  }
+}
+
+}  // namespace
+
+ReportNumbers report_numbers(const Analysis& analysis) {
+  ReportNumbers numbers;
+  numbers.axis = analysis.data.axis;
+  numbers.conditions = has_conditions(analysis.data);
+  numbers.choices = choice_curves(analysis);
+  add_comparisons(numbers, analysis);
+  numbers.times = response_times(analysis);
+  numbers.participants = participant_rows(analysis);
+  if (analysis.adaptive) numbers.tracks = study::quest_plus_estimates(analysis.log);
+  return numbers;
+}
+
+std::vector<study::Answer> used_answers(const study::LogContents& log,
+                                        const std::vector<ParticipantUse>& people) {
+  std::set<std::string> used;
+  for (const ParticipantUse& person : people)
+    if (person.use == Use::used) used.insert(person.record.code);
+  std::vector<study::Answer> answers;
+  for (const study::Answer& answer : log.answers)
+    if (used.contains(answer.participant)) answers.push_back(answer);
+  return answers;
+}
+
+OrdinalStudy ordinal_study(const Analysis& analysis, const ParticipantGroups& groups,
+                           const OrdinalStudyRequest& request) {
+  return fit_ordinal_study(used_answers(analysis.log, analysis.people), groups, request);
+}
+
+}  // namespace seamline::analysis

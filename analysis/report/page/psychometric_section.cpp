@@ -1,0 +1,141 @@
+#include "analysis/report/page/psychometric_section.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/report/page/html_parts.h"
+#include "analysis/report/text/threshold_text.h"
+#include "support/text/html.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+using Lines = std::vector<std::vector<std::string>>;
+
+std::string with_interval(const std::string& estimate, const std::string& low, const std::string& high) {
+  return fmt::format("{} ({} to {})", estimate, low, high);
+}
+
+std::string threshold_text(const ChoiceCurve& curve, const LevelAxis& axis) {
+  const PooledFit& pooled = *curve.pooled;
+  if (!has_threshold(curve)) return "–";
+  return with_interval(estimated_text(axis, pooled.fit.function.threshold),
+                       estimated_text(axis, pooled.threshold_ci95.low),
+                       estimated_text(axis, pooled.threshold_ci95.high));
+}
+
+std::string known(const ChoiceCurve& curve, double value, const Interval& ci95, double factor, int digits) {
+  if (!has_threshold(curve)) return "–";
+  return with_interval(decimal_text(factor * value, digits), decimal_text(factor * ci95.low, digits),
+                       decimal_text(factor * ci95.high, digits));
+}
+
+/// "p = 0.31"; a Monte Carlo p of r replicates is at least 1 / (r + 1).
+std::string deviance_text(const ChoiceCurve& curve) {
+  std::string text =
+      fmt::format("{} ({} df)", decimal_text(curve.goodness.deviance, 1), curve.goodness.degrees_of_freedom);
+  if (!std::isnan(curve.deviance_p))
+    text += curve.deviance_p < 0.0015 ? ", p < 0.002" : fmt::format(", p = {:.3f}", curve.deviance_p);
+  return text;
+}
+
+std::string threshold_title(const LevelAxis& axis) {
+  if (of_depth_widths(axis)) return "threshold W, px";
+  const std::string unit(facts(axis.quantity).unit);
+  return unit.empty() ? "threshold" : "threshold, " + unit;
+}
+
+std::string fits_table(const ReportNumbers& numbers) {
+  Lines lines;
+  for (const ChoiceCurve& curve : numbers.choices) {
+    if (!curve.pooled) continue;
+    const PsychometricFit& fit = curve.pooled->fit;
+    lines.push_back({artifact_title(curve.artifact, curve.condition), threshold_text(curve, numbers.axis),
+                     known(curve, fit.width, curve.width_ci95, 1, 1),
+                     known(curve, fit.function.lapse, curve.lapse_ci95, 100, 1), deviance_text(curve),
+                     verdict_sentence(curve.pooled->verdict)});
+  }
+  return html_table({{"artifact"},
+                     {threshold_title(numbers.axis), true},
+                     {"width, " + length_unit(numbers.axis), true},
+                     {"lapse, %", true},
+                     {"deviance", true},
+                     {"verdict"}},
+                    lines);
+}
+
+std::string warnings_list(const ReportNumbers& numbers) {
+  std::string items;
+  for (const ChoiceCurve& curve : numbers.choices)
+    for (const std::string& warning : curve.warnings)
+      items += fmt::format("<li>{}: {}</li>\n", word(curve.artifact),
+                           html_escape(in_condition(curve.condition).empty()
+                                           ? warning
+                                           : in_condition(curve.condition).substr(1) + " " + warning));
+  return items.empty() ? "" : "<ul class=\"plain\">\n" + items + "</ul>\n";
+}
+
+std::string tracks_html(const ReportNumbers& numbers) {
+  if (numbers.tracks.empty()) return "";
+  Lines lines;
+  for (const study::TrackEstimate& track : numbers.tracks) {
+    std::string alarms;
+    for (const study::EdgeAlarm& alarm : track.alarms) alarms += (alarms.empty() ? "" : "; ") + text(alarm);
+    lines.push_back(
+        {track.participant, track.track, track.used ? "yes" : "no", std::to_string(track.trials),
+         with_interval(estimated_text(numbers.axis, track.threshold), estimated_text(numbers.axis, track.low),
+                       estimated_text(numbers.axis, track.high)),
+         decimal_text(track.scale, 2), percent_text(track.lapse), alarms.empty() ? "–" : alarms});
+  }
+  const study::TrackEstimate& first = numbers.tracks.front();
+  const bool linear = first.axis == Axis::linear;
+  return fmt::format(
+             "<h3>Tracks</h3>\n<p>Each participant’s thresholds from the posterior of QUEST+: the {} seen "
+             "half of the time (mean{}, with the 95 % credible interval).{}</p>\n",
+             level_word(numbers.axis), linear ? "" : " on log2",
+             first.direction == Direction::increasing
+                 ? in_words_of({.quantity = numbers.axis.quantity}, " Noticeability rises with the width.")
+                 : "") +
+         html_table({{"participant"},
+                     {"track"},
+                     {"used"},
+                     {"trials", true},
+                     {threshold_title(numbers.axis), true},
+                     {fmt::format("scale, {}", study::length_unit(first.axis)), true},
+                     {"lapse", true},
+                     {"alarms"}},
+                    lines);
+}
+
+}  // namespace
+
+std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Figure>& figures) {
+  std::string html = "<h2 id=\"psychometric\">Psychometric functions</h2>\n", missing;
+  bool fitted = false;
+  for (const ChoiceCurve& curve : numbers.choices) {
+    fitted = fitted || curve.pooled;
+    if (!curve.missing.empty()) missing += html_paragraph(curve.missing);
+  }
+  html += missing;
+  if (fitted)
+    html +=
+        "<p>Which object was chosen, without the ratings: the share of right choices falls from 1 less "
+        "the lapse rate to chance, 1/3, " +
+        (of_depth_widths(numbers.axis)
+             ? std::string("as maps grow finer")
+             : fmt::format("as the {} {}", facts(numbers.axis.quantity).name,
+                           numbers.axis.noticeability == Direction::increasing ? "falls" : "rises")) +
+        ".</p>\n" + figure_html(figures, "psychometric") + fits_table(numbers) +
+        "<p class=\"soft\">Threshold: the " + level_word(numbers.axis) +
+        " at which the function, before guess and lapse, is 0.5, "
+        "which is a share of right choices near 2/3. It is not PT, which is about ratings. Width: the "
+        "distance between 0.05 and 0.95 of the function. 95 % intervals over participants in brackets. "
+        "The p of the deviance takes answers as independent, which one person’s are not: a small one says "
+        "that the curve’s shape or the people differ from the model.</p>\n" +
+        warnings_list(numbers);
+  return html + tracks_html(numbers);
+}
+
+}  // namespace seamline::analysis

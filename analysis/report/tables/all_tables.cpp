@@ -1,0 +1,22 @@
+#include "analysis/report/tables/all_tables.h"
+
+#include "analysis/report/tables/checks_tables.h"
+#include "analysis/report/tables/comparisons_tables.h"
+#include "analysis/report/tables/noticeability_tables.h"
+#include "analysis/report/tables/people_tables.h"
+#include "analysis/report/tables/psychometric_tables.h"
+
+namespace seamline::analysis {
+
+std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& numbers) {
+  std::vector<CsvTable> tables = noticeability_tables(analysis);
+  for (CsvTable& table : std::vector<CsvTable>{
+           psychometric_table(analysis, numbers), psychometric_levels_table(analysis, numbers),
+           psychometric_band_table(numbers), coefficients_table(numbers), contrasts_table(numbers),
+           response_times_table(numbers), participants_table(numbers), tracks_table(numbers)})
+    tables.push_back(std::move(table));
+  for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
+  return tables;
+}
+
+}  // namespace seamline::analysis

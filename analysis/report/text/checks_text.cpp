@@ -1,0 +1,111 @@
+#include "analysis/report/text/checks_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string beside_text(const Analysis& analysis) {
+  std::vector<std::vector<std::string>> lines = {
+      {"artifact", "", "isotonic", "logistic", "corrected for guessing", "one object left out"}};
+  for (const ThresholdRow& row : threshold_rows(analysis)) lines.push_back(otherwise_estimated_cells(row));
+  return (of_depth_widths(analysis.data.axis) ? std::string("The same widths W in px")
+                                              : "The same thresholds, " + axis_title(analysis.data.axis)) +
+         ", otherwise estimated (95 % interval)\n" + aligned(lines);
+}
+
+std::string screened_text(const Analysis& analysis) {
+  std::vector<std::vector<std::string>> lines = screened_lines(analysis);
+  lines.insert(lines.begin(), {"thresholds", "artifact", "PT", "SN", "IP"});
+  return aligned(lines);
+}
+
+}  // namespace
+
+std::vector<std::string> otherwise_estimated_cells(const ThresholdRow& row) {
+  const auto text = [&](const ThresholdEstimate& estimate) { return estimate_text(estimate, row.tested); };
+  const bool inflection = row.quantity == "IP";  // which is the logistic's own
+  std::string logistic;
+  if (inflection)
+    logistic = text(row.here);
+  else if (row.logistic)
+    logistic = text(*row.logistic);
+  return {row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "",
+          row.quantity,
+          inflection ? "" : text(row.here),
+          logistic,
+          text(row.corrected),
+          row.object_range ? interval_text(*row.object_range, row.tested) : ""};
+}
+
+std::vector<std::vector<std::string>> screened_lines(const Analysis& analysis) {
+  std::vector<std::vector<std::string>> lines;
+  for (const ScreenedThresholds& result : analysis.screened)
+    for (const ArtifactThresholds& thresholds : result.thresholds)
+      for (const ArtifactScores& scores : analysis.data.artifacts) {
+        if (scores.artifact != thresholds.artifact || scores.condition != thresholds.condition) continue;
+        const auto text = [&](const ThresholdEstimate& estimate) {
+          return estimate_text(estimate, tested_levels(scores));
+        };
+        const bool first = &thresholds == &result.thresholds.front();
+        lines.push_back({first ? who_text(result, analysis) : "",
+                         std::string(word(thresholds.artifact)) + in_condition(thresholds.condition),
+                         text(thresholds.estimates.perceptual),
+                         text(thresholds.estimates.slightly_noticeable),
+                         text(thresholds.estimates.inflection)});
+      }
+  return lines;
+}
+
+std::string who_text(const ScreenedThresholds& result, const Analysis& analysis) {
+  if (result.left_out.empty()) return fmt::format("{} ({})", result.who, analysis.screening.people.size());
+  std::string codes;
+  for (const std::string& code : result.left_out) codes += (codes.empty() ? "" : ", ") + code;
+  return fmt::format("{} ({} left out: {})", result.who, result.left_out.size(), codes);
+}
+
+std::string sos_text(const SosParameter& sos) {
+  const bool known = std::isfinite(sos.ci95_low) && std::isfinite(sos.ci95_high);
+  return fmt::format("a = {:.3f} ({}) over {} stimuli", sos.a,
+                     known ? fmt::format("{:.3f} to {:.3f}", sos.ci95_low, sos.ci95_high)
+                           : "no interval from fewer than three people",
+                     sos.stimuli);
+}
+
+std::string guessers_text(const GuessCorrection& correction) {
+  const Guessers& guessers = correction.guessers;
+  if (!guessers.known()) return "Nobody chose wrong: there are no guesses to learn from.";
+  return fmt::format(
+      "Guessers choose left, middle and right in {:.0f}, {:.0f} and {:.0f} %{} and rate {:.2f} on average "
+      "(from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability does not "
+      "fall below {:.2f}.",
+      100 * guessers.position[0], 100 * guessers.position[1], 100 * guessers.position[2],
+      guessers.position_estimated ? "" : " (assumed)", guessers.mean_rating(), guessers.wrong_answers,
+      guessers.reference_answers, correction.floor);
+}
+
+std::string screening_sentence(const Screening& screening) {
+  std::string text;
+  for (Screen screen : every_screen) {
+    const bool judged = screen != Screen::attention || screening.catch_trials;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(screen),
+                        judged ? fmt::format("names {}", screening.named_by(screen).size())
+                               : std::string("is not judged (no catch trials)"));
+  }
+  return fmt::format("Screening of {} participants: {}.", screening.people.size(), text);
+}
+
+std::string checks_text(const Analysis& analysis) {
+  std::string text;
+  if (!analysis.guessing.curves.empty())
+    text = beside_text(analysis) + guessers_text(analysis.guessing) + "\n\n";
+  text += screening_sentence(analysis.screening) + "\n";
+  if (analysis.screened.size() > 1) text += screened_text(analysis);
+  if (std::isnan(analysis.sos.a)) return text;
+  return text + "SOS parameter " + sos_text(analysis.sos) + ".\n";
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,89 @@
+#include "analysis/report/text/threshold_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "analysis/thresholds/paper_values.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+std::string edge_text(double level, const TestedLevels& tested) {
+  if (level == -infinity) return "below " + tested_text(tested.axis, tested.smallest);
+  if (level == infinity) return "above " + tested_text(tested.axis, tested.largest);
+  return estimated_text(tested.axis, level);
+}
+
+std::string level_text(const ThresholdEstimate& estimate, const LevelAxis& axis) {
+  const std::optional<double> level = level_of(estimate, axis);
+  return level ? estimated_text(axis, *level) : estimate.reason;
+}
+
+}  // namespace
+
+std::string artifact_title(Artifact artifact, const std::string& condition) {
+  std::string title(word(artifact));
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  if (const std::optional<PaperThresholds> paper = paper_thresholds(artifact))
+    title += fmt::format(" (type {})", paper->type);
+  return condition.empty() ? title : title + ", " + condition;
+}
+
+std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis, const std::string& times) {
+  if (!estimate.level_x || !of_depth_widths(axis)) return level_text(estimate, axis);
+  const double width_px = level_at(axis, *estimate.level_x);
+  return fmt::format("{:.0f} {} {:.0f}", width_px, times, width_px / 2);
+}
+
+std::string interval_text(const LevelInterval& interval, const TestedLevels& tested) {
+  const LevelRange range = range_at(tested.axis, interval);
+  const std::string low = edge_text(range.low, tested);
+  if (range.low == range.high && !std::isfinite(range.low)) return low;
+  return low + " to " + edge_text(range.high, tested);
+}
+
+std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested) {
+  return fmt::format("{} ({})", level_text(estimate, tested.axis), interval_text(estimate.ci95, tested));
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}", line[i], widths[i] + 2);
+    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string table_text(const Analysis& analysis) {
+  const bool simulated = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const LevelAxis& axis = analysis.data.axis;
+  const std::string of_width = of_depth_widths(axis) ? " (W)" : "";
+  std::vector<std::vector<std::string>> lines = {{"artifact", "", "here", "95 % interval" + of_width}};
+  if (paper) lines.front().push_back("paper" + of_width);
+  if (simulated) lines.front().push_back("planted" + of_width);
+  for (const ThresholdRow& row : threshold_rows(analysis)) {
+    lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "", row.quantity,
+                     size_text(row.here, axis, "x"), interval_text(row.here.ci95, row.tested)});
+    if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
+    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, axis) : "");
+  }
+  std::string text =
+      (of_depth_widths(axis) ? std::string("Depth map width W x height in px") : axis_title(axis)) + "; " +
+      source_text(analysis) + "\n" + aligned(lines);
+  text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point.";
+  text += paper ? " -: the paper gives no value.\n" : "\n";
+  if (simulated)
+    text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";
+  return text;
+}
+
+}  // namespace seamline::analysis
