@@ -1,10 +1,13 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "analysis/thresholds/condition_differences.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/study_file/study_file.h"
 #include "study/placement/sigmoid_shape.h"
+#include "tests/analysis/coverage_tally.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::test {
@@ -13,33 +16,33 @@ namespace seamline::test {
 struct PlantedStudy {
   Quantity quantity = Quantity::depth_width_px;
   Direction noticeability = Direction::decreasing;
-  std::vector<std::string> conditions;
-  std::vector<Artifact> artifacts;
+  std::vector<std::string> conditions = {};
+  std::vector<Artifact> artifacts = {};
   std::vector<double> levels;
   ObserverDefinition observer = {};
 };
 
-/// As stimuli/soft_light.toml: three conditions over depth widths.
-inline PlantedStudy soft_light_people() {
-  PlantedStudy people{.conditions = {"hard", "soft", "softer"},
-                      .artifacts = {Artifact::shadow, Artifact::receiver},
-                      .levels = {64, 128, 256, 512, 1024, 2048, 4096}};
-  people.observer.condition_midpoint = {{"hard", {{Artifact::shadow, 700}, {Artifact::receiver, 500}}},
-                                        {"soft", {{Artifact::shadow, 400}, {Artifact::receiver, 300}}},
-                                        {"softer", {{Artifact::shadow, 200}, {Artifact::receiver, 180}}}};
+/// What a study of the repository (the name of a file in stimuli/) varies, and the people it plants.
+inline PlantedStudy planted_study(const std::string& name) {
+  const StudyDefinition study =
+      read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / name, AssetCheck::not_needed);
+  PlantedStudy people{.quantity = study.level.quantity,
+                      .noticeability = study.level.noticeability,
+                      .levels = study.level.values,
+                      .observer = study.observer};
+  for (const ConditionDefinition& condition : list_conditions(study))
+    people.conditions.push_back(condition.name);
+  for (const SceneDefinition& scene : study.scenes)
+    people.artifacts.insert(people.artifacts.end(), scene.artifacts.begin(), scene.artifacts.end());
   return people;
 }
 
-/// As stimuli/mesh_tolerance.toml: tolerances that rise in noticeability, and an exact mesh.
+inline PlantedStudy soft_light_people() {
+  return planted_study("soft_light.toml");
+}
+
 inline PlantedStudy mesh_tolerance_people() {
-  PlantedStudy people{.quantity = Quantity::mesh_tolerance,
-                      .noticeability = Direction::increasing,
-                      .conditions = {""},
-                      .artifacts = {Artifact::shadow, Artifact::overlap},
-                      .levels = {0, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1}};
-  people.observer.midpoint = {{Artifact::shadow, 6e-3}, {Artifact::overlap, 3e-3}};
-  people.observer.direction = Direction::increasing;
-  return people;
+  return planted_study("mesh_tolerance.toml");
 }
 
 inline LogContents condition_log(const PlantedStudy& people, int count, std::uint64_t seed) {
@@ -77,51 +80,74 @@ inline LogContents condition_log(const PlantedStudy& people, int count, std::uin
   return log;
 }
 
-struct Coverage {
-  int inside = 0, tried = 0;
+/// Of one threshold of an artifact in a condition.
+struct CellCoverage {
+  Artifact artifact = Artifact::none;
+  std::string condition, quantity;
+  CoverageTally tally = {};
 };
 
-/// How often the planted PT and SN lie within their intervals; differences between conditions too when
-/// `replicates` are asked for.
+struct Coverage {
+  std::vector<CellCoverage> cells;
+  CoverageTally differences;  ///< of PT and SN between conditions
+
+  [[nodiscard]] double share_held() const {
+    int held = differences.held, studies = differences.studies;
+    for (const CellCoverage& cell : cells) {
+      held += cell.tally.held;
+      studies += cell.tally.studies;
+    }
+    return static_cast<double>(held) / studies;
+  }
+};
+
+/// The thresholds of what the planted people are expected to answer.
+inline CurveThresholds planted_thresholds(const PlantedStudy& people, const ArtifactScores& scores) {
+  const double midpoint = *planted_midpoint(people.observer, scores.artifact, scores.condition);
+  std::vector<double> expected;
+  for (const double level : scores.level)
+    if (!stands_apart(scores.axis, level))
+      expected.push_back(planted_noticeability(people.observer, scores.axis, midpoint, level));
+  return thresholds_of_means(levels_on_axis(scores), expected, scores.axis);
+}
+
+/// How often the planted PT and SN lie within their intervals; IP, and differences between conditions, too
+/// when `replicates` are asked for.
 inline Coverage coverage_of(const PlantedStudy& people, int count, int studies, int replicates) {
   Coverage coverage;
   for (int study = 0; study < studies; ++study) {
     const LogContents log = condition_log(people, count, 1000 + static_cast<std::uint64_t>(study));
     const NoticeabilityData data = average_answers(log, select_participants(log, false), people.conditions);
-    const auto planted = [&](const ArtifactScores& scores) {
-      std::vector<double> expected;
-      for (const double level : scores.level)
-        if (!stands_apart(scores.axis, level))
-          expected.push_back(planted_noticeability(
-              people.observer, scores.axis,
-              *planted_midpoint(people.observer, scores.artifact, scores.condition), level));
-      return thresholds_of_means(levels_on_axis(scores), expected, scores.axis);
+    std::size_t cell = 0;
+    const auto count_in = [&](const ArtifactScores& scores, const char* quantity,
+                              const ThresholdEstimate& found, const ThresholdEstimate& truth) {
+      if (cell == coverage.cells.size())
+        coverage.cells.push_back(
+            {.artifact = scores.artifact, .condition = scores.condition, .quantity = quantity});
+      coverage.cells[cell++].tally.add(found, truth);
     };
-    const auto count_in = [&](const std::optional<double>& truth, double low, double high) {
-      if (!truth) return;
-      ++coverage.tried;
-      coverage.inside += low <= *truth && *truth <= high ? 1 : 0;
-    };
+    const ResamplingRequest request{.replicates = replicates, .seed = 1, .threads = 1};
     for (const ArtifactScores& scores : data.artifacts) {
-      const CurveThresholds truth = planted(scores);
-      const CurveThresholds found = estimate_thresholds(scores, {.replicates = 0}).estimates;
-      for (const auto part : {&CurveThresholds::perceptual, &CurveThresholds::slightly_noticeable})
-        count_in((truth.*part).level_x, (found.*part).ci95.low_x, (found.*part).ci95.high_x);
+      const CurveThresholds truth = planted_thresholds(people, scores);
+      const CurveThresholds found = estimate_thresholds(scores, request).estimates;
+      count_in(scores, "PT", found.perceptual, truth.perceptual);
+      count_in(scores, "SN", found.slightly_noticeable, truth.slightly_noticeable);
+      if (replicates > 0) count_in(scores, "IP", found.inflection, truth.inflection);
     }
     if (replicates == 0) continue;
-    for (const ThresholdDifference& found :
-         threshold_differences(data, {.replicates = replicates, .seed = 1, .threads = 1})) {
+    for (const ThresholdDifference& found : threshold_differences(data, request)) {
       if (found.quantity == "IP") continue;
       std::optional<double> of_condition, of_first;
       for (const ArtifactScores& scores : data.artifacts) {
         if (scores.artifact != found.artifact) continue;
-        const CurveThresholds truth = planted(scores);
+        const CurveThresholds truth = planted_thresholds(people, scores);
         const ThresholdEstimate& at = found.quantity == "PT" ? truth.perceptual : truth.slightly_noticeable;
         if (scores.condition == found.condition) of_condition = at.level_x;
         if (scores.condition == found.to) of_first = at.level_x;
       }
       if (of_condition && of_first)
-        count_in(difference_at(data.axis, *of_condition - *of_first), found.ci95.low, found.ci95.high);
+        coverage.differences.add({.low_x = found.ci95.low, .high_x = found.ci95.high},
+                                 difference_at(data.axis, *of_condition - *of_first));
     }
   }
   return coverage;
