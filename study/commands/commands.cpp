@@ -149,16 +149,22 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   CLI::App* log =
       app.add_subcommand("log", "Look after a log: who did what, exclude or forget a participant");
   log->add_option("log", log_options->log, "the log")->required();
-  log->add_flag("--status", log_options->status, "print who has done what");
-  log->add_flag("--tracks", log_options->tracks, "print the thresholds of an adaptive study (QUEST+)");
-  log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
-  log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  CLI::Option* status = log->add_flag("--status", log_options->status, "print who has done what");
+  CLI::Option* tracks =
+      log->add_flag("--tracks", log_options->tracks, "print the thresholds of an adaptive study (QUEST+)");
+  CLI::Option* exclude =
+      log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
+  CLI::Option* forget =
+      log->add_option("--forget", log_options->forget, "delete every trace of a participant");
   CLI::Option* recover =
       log->add_option("--recover", log_options->recover,
                       "save what can be read of a damaged log into a new one, and say what is lost");
-  log->add_option("--upgrade", log_options->upgrade,
-                  "make a log of today's schema of one that an older seamline began, with every answer")
-      ->excludes(recover);
+  CLI::Option* upgrade =
+      log->add_option("--upgrade", log_options->upgrade,
+                      "make a log of today's schema of one that an older seamline began, with every answer")
+          ->excludes(recover);
+  for (CLI::Option* alone : {recover, upgrade})  // they make another log, and touch this one in no way
+    for (CLI::Option* other : {status, tracks, exclude, forget}) alone->excludes(other);
   log->add_option("--set", log_options->set, "for --recover: the set, where the log's own study is lost")
       ->needs(recover);
   log->callback([log_options] { administer(*log_options); });

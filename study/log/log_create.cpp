@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Makes an empty file where there is none, so that exactly one program knows that it began the log.
-bool begin_file(const fs::path& path) {
+bool begin_file(const fs::path& path, const fs::path& called) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0 && errno == EEXIST) return false;
   if (descriptor < 0)
-    throw input_error({.file = path.string(),
+    throw input_error({.file = called.string(),
                        .wanted = "a place where a log can be written",
                        .found = std::strerror(errno)});
   ::close(descriptor);
@@ -62,23 +62,26 @@ void use_write_ahead_log(SQLite::Database& database, const fs::path& path) {
     }
 }
 
-SQLite::Database open_or_create(const fs::path& path, const std::function<void(SQLite::Database&)>& fill) {
+SQLite::Database open_or_create(const fs::path& path, const std::function<void(SQLite::Database&)>& fill,
+                                const fs::path& called) {
   SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
   make_durable(database);
   if (is_blank(database)) create_tables(database, fill);
-  check_log_format(database, path, log_schema_version);
-  use_write_ahead_log(database, path);  // also for a log whose maker was killed before it came to this
+  check_log_format(database, called, log_schema_version);
+  use_write_ahead_log(database, called);  // also for a log whose maker was killed before it came to this
   return database;
 }
 
 }  // namespace
 
 SQLite::Database open_or_create_log_database(const fs::path& path,
-                                             const std::function<void(SQLite::Database&)>& fill) {
-  const bool begun_here = begin_file(path);
+                                             const std::function<void(SQLite::Database&)>& fill,
+                                             const fs::path& called) {
+  const fs::path& name = called.empty() ? path : called;
+  const bool begun_here = begin_file(path, name);
   try {
     check_is_file(path, EmptyFile::accept);
-    return with_log_errors(path, [&] { return open_or_create(path, fill); });
+    return with_log_errors(name, [&] { return open_or_create(path, fill, name); });
   } catch (...) {
     if (begun_here) remove_blank_file(path);
     throw;

@@ -47,9 +47,11 @@ enum class LogAccess {
 
 /// The same for a log of today's version alone; where there is no file, or an empty one, a log is made: its
 /// tables and what `fill` enters are one transaction, so no other program ever sees a log that belongs to no
-/// set. When that fails no file is left.
-[[nodiscard]] SQLite::Database open_or_create_log_database(
-    const std::filesystem::path& path, const std::function<void(SQLite::Database&)>& fill);
+/// set. When that fails no file is left. Complaints say `called`, where a log is made under a name of our
+/// own.
+[[nodiscard]] SQLite::Database open_or_create_log_database(const std::filesystem::path& path,
+                                                           const std::function<void(SQLite::Database&)>& fill,
+                                                           const std::filesystem::path& called = {});
 
 enum class EmptyFile { refuse, accept };
 

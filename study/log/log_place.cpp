@@ -42,11 +42,24 @@ LogState state_of_log(const fs::path& place) {
   return {state_of(place), state_of(ahead_file(place)), state_of(journal_file(place))};
 }
 
+bool is_full(const fs::path& folder, std::uintmax_t wanted_bytes) {
+  std::error_code error;
+  const fs::space_info room = fs::space(folder, error);
+  return !error && room.available < wanted_bytes;
+}
+
 /// A copy takes over permissions, and one that cannot be written to cannot be opened either.
 void copy_writable(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::remove(to, error);
   fs::copy_file(from, to, error);
+  if (std::error_code gone; error) {
+    fs::remove(to, gone);  // what it took does not count
+    if (is_full(to.parent_path(), fs::file_size(from, gone)) && !gone)
+      throw input_error({.file = from.string(),
+                         .wanted = "room for a copy beside the new log, or among the temporary files",
+                         .found = "a full disk"});
+  }
   if (!error) fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write, error);
   if (error)
     throw input_error(

@@ -152,4 +152,35 @@ Tally small_disk(Lab& lab) {
   return tally;
 }
 
+Tally limit_upgrade(Lab& lab) {
+  Tally tally{.fault = "file size limit, log --upgrade"};
+  const fs::path folder = lab.folder / "limited-upgrade", upgraded = folder / "new.sqlite";
+  sweep(lab.tries(2, 30), lab.old_log_bytes.size() + 8 * page_bytes, [&](std::uint64_t bytes) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const Ending ending = run(lab.upgrade_command(upgraded), {.file_limit_bytes = bytes});
+    (void)check_upgrade(lab, tally, upgraded, ending, at_most("upgrade", bytes));
+    rerun_upgrade(lab, upgraded, tally);
+  });
+  return tally;
+}
+
+Tally small_disk_upgrade(Lab& lab) {
+  Tally tally{.fault = "full disk (tmpfs), log --upgrade"};
+  const fs::path place = lab.folder / "small-disk", upgraded = place / "new.sqlite";
+  sweep(lab.tries(2, 40), 4 * lab.old_log_bytes.size() / page_bytes, [&](std::uint64_t pages) {
+    const SmallDisk disk(place, page_bytes * (1 + pages));
+    if (!disk.made()) {
+      tally.note = fmt::format("left out: no file system can be made here ({})", std::strerror(errno));
+      return;
+    }
+    const std::string what = fmt::format("upgrade on a disk of {} pages", 1 + pages);
+    const Ending ending = run(lab.upgrade_command(upgraded));
+    disk.grow();  // a reader needs room too
+    (void)check_upgrade(lab, tally, upgraded, ending, what);
+    rerun_upgrade(lab, upgraded, tally);
+  });
+  return tally;
+}
+
 }  // namespace seamline::faults

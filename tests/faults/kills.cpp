@@ -98,4 +98,21 @@ Tally kill_analyze(Lab& lab) {
   return tally;
 }
 
+Tally kill_upgrade(Lab& lab) {
+  Tally tally{.fault = "SIGKILL of log --upgrade"};
+  Random random(lab.seed, 4);
+  const fs::path folder = lab.folder / "killed-upgrade", upgraded = folder / "new.sqlite";
+  int left_behind = 0;
+  for (int round = 0; round < lab.tries(2, 100); ++round) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const Ending ending =
+        run(lab.upgrade_command(upgraded), {.kill_after_us = instant(random, lab.upgrade_us)});
+    left_behind += check_upgrade(lab, tally, upgraded, ending, tally.fault) ? 1 : 0;
+    rerun_upgrade(lab, upgraded, tally);
+  }
+  tally.note = fmt::format("{} temporary folders left", left_behind);
+  return tally;
+}
+
 }  // namespace seamline::faults

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "tests/study/schema_2_log.h"
 #include "tiny_study.h"
 
 namespace seamline::faults {
@@ -35,6 +36,10 @@ Arguments Lab::study_command(const fs::path& into) const {
 
 Arguments Lab::analyze_command(const fs::path& from, const fs::path& out) const {
   return {program, "analyze", from, "--out", out, "--bootstrap", "100", "--seed", "1"};
+}
+
+Arguments Lab::upgrade_command(const fs::path& into) const {
+  return {program, "log", old_log, "--upgrade", into};
 }
 
 void Lab::complain(const std::string& what, const Ending& ending) {
@@ -77,6 +82,10 @@ Lab open_lab(const fs::path& program, const fs::path& clock_shim, const fs::path
   lab.report_files = files_of(lab.report);
   lab.log_rows = rows_of(lab.log);
   lab.log_answers = answers_of(lab.log);
+  lab.old_log = folder / "undisturbed" / "old.sqlite";
+  study::write_schema_2(lab.log, lab.old_log);
+  lab.old_log_bytes = bytes_of(lab.old_log);
+  lab.upgrade_us = must_run(lab.upgrade_command(folder / "undisturbed" / "upgraded.sqlite")).duration_us;
   return lab;
 }
 
@@ -110,6 +119,32 @@ void rerun_analyze(Lab& lab, const fs::path& report, Tally& tally) {
   const bool same = files_of(report) == lab.report_files;
   tally.equal += same ? 1 : 0;
   if (!same) lab.complaints.push_back(tally.fault + ": the report differs from the undisturbed one");
+}
+
+bool check_upgrade(Lab& lab, Tally& tally, const fs::path& into, const Ending& ending,
+                   const std::string& what) {
+  ++tally.tries;
+  bool left_behind = false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(into.parent_path()))
+    left_behind = left_behind || entry.path() != into;
+  if (left_behind && !ending.killed) lab.complain(what + ": temporary files were left behind", ending);
+  if (!ending.killed && ending.status != 0) lab.refuses(what, ending);
+  if (ending.status == 0 && !fs::exists(into)) lab.complain(what + ": there is no new log", ending);
+  tally.committed += static_cast<std::int64_t>(lab.log_rows.size());
+  if (bytes_of(lab.old_log) != lab.old_log_bytes) {
+    tally.lost += static_cast<std::int64_t>(lab.log_rows.size());
+    lab.complain(what + ": the old log was touched", ending);
+  }
+  if (fs::exists(into) && (!is_sound(into) || rows_of(into) != lab.log_rows))
+    lab.complain(what + ": the new log is not whole", ending);
+  return left_behind;
+}
+
+void rerun_upgrade(Lab& lab, const fs::path& into, Tally& tally) {
+  remove_log(into);
+  if (!lab.completes(tally.fault, run(lab.upgrade_command(into)))) return;
+  ++tally.reruns;
+  tally.equal += is_sound(into) && rows_of(into) == lab.log_rows ? 1 : 0;
 }
 
 }  // namespace seamline::faults

@@ -39,11 +39,11 @@ void print_damage(Lab& lab) {
   }
 }
 
-constexpr Tally (*every_fault[])(Lab&) = {kill_render,     kill_study,         kill_analyze,
-                                          limit_render,    limit_study,        limit_analyze,
-                                          small_disk,      change_pictures,    renders_at_once,
-                                          shards_at_once,  containers_at_once, other_settings_at_once,
-                                          studies_at_once, clock_set_back};
+constexpr Tally (*every_fault[])(Lab&) = {
+    kill_render,     kill_study,      kill_analyze,   kill_upgrade,       limit_render,
+    limit_study,     limit_analyze,   limit_upgrade,  small_disk,         small_disk_upgrade,
+    change_pictures, renders_at_once, shards_at_once, containers_at_once, other_settings_at_once,
+    studies_at_once, clock_set_back};
 
 int try_all(Lab& lab, std::size_t first) {
   fmt::print("{:<44} {:>6} {:>10} {:>6} {:>7} {:>6}\n", "fault", "tries", "committed", "lost", "reruns",

@@ -198,7 +198,7 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
   const fs::path made = scratch.path() / "recovered.sqlite";
   with_log_errors(out, [&] {
     SQLite::Database database = open_or_create_log_database(
-        made, [&](SQLite::Database& fresh) { Refill(fresh, log, recovery).fill(set); });
+        made, [&](SQLite::Database& fresh) { Refill(fresh, log, recovery).fill(set); }, out);
     check_whole_study(database, damaged);
     recovery.participants = lost_answers(database);
     database.exec("PRAGMA journal_mode = DELETE");  // one file, whole; the next session makes it WAL again

@@ -1,6 +1,7 @@
 #include "study/log/recovery/log_upgrade.h"
 
 #include <fmt/core.h>
+#include <sqlite3.h>
 
 #include <optional>
 #include <variant>
@@ -82,6 +83,18 @@ void check_nobody_is_in_a_session(SQLite::Database& copy, const fs::path& old) {
            .found = "somebody who is"});
 }
 
+/// The copy lies beside the new log: what its disk does not take is no fault of the old one.
+template <class Work>
+decltype(auto) with_disk_of(const fs::path& out, Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const SQLite::Exception& error) {
+    const int code = error.getErrorCode() & 0xff;
+    if (code == SQLITE_IOERR || code == SQLITE_FULL) throw log_error(out, error);
+    throw;
+  }
+}
+
 SQLite::Database open_old(const fs::path& copy, const fs::path& old) {
   SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
   check_log_format(database, old);
@@ -96,9 +109,10 @@ SQLite::Database open_old(const fs::path& copy, const fs::path& old) {
 }
 
 void make_upgraded(SQLite::Database& from, const fs::path& made, const fs::path& out, LogUpgrade& upgrade) {
-  SQLite::Database into = open_or_create_log_database(made, [&](SQLite::Database& fresh) {
+  const auto fill = [&](SQLite::Database& fresh) {
     for (const LogTable& table : log_tables()) upgrade.rows[table.name] = copy_table(from, fresh, table);
-  });
+  };
+  SQLite::Database into = open_or_create_log_database(made, fill, out);
   check_undamaged(into, out);
   for (const LogTable& table : log_tables()) check_same_rows(from, into, table, out);
   into.exec("PRAGMA journal_mode = DELETE");  // one file, whole; the next session makes it WAL again
@@ -115,7 +129,7 @@ LogUpgrade upgrade_log(const fs::path& old, const fs::path& out) {
   LogUpgrade upgrade;
   upgrade.to_version = log_schema_version;
   with_log_errors(old, [&] {
-    SQLite::Database from = open_old(copy, old);
+    SQLite::Database from = with_disk_of(out, [&] { return open_old(copy, old); });
     upgrade.from_version = schema_version_of(from);
     with_log_errors(out, [&] { make_upgraded(from, made, out, upgrade); });
   });
