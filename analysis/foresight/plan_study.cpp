@@ -214,17 +214,17 @@ std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study) {
   return sets;
 }
 
-Plan plan_study(const PlanRequest& request) {
+StudyPlan plan_study(const PlanRequest& request) {
   const StudyDefinition study = read_study(request.study_file, AssetCheck::not_needed);
   check_study(request, study);
   const Task task{.request = request,
                   .observer = study.observer,
                   .objects = objects_of_artifacts(study),
                   .width_sets = width_sets_to_try(study)};
-  Plan plan{.width_sets = task.width_sets,
-            .rows = rows_of(task, simulate_studies(task)),
-            .wanted_octaves = request.wanted_octaves,
-            .studies = request.studies};
+  StudyPlan plan{.width_sets = task.width_sets,
+                 .rows = rows_of(task, simulate_studies(task)),
+                 .wanted_octaves = request.wanted_octaves,
+                 .studies = request.studies};
   for (const auto& [artifact, objects] : task.objects) plan.stimuli_a_width += objects;
   return plan;
 }

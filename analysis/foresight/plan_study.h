@@ -36,12 +36,12 @@ struct PlannedInterval {
 
 struct PlanRow {
   Artifact artifact = Artifact::none;
-  std::size_t width_set = 0;  ///< of Plan::width_sets
+  std::size_t width_set = 0;  ///< of StudyPlan::width_sets
   int participants = 0;
   PlannedInterval perceptual, slightly_noticeable;
 };
 
-struct Plan {
+struct StudyPlan {
   std::vector<WidthSet> width_sets;
   std::vector<PlanRow> rows;  ///< by artifact, width set, participants
   int stimuli_a_width = 0;    ///< objects of all artifacts: trials a participant and width
@@ -52,7 +52,7 @@ struct Plan {
 /// Simulates studies of the `threshold` observers that the study file describes (constant stimuli), and
 /// computes their intervals as `analyze` does. Throws InputError when the study cannot be read, is adaptive,
 /// or has no seam or only one width.
-[[nodiscard]] Plan plan_study(const PlanRequest& request);
+[[nodiscard]] StudyPlan plan_study(const PlanRequest& request);
 
 /// The study's widths; every second of them, the finest kept; and half octaves from half an octave below the
 /// smallest to half an octave above the largest threshold of the study's observers, with the study's first

@@ -16,7 +16,7 @@ bool meets(const PlannedInterval& interval, double wanted_octaves) {
 }
 
 /// Whether every interval of a design that can be had is narrow enough, and at least one can be had.
-bool meets(const Plan& plan, const PlannedDesign& design) {
+bool meets(const StudyPlan& plan, const PlannedDesign& design) {
   bool some = false;
   for (const PlanRow& row : plan.rows) {
     if (row.width_set != design.width_set || row.participants != design.participants) continue;
@@ -27,7 +27,7 @@ bool meets(const Plan& plan, const PlannedDesign& design) {
   return some;
 }
 
-std::vector<PlannedDesign> designs_that_meet(const Plan& plan) {
+std::vector<PlannedDesign> designs_that_meet(const StudyPlan& plan) {
   std::vector<PlannedDesign> designs;
   for (const PlanRow& row : plan.rows) {
     if (row.artifact != plan.rows.front().artifact) continue;
@@ -37,7 +37,7 @@ std::vector<PlannedDesign> designs_that_meet(const Plan& plan) {
   return designs;
 }
 
-int widths(const Plan& plan, const PlannedDesign& design) {
+int widths(const StudyPlan& plan, const PlannedDesign& design) {
   return static_cast<int>(plan.width_sets[design.width_set].width_px.size());
 }
 
@@ -50,13 +50,13 @@ std::string share_text(const PlannedInterval& interval) {
   return fmt::format("{:.0f} %", 100 * interval.open_share);
 }
 
-std::string design_text(const Plan& plan, const PlannedDesign& design) {
+std::string design_text(const StudyPlan& plan, const PlannedDesign& design) {
   const int trials = widths(plan, design) * plan.stimuli_a_width;
   return fmt::format("{} participants, widths \"{}\" ({} trials each, {} answers)", design.participants,
                      plan.width_sets[design.width_set].name, trials, trials * design.participants);
 }
 
-CsvTable table_of(const Plan& plan) {
+CsvTable table_of(const StudyPlan& plan) {
   CsvTable table{.name = "plan",
                  .columns = {{"artifact", "", ""},
                              {"widths", "", ""},
@@ -76,7 +76,7 @@ CsvTable table_of(const Plan& plan) {
 
 }  // namespace
 
-std::optional<PlannedDesign> fewest_participants(const Plan& plan) {
+std::optional<PlannedDesign> fewest_participants(const StudyPlan& plan) {
   const std::vector<PlannedDesign> designs = designs_that_meet(plan);
   if (designs.empty()) return std::nullopt;
   return *std::min_element(
@@ -85,7 +85,7 @@ std::optional<PlannedDesign> fewest_participants(const Plan& plan) {
       });
 }
 
-std::optional<PlannedDesign> fewest_answers(const Plan& plan) {
+std::optional<PlannedDesign> fewest_answers(const StudyPlan& plan) {
   const std::vector<PlannedDesign> designs = designs_that_meet(plan);
   if (designs.empty()) return std::nullopt;
   return *std::min_element(designs.begin(), designs.end(),
@@ -95,7 +95,7 @@ std::optional<PlannedDesign> fewest_answers(const Plan& plan) {
                            });
 }
 
-std::string plan_text(const Plan& plan) {
+std::string plan_text(const StudyPlan& plan) {
   std::string text = fmt::format("{} simulated studies for each set of widths:\n", plan.studies);
   for (const WidthSet& set : plan.width_sets)
     text += fmt::format("  {}: {} px\n", set.name, fmt::join(set.width_px, ", "));

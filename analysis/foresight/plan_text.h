@@ -14,12 +14,12 @@ struct PlannedDesign {
 
 /// The design that meets the wish with the fewest participants (then the fewest widths), none when no design
 /// tried does.
-[[nodiscard]] std::optional<PlannedDesign> fewest_participants(const Plan& plan);
+[[nodiscard]] std::optional<PlannedDesign> fewest_participants(const StudyPlan& plan);
 
 /// The one with the fewest answers, participants times widths.
-[[nodiscard]] std::optional<PlannedDesign> fewest_answers(const Plan& plan);
+[[nodiscard]] std::optional<PlannedDesign> fewest_answers(const StudyPlan& plan);
 
 /// The table for a terminal, and the designs that meet the wish.
-[[nodiscard]] std::string plan_text(const Plan& plan);
+[[nodiscard]] std::string plan_text(const StudyPlan& plan);
 
 }  // namespace seamline::analysis

@@ -55,9 +55,9 @@ std::string joined(const std::vector<std::string>& codes) {
 
 /// Whom each screen names, and whether they are used all the same.
 void add_notes_on_screening(Analysis& analysis) {
-  for (Screen screen : every_screen)
-    if (const std::vector<std::string> named = analysis.screening.named_by(screen); !named.empty())
-      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(screen),
+  for (ScreeningRule rule : every_screening_rule)
+    if (const std::vector<std::string> named = analysis.screening.named_by(rule); !named.empty())
+      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule),
                                            named.size(), named.size() == 1 ? "" : "s", joined(named),
                                            analysis.options.exclude_screened
                                                ? "left out"

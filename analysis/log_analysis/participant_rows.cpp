@@ -20,7 +20,7 @@ std::string why_not(const ParticipantUse& person, const std::string& screens) {
     case Use::pilot:
       return "pilot";
     case Use::incomplete:
-      return fmt::format("did not finish: {} of {} trials", person.answers, person.record.planned_trials);
+      return fmt::format("did not finish: {} of {} trials", person.answers, person.record.stimulus_trials);
     case Use::screened:
       return "named by " + screens;
   }
@@ -34,9 +34,9 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
   for (const study::Answer& answer : analysis.log.answers) rating_sum[answer.participant] += answer.rating;
   std::map<std::string, std::string> screens;
   for (const ScreenedPerson& person : analysis.screening.people)
-    for (Screen screen : every_screen) {
+    for (ScreeningRule rule : every_screening_rule) {
       std::string& text = screens[person.code];
-      if (person.named_by(screen)) text += (text.empty() ? "" : ", ") + std::string(word(screen));
+      if (person.named_by(rule)) text += (text.empty() ? "" : ", ") + std::string(word(rule));
     }
   std::vector<ParticipantRow> rows;
   for (const ParticipantUse& person : analysis.people) {
@@ -49,7 +49,7 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
          .why = why_not(person, named),
          .pilot = person.record.pilot,
          .answers = person.answers,
-         .planned_trials = person.record.planned_trials,
+         .stimulus_trials = person.record.stimulus_trials,
          .correct = person.correct,
          .mean_rating = person.answers > 0 ? rating_sum[code] / static_cast<double>(person.answers) : nan,
          .screens = named,

@@ -13,7 +13,7 @@ struct ParticipantRow {
   Use use = Use::used;
   std::string why;  ///< why their answers are not used; empty when they are
   bool pilot = false;
-  int answers = 0, planned_trials = 0;
+  int answers = 0, stimulus_trials = 0;
   double correct = 0;          ///< share of right choices; NaN without answers
   double mean_rating = 0;      ///< of all answers, 1 to 4; NaN without answers
   std::string screens;         ///< screens that name them, "kurtosis, correlation"; empty when none does

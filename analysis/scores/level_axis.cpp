@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "study/running/quest_plus_results.h"
+
 namespace seamline::analysis {
 
 namespace {
@@ -94,13 +96,11 @@ std::string unit_suffix(const LevelAxis& axis) {
 }
 
 std::string length_key(const LevelAxis& axis) {
-  const std::string_view key = facts(axis.quantity).unit_key;
-  return !is_linear(axis) ? "octaves" : std::string(key.empty() ? "levels" : key);
+  return study::length_key(facts(axis.quantity).axis, axis.quantity);
 }
 
 std::string length_unit(const LevelAxis& axis) {
-  const std::string_view unit = facts(axis.quantity).unit;
-  return !is_linear(axis) ? "octaves" : std::string(unit.empty() ? "levels" : unit);
+  return study::length_unit(facts(axis.quantity).axis, axis.quantity);
 }
 
 std::string axis_title(const LevelAxis& axis) {

@@ -16,51 +16,51 @@ std::vector<std::string> codes_of(const std::vector<ScreenedPerson>& people, Tes
 
 }  // namespace
 
-std::string_view word(Screen screen) {
-  switch (screen) {
-    case Screen::attention:
+std::string_view word(ScreeningRule rule) {
+  switch (rule) {
+    case ScreeningRule::attention:
       return "attention";
-    case Screen::kurtosis:
+    case ScreeningRule::kurtosis:
       return "kurtosis";
-    case Screen::correlation:
+    case ScreeningRule::correlation:
       return "correlation";
   }
   return "";
 }
 
-std::string_view rule_of(Screen screen) {
-  switch (screen) {
-    case Screen::attention:
+std::string_view rule_of(ScreeningRule rule) {
+  switch (rule) {
+    case ScreeningRule::attention:
       return "attention: right in fewer than 75 % of the catch trials";
-    case Screen::kurtosis:
+    case ScreeningRule::kurtosis:
       return "kurtosis (ITU-R BT.500): over 5 % of scores at least 2 S (kurtosis 2 to 4) or sqrt(20) S "
              "(else) from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
-    case Screen::correlation:
+    case ScreeningRule::correlation:
       return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
              "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
   }
   return "";
 }
 
-bool ScreenedPerson::named_by(Screen screen) const {
-  switch (screen) {
-    case Screen::attention:
+bool ScreenedPerson::named_by(ScreeningRule rule) const {
+  switch (rule) {
+    case ScreeningRule::attention:
       return attention.rejected;
-    case Screen::kurtosis:
+    case ScreeningRule::kurtosis:
       return kurtosis.rejected;
-    case Screen::correlation:
+    case ScreeningRule::correlation:
       return correlation.rejected;
   }
   return false;
 }
 
 bool ScreenedPerson::named() const {
-  return std::any_of(every_screen.begin(), every_screen.end(),
-                     [&](Screen screen) { return named_by(screen); });
+  return std::any_of(every_screening_rule.begin(), every_screening_rule.end(),
+                     [&](ScreeningRule rule) { return named_by(rule); });
 }
 
-std::vector<std::string> Screening::named_by(Screen screen) const {
-  return codes_of(people, [&](const ScreenedPerson& person) { return person.named_by(screen); });
+std::vector<std::string> Screening::named_by(ScreeningRule rule) const {
+  return codes_of(people, [&](const ScreenedPerson& person) { return person.named_by(rule); });
 }
 
 std::vector<std::string> Screening::named() const {

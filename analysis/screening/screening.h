@@ -11,17 +11,17 @@
 namespace seamline::analysis {
 
 /// The ways a participant can be named as one whose answers may not be about the pictures.
-enum class Screen {
+enum class ScreeningRule {
   attention,   ///< catch trials: an insertion that nobody who looks can miss
   kurtosis,    ///< ITU-R BT.500
   correlation  ///< with the mean of the others
 };
-inline constexpr std::array<Screen, 3> every_screen = {Screen::attention, Screen::kurtosis,
-                                                       Screen::correlation};
+inline constexpr std::array<ScreeningRule, 3> every_screening_rule = {
+    ScreeningRule::attention, ScreeningRule::kurtosis, ScreeningRule::correlation};
 
-[[nodiscard]] std::string_view word(Screen screen);
+[[nodiscard]] std::string_view word(ScreeningRule rule);
 /// A sentence for a method section: the rule with its numbers.
-[[nodiscard]] std::string_view rule_of(Screen screen);
+[[nodiscard]] std::string_view rule_of(ScreeningRule rule);
 
 /// An answer to a catch trial.
 struct CatchAnswer {
@@ -44,7 +44,7 @@ struct ScreenedPerson {
   KurtosisCount kurtosis;
   CorrelationCheck correlation;
 
-  [[nodiscard]] bool named_by(Screen screen) const;
+  [[nodiscard]] bool named_by(ScreeningRule rule) const;
   [[nodiscard]] bool named() const;  ///< by at least one
 };
 
@@ -53,7 +53,7 @@ struct Screening {
   std::vector<ScreenedPerson> people;  ///< in the order of the scores
   bool catch_trials = false;           ///< whether there were any
 
-  [[nodiscard]] std::vector<std::string> named_by(Screen screen) const;
+  [[nodiscard]] std::vector<std::string> named_by(ScreeningRule rule) const;
   [[nodiscard]] std::vector<std::string> named() const;
 };
 

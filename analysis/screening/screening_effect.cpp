@@ -33,11 +33,10 @@ std::vector<ScreenedThresholds> thresholds_with_and_without(const study::LogCont
                                                             const ResamplingRequest& request,
                                                             const std::vector<std::string>& order) {
   std::vector<ScreenedThresholds> results = {{.who = "everybody", .left_out = {}, .thresholds = {}}};
-  for (Screen screen : every_screen)
-    if (const std::vector<std::string> named = screening.named_by(screen); !named.empty())
-      results.push_back({.who = "without those named by " + std::string(word(screen)),
-                         .left_out = named,
-                         .thresholds = {}});
+  for (ScreeningRule rule : every_screening_rule)
+    if (const std::vector<std::string> named = screening.named_by(rule); !named.empty())
+      results.push_back(
+          {.who = "without those named by " + std::string(word(rule)), .left_out = named, .thresholds = {}});
   if (results.size() > 2)
     results.push_back({.who = "without anybody named", .left_out = screening.named(), .thresholds = {}});
   for (auto result = results.begin(); result != results.end(); ++result) {

@@ -19,8 +19,8 @@ struct Excess {
 };
 
 /// The isotonic curve a share `t` (0 to 1) of the way from width `left` to the next.
-CurveAtWidth isotonic_at(double level, std::size_t left, double t, const IsotonicFit& fit,
-                         const MeanVector& means, const VarianceFunction& variance_of) {
+CurveAtX isotonic_at(double level, std::size_t left, double t, const IsotonicFit& fit,
+                     const MeanVector& means, const VarianceFunction& variance_of) {
   const std::size_t right = std::min(left + 1, fit.value.size() - 1);
   const double g = (1 - t) * fit.value[left] + t * fit.value[right];
   const double to_null = level - g;  // moves the curve so that its value at w is the level
@@ -93,7 +93,7 @@ LevelInterval level_interval(double level, const std::vector<double>& level_x, c
 
 LevelInterval invert_level_test(double level, const std::vector<double>& level_x, int people,
                                 int steps_per_gap,
-                                const std::function<CurveAtWidth(std::size_t, double)>& curve_at) {
+                                const std::function<CurveAtX(std::size_t, double)>& curve_at) {
   assert(people >= 2 && !level_x.empty());
   const double critical = student_quantile(people - 1, 0.975);
   std::vector<Excess> tests;
@@ -102,7 +102,7 @@ LevelInterval invert_level_test(double level, const std::vector<double>& level_x
     for (int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / steps;
       const double w = step == 0 ? level_x[left] : (1 - t) * level_x[left] + t * level_x[left + 1];
-      const CurveAtWidth curve = curve_at(left, t);
+      const CurveAtX curve = curve_at(left, t);
       const double allowed = critical * curve.standard_error;
       tests.push_back(
           {.level_x = w, .over = curve.value - level - allowed, .under = level - curve.value - allowed});

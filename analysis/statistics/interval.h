@@ -27,7 +27,7 @@ namespace seamline::analysis {
                                            const MeanVector& means, int people);
 
 /// A falling curve at one width, and the standard error it would have if it were at the level there.
-struct CurveAtWidth {
+struct CurveAtX {
   double value = 0, standard_error = 0;
 };
 
@@ -36,7 +36,7 @@ struct CurveAtWidth {
 /// the way from width number `left` to the next, widths rising.
 [[nodiscard]] LevelInterval invert_level_test(
     double level, const std::vector<double>& level_x, int people, int steps_per_gap,
-    const std::function<CurveAtWidth(std::size_t left, double t)>& curve_at);
+    const std::function<CurveAtX(std::size_t left, double t)>& curve_at);
 
 /// Variance of a mean over people as a function of that mean: linear between the means of the widths tested,
 /// constant beyond them. Ratings near 0 and near 4 vary less between people than those between.

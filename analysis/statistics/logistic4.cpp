@@ -28,12 +28,12 @@ struct Projection {
 };
 
 /// Linear least squares for the two asymptotes. Fills `into`, so that its memory is used again.
-void project(double centre_x, double scale_octaves, std::span<const double> level_x,
-             const Eigen::VectorXd& means, Projection& into) {
+void project(double centre_x, double scale_x, std::span<const double> level_x, const Eigen::VectorXd& means,
+             Projection& into) {
   into.fallen.resize(level_x.size());
   double sum_f = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i)
-    sum_f += into.fallen[i] = falling_logistic((level_x[i] - centre_x) / scale_octaves);
+    sum_f += into.fallen[i] = falling_logistic((level_x[i] - centre_x) / scale_x);
   const double mean_f = sum_f / static_cast<double>(level_x.size()), mean_y = means.mean();
   double product = 0, square = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i) {
@@ -42,7 +42,7 @@ void project(double centre_x, double scale_octaves, std::span<const double> leve
     square += centred * centred;
   }
   const double fall = product / square, lower = mean_y - fall * mean_f;
-  into.curve = {.upper = lower + fall, .lower = lower, .centre_x = centre_x, .scale_octaves = scale_octaves};
+  into.curve = {.upper = lower + fall, .lower = lower, .centre_x = centre_x, .scale_x = scale_x};
   into.residual_sum_of_squares = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i) {
     const double residual = means[static_cast<Eigen::Index>(i)] - (lower + fall * into.fallen[i]);
@@ -57,10 +57,10 @@ void accumulate(const Projection& at, std::span<const double> level_x, const Eig
   gradient.setZero();
   const double fall = at.curve.upper - at.curve.lower;
   for (std::size_t i = 0; i < level_x.size(); ++i) {
-    const double z = (level_x[i] - at.curve.centre_x) / at.curve.scale_octaves;
+    const double z = (level_x[i] - at.curve.centre_x) / at.curve.scale_x;
     const double f = at.fallen[i];
     const double slope = f * (1 - f) * fall;  // d y / d(-z)
-    const Eigen::Vector4d jacobian{f, 1 - f, slope / at.curve.scale_octaves, slope * z};
+    const Eigen::Vector4d jacobian{f, 1 - f, slope / at.curve.scale_x, slope * z};
     const double residual = means[static_cast<Eigen::Index>(i)] - (at.curve.lower + fall * f);
     curvature.noalias() += jacobian * jacobian.transpose();
     gradient.noalias() += jacobian * residual;
@@ -81,13 +81,13 @@ struct FourParameters {
   }
   void step(const Projection& from, const Eigen::Vector4d& move, Projection& to) const {
     project(std::clamp(from.curve.centre_x + move[2], box.lowest_centre, box.highest_centre),
-            std::clamp(from.curve.scale_octaves * std::exp(std::clamp(move[3], -1.0, 1.0)),
-                       box.smallest_scale, box.largest_scale),
+            std::clamp(from.curve.scale_x * std::exp(std::clamp(move[3], -1.0, 1.0)), box.smallest_scale,
+                       box.largest_scale),
             level_x, means, to);
   }
   static double distance(const Projection& from, const Projection& to) {
     return std::abs(to.curve.centre_x - from.curve.centre_x) +
-           std::abs(std::log(to.curve.scale_octaves / from.curve.scale_octaves));
+           std::abs(std::log(to.curve.scale_x / from.curve.scale_x));
   }
 };
 
@@ -95,7 +95,7 @@ struct FourParameters {
 
 double value_at(const Logistic4& curve, double level_x) {
   return curve.lower +
-         (curve.upper - curve.lower) * falling_logistic((level_x - curve.centre_x) / curve.scale_octaves);
+         (curve.upper - curve.lower) * falling_logistic((level_x - curve.centre_x) / curve.scale_x);
 }
 
 std::string reason(const Logistic4Fit& fit, std::span<const double> level_x) {
@@ -113,7 +113,7 @@ std::string reason(const Logistic4Fit& fit, std::span<const double> level_x) {
       return fmt::format("steepest above {:.0f}", std::exp2(level_x.back()));
     case Centre::not_falling:
       return "not identified: noticeability does not fall with width";
-    case Centre::too_few_widths:
+    case Centre::too_few_levels:
       return "not identified: under four widths";
   }
   return "";
@@ -175,7 +175,7 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
   std::vector<Logistic4Start> starts;
   for (Eigen::Index at : optima)
     starts.push_back({.centre_x = centres_[static_cast<std::size_t>(at / columns)],
-                      .scale_octaves = scales_[static_cast<std::size_t>(at % columns)]});
+                      .scale_x = scales_[static_cast<std::size_t>(at % columns)]});
   return starts;
 }
 
@@ -183,7 +183,7 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
 double Logistic4Fitter::polish(const Logistic4Start& start, const Eigen::VectorXd& means,
                                Logistic4& curve) const {
   Projection best, tried;
-  project(start.centre_x, start.scale_octaves, level_x_, means, best);
+  project(start.centre_x, start.scale_x, level_x_, means, best);
   const LogisticBox grid{.lowest_centre = centres_.front(),
                          .highest_centre = centres_.back(),
                          .smallest_scale = scales_.front(),
@@ -203,10 +203,10 @@ Logistic4Fit Logistic4Fitter::judge(const Logistic4& curve, double residual) con
     fit.verdict = below ? Centre::below_range : Centre::above_range;
     const double end = below ? below_every_level : above_every_level;
     fit.centre_range = {.low_x = end, .high_x = end};
-  } else if (curve.scale_octaves >= scales_.back() / edge_share) {
+  } else if (curve.scale_x >= scales_.back() / edge_share) {
     fit.verdict = Centre::straight;
     fit.centre_range = {};
-  } else if (curve.scale_octaves <= scales_.front() * edge_share) {
+  } else if (curve.scale_x <= scales_.front() * edge_share) {
     fit.verdict = Centre::step;
     const auto right = std::lower_bound(level_x_.begin() + 1, level_x_.end() - 1, centre);
     fit.centre_range = {.low_x = *(right - 1), .high_x = *right};
@@ -217,7 +217,7 @@ Logistic4Fit Logistic4Fitter::judge(const Logistic4& curve, double residual) con
 Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
   if (level_x_.size() < 4) {
     Logistic4Fit none;
-    none.verdict = Centre::too_few_widths;
+    none.verdict = Centre::too_few_levels;
     return none;
   }
   assert(means.size() == level_x_.size());
@@ -232,8 +232,7 @@ Logistic4Fit Logistic4Fitter::fit(std::span<const double> means) const {
     best = judge(curve, residual);
     found = true;
   }
-  if (!found)
-    best.curve = {.upper = y.mean(), .lower = y.mean(), .centre_x = level_x_.front(), .scale_octaves = 1};
+  if (!found) best.curve = {.upper = y.mean(), .lower = y.mean(), .centre_x = level_x_.front(), .scale_x = 1};
   return best;
 }
 

@@ -9,13 +9,13 @@
 
 namespace seamline::analysis {
 
-/// y(x) = lower + (upper - lower) / (1 + exp((x - centre) / scale)), x = log2 width. Its inflection point is
-/// the centre.
+/// y(x) = lower + (upper - lower) / (1 + exp((x - centre) / scale)), x a coordinate on which it falls: log2
+/// width, or what the study's quantity has for it. Its inflection point is the centre.
 struct Logistic4 {
   double upper = 0;
   double lower = 0;
   double centre_x = 0;
-  double scale_octaves = 1;
+  double scale_x = 1;  ///< a length on x: octaves where x is log2 width
 };
 
 /// 1 / (1 + exp(z)): 1 far below 0, 0 far above.
@@ -33,7 +33,7 @@ enum class Centre {
   below_range,    ///< steepest below the smallest width tested
   above_range,    ///< steepest above the largest width tested
   not_falling,    ///< noticeability does not fall with width
-  too_few_widths  ///< under four widths for four parameters
+  too_few_levels  ///< under four for four parameters
 };
 
 struct Logistic4Fit {
@@ -60,7 +60,7 @@ struct LogisticBox {
 
 /// Where a climb begins; the asymptotes follow by linear least squares.
 struct Logistic4Start {
-  double centre_x = 0, scale_octaves = 1;
+  double centre_x = 0, scale_x = 1;
 };
 
 /// Fits four-parameter logistics by least squares to means at fixed widths, one after the other, fast enough

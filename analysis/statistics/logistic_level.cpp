@@ -18,10 +18,10 @@ constexpr double smallest_share_of_curvature = 1e-9;
 
 /// Derivatives of the curve at a width by upper, lower, centre and ln scale.
 Eigen::Vector4d derivatives(const Logistic4& curve, double level_x) {
-  const double z = (level_x - curve.centre_x) / curve.scale_octaves;
+  const double z = (level_x - curve.centre_x) / curve.scale_x;
   const double f = falling_logistic(z);
   const double slope = f * (1 - f) * (curve.upper - curve.lower);
-  return {f, 1 - f, slope / curve.scale_octaves, slope * z};
+  return {f, 1 - f, slope / curve.scale_x, slope * z};
 }
 
 Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance) {
@@ -46,7 +46,7 @@ Eigen::VectorXd weights_at(const Logistic4& curve, double at_x, const std::vecto
 }  // namespace
 
 LevelInterval logistic_level_range(double level, const Logistic4Fit& fit, std::span<const double> level_x) {
-  if (fit.verdict == Centre::too_few_widths) return {};
+  if (fit.verdict == Centre::too_few_levels) return {};
   const Logistic4& curve = fit.curve;
   if (value_at(curve, level_x.back()) > level)
     return {.low_x = above_every_level, .high_x = above_every_level};
@@ -55,9 +55,9 @@ LevelInterval logistic_level_range(double level, const Logistic4Fit& fit, std::s
   if (fit.verdict == Centre::step) return fit.centre_range;
   if (!(curve.upper > level && level > curve.lower))  // flat at the level, as the largest width it equals
     return {.low_x = level_x.back(), .high_x = level_x.back()};
-  const double width = std::clamp(
-      curve.centre_x + curve.scale_octaves * std::log((curve.upper - level) / (level - curve.lower)),
-      level_x.front(), level_x.back());
+  const double width =
+      std::clamp(curve.centre_x + curve.scale_x * std::log((curve.upper - level) / (level - curve.lower)),
+                 level_x.front(), level_x.back());
   return {.low_x = width, .high_x = width};
 }
 
@@ -79,7 +79,7 @@ ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
 LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
                                       const std::vector<double>& level_x, const MeanVector& means,
                                       int people) {
-  if (fit.verdict == Centre::too_few_widths) return {};
+  if (fit.verdict == Centre::too_few_levels) return {};
   const Eigen::MatrixXd correlation = correlations(means.covariance);
   const VarianceFunction variance_of(
       fit_non_increasing({means.mean.data(), static_cast<std::size_t>(means.mean.size())}), means);
@@ -98,8 +98,8 @@ LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
           residual[i] = means.mean[i] - fitted;
           scaled[i] = h[i] * std::sqrt(variance_of.at(fitted));
         }
-        return CurveAtWidth{.value = level + h.dot(residual),
-                            .standard_error = std::sqrt(std::max(0.0, scaled.dot(correlation * scaled)))};
+        return CurveAtX{.value = level + h.dot(residual),
+                        .standard_error = std::sqrt(std::max(0.0, scaled.dot(correlation * scaled)))};
       });
   const LevelInterval estimate = logistic_level_range(level, fit, level_x);
   return {.low_x = std::min(interval.low_x, estimate.low_x),

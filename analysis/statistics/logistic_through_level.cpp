@@ -115,16 +115,14 @@ LogisticThroughLevel fit_through_level(double level, double at_x, const std::vec
       .through = {.level = level, .at_x = at_x}, .level_x = level_x, .means = means, .box = box};
   Tried best = polish(curves, best_of_grid(curves));
   if (start != nullptr) {
-    const Tried other =
-        polish(curves, {.centre = start->centre_x, .log_scale = std::log(start->scale_octaves)});
+    const Tried other = polish(curves, {.centre = start->centre_x, .log_scale = std::log(start->scale_x)});
     if (other.residual_sum_of_squares < best.residual_sum_of_squares) best = other;
   }
   const Shape& shape = best.shape;
   const double scale = std::exp(shape.log_scale);
   const double lower = level - best.fall * falling_logistic((at_x - shape.centre) / scale);
-  return {
-      .curve = {.upper = lower + best.fall, .lower = lower, .centre_x = shape.centre, .scale_octaves = scale},
-      .residual_sum_of_squares = std::max(0.0, best.residual_sum_of_squares)};
+  return {.curve = {.upper = lower + best.fall, .lower = lower, .centre_x = shape.centre, .scale_x = scale},
+          .residual_sum_of_squares = std::max(0.0, best.residual_sum_of_squares)};
 }
 
 }  // namespace seamline::analysis

@@ -41,7 +41,7 @@ std::string reason_in(const LevelAxis& axis, const Logistic4Fit& fit, const std:
                          level_word(axis));
     case Centre::identified:
     case Centre::straight:
-    case Centre::too_few_widths:
+    case Centre::too_few_levels:
       return in_words_of(axis, reason(fit, level_x));
   }
   return "";

@@ -142,7 +142,7 @@ bool Application::handle_pause() {
 }
 
 void Application::prepare_pictures() {
-  const std::optional<PlannedTrial> due = trial_on_screen(visit_);
+  const std::optional<Trial> due = trial_on_screen(visit_);
   if (!due) return;
   const Session* session = session_on_screen(visit_);
   try {

@@ -9,6 +9,7 @@
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
 #include "study/log/recovery/log_recovery.h"
+#include "study/log/recovery/log_recovery_text.h"
 #include "study/log/recovery/log_upgrade.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/simulation.h"

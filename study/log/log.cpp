@@ -81,7 +81,7 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
                             .observer = values.text(3),
                             .completed = values.flag(4),
                             .seed = static_cast<std::uint64_t>(row.getColumn(5).getInt64()),
-                            .planned_trials = row.getColumn(6).getInt(),
+                            .stimulus_trials = row.getColumn(6).getInt(),
                             .slot = values.number(8, 0),
                             .sessions = row.getColumn(10).getInt(),
                             .restarts = row.getColumn(12).getInt(),

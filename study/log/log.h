@@ -58,7 +58,7 @@ struct ParticipantRecord {
   std::string observer;  ///< kind of simulated observer, empty for a person
   bool completed = false;
   std::uint64_t seed = 0;                 ///< of the simulation; 0 for a person
-  int planned_trials = 0;                 ///< of stimuli; catch trials are not among them
+  int stimulus_trials = 0;                ///< decided so far; catch trials are not among them
   int slot = 0;                           ///< which order of trials
   std::optional<double> image_gain = {};  ///< of the simulated observer `image`
   bool in_progress = false;               ///< a session is open somewhere now

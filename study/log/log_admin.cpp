@@ -102,7 +102,7 @@ std::string status_text(const LogContents& log) {
   for (const ParticipantRecord& participant : log.participants) {
     const Done& own = done[participant.code];
     text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {:<10}{}\n", participant.code, width,
-                        who(participant), own.answered, participant.planned_trials,
+                        who(participant), own.answered, participant.stimulus_trials,
                         state(participant, own.answered), more(participant, own));
   }
   return text;

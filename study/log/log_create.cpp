@@ -1,3 +1,5 @@
+#include "study/log/log_create.h"
+
 #include <fcntl.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -7,7 +9,6 @@
 #include <cstring>
 #include <thread>
 
-#include "study/log/log_database.h"
 #include "study/log/log_place.h"
 
 namespace seamline::study {

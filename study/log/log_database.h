@@ -3,26 +3,17 @@
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <filesystem>
-#include <functional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "study/log/log_schema.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 
 // Inside the log only: SQLite does not appear in the headers that others include.
 namespace seamline::study {
-
-/// The log's format: a SQLite database with this application_id and, in user_version, this schema version.
-/// Raise the version with every change of the tables in log_schema.cpp. Version 2 has kinds of trials,
-/// consents, forms, displays and training; version 3 the quantity of the study and the conditions and levels
-/// of its stimuli. A log of version 2 is of depth widths alone: it is read, and participants are excluded and
-/// forgotten in it, but sessions go on in a log of today's version only (`upgrade_log`).
-inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
-inline constexpr int log_schema_version = 3;
-inline constexpr int oldest_log_schema_version = 2;
 
 /// How long to wait for other writers.
 inline constexpr int log_patience_ms = 5000;
@@ -44,14 +35,6 @@ enum class LogAccess {
 /// Opens a log that exists, of any version since `oldest_log_schema_version`, made durable. Throws InputError
 /// (missing, not SQLite, another program's, another schema version, no permission, in use).
 [[nodiscard]] SQLite::Database open_log_database(const std::filesystem::path& path, LogAccess access);
-
-/// The same for a log of today's version alone; where there is no file, or an empty one, a log is made: its
-/// tables and what `fill` enters are one transaction, so no other program ever sees a log that belongs to no
-/// set. When that fails no file is left. Complaints say `called`, where a log is made under a name of our
-/// own.
-[[nodiscard]] SQLite::Database open_or_create_log_database(const std::filesystem::path& path,
-                                                           const std::function<void(SQLite::Database&)>& fill,
-                                                           const std::filesystem::path& called = {});
 
 enum class EmptyFile { refuse, accept };
 
@@ -78,10 +61,6 @@ void check_undamaged(SQLite::Database& database, const std::filesystem::path& pa
 /// synchronous=FULL, foreign keys and secure deletion on; all three belong to the connection, not to the
 /// file.
 void make_durable(SQLite::Database& database);
-
-/// The tables of a schema version since `oldest_log_schema_version`, as SQL: word for word what logs of that
-/// version were made with.
-[[nodiscard]] std::string log_schema_sql(int version = log_schema_version);
 
 /// One table or index of a schema: its kind, its name and table, and its SQL (empty for those that SQLite
 /// makes by itself).

@@ -82,7 +82,7 @@ void LogWriter::Tables::read_trials(OpenSession& session) {
   SQLite::bind(row, session.participant);
   const LogValues values(row, path, "trials");
   while (row.executeStep())
-    session.planned.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0)});
+    session.trials.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0)});
 }
 
 void LogWriter::Tables::read_answers(OpenSession& session) {

@@ -131,4 +131,10 @@ void copy_log(const fs::path& given, const fs::path& copy) {
                      .found = "somebody who goes on writing to it"});
 }
 
+std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return FileIdentity{.device = status.st_dev, .inode = status.st_ino};
+}
+
 }  // namespace seamline::study

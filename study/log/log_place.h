@@ -1,7 +1,9 @@
 #pragma once
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace seamline::study {
 
@@ -29,5 +31,15 @@ void check_one_place(const std::filesystem::path& given);
 /// Copies a log with its write-ahead log and journal, while nobody writes to them, to `copy`, which may be
 /// written to. Throws InputError when it cannot be read, or somebody goes on writing.
 void copy_log(const std::filesystem::path& given, const std::filesystem::path& copy);
+
+/// Which file a path leads to: a file that is deleted and made again, or another one moved there, differs.
+struct FileIdentity {
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  bool operator==(const FileIdentity&) const = default;
+};
+
+/// None where there is no file.
+[[nodiscard]] std::optional<FileIdentity> file_identity(const std::filesystem::path& path);
 
 }  // namespace seamline::study

@@ -1,7 +1,8 @@
+#include "study/log/log_schema.h"
+
 #include <fmt/core.h>
 
 #include "stimuli/definition/artifact.h"
-#include "study/log/log_database.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "study/log/file_identity.h"
 #include "study/log/log_database.h"
 #include "study/log/log_place.h"
 #include "study/log/log_writer.h"

@@ -4,6 +4,7 @@
 
 #include <cassert>
 
+#include "study/log/log_create.h"
 #include "study/log/log_tables.h"
 #include "support/files/assets.h"
 
@@ -143,13 +144,13 @@ void LogWriter::transaction(const std::function<void()>& work) {
   });
 }
 
-void LogWriter::append_trials(OpenSession& session, std::span<const PlannedTrial> trials) {
+void LogWriter::append_trials(OpenSession& session, std::span<const Trial> trials) {
   transaction([&] {
-    auto trial_index = static_cast<std::int64_t>(session.planned.size());
-    for (const PlannedTrial& trial : trials)
+    auto trial_index = static_cast<std::int64_t>(session.trials.size());
+    for (const Trial& trial : trials)
       run(tables_->trial, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus);
   });
-  session.planned.insert(session.planned.end(), trials.begin(), trials.end());
+  session.trials.insert(session.trials.end(), trials.begin(), trials.end());
 }
 
 void LogWriter::append_answer(OpenSession& session, const TrialAnswer& answer) {
@@ -174,7 +175,7 @@ void LogWriter::restart(OpenSession& session) {
     SQLite::Statement trials(tables_->database, "DELETE FROM trials WHERE participant = ?");
     run(trials, session.participant);  // the answers go with it
   });
-  session.planned.clear();
+  session.trials.clear();
   session.answers.clear();
   session.answered = 0;
 }

@@ -12,7 +12,7 @@
 #include "study/observers/observer.h"
 #include "study/placement/trial.h"
 #include "study/trials/rendered_set.h"
-#include "study/trials/slot.h"
+#include "study/trials/stimulus_order.h"
 #include "study/visit/display_facts.h"
 
 namespace seamline::study {
@@ -30,17 +30,17 @@ struct Enrolment {
   std::string code = {};  ///< 1 to 64 of A-Z a-z 0-9 . _ -; a code, never a name
   bool pilot = false;
   std::optional<Simulated> simulated = {};  ///< none: a person
-  int slot = 0;                             ///< of a newcomer, see study/trials/slot.h
+  int slot = 0;                             ///< of a newcomer, see study/trials/stimulus_order.h
 };
 
 /// A participant's place in the log, as found when the session began.
 struct OpenSession {
-  std::int64_t participant = 0;            ///< row in the log
-  std::int64_t session = 0;                ///< row in the log; 0 when nothing is left to do
-  int slot = 0;                            ///< which order of trials
-  std::vector<PlannedTrial> planned = {};  ///< so far
-  int answered = 0;                        ///< the first `answered` of them have answers
-  std::vector<TrialAnswer> answers = {};   ///< those answers
+  std::int64_t participant = 0;           ///< row in the log
+  std::int64_t session = 0;               ///< row in the log; 0 when nothing is left to do
+  int slot = 0;                           ///< which order of trials
+  std::vector<Trial> trials = {};         ///< decided so far
+  int answered = 0;                       ///< the first `answered` of them have answers
+  std::vector<TrialAnswer> answers = {};  ///< those answers
   bool completed = false;
   bool excluded = false;
   bool simulated = false;
@@ -66,7 +66,7 @@ struct FrameCounts {
 
 /// The answer to a practice trial.
 struct TrainingAnswer {
-  PlannedTrial trial;
+  Trial trial;
   TrialAnswer answer;  ///< its trial_index is the place within this session's practice
 };
 
@@ -109,13 +109,13 @@ class LogWriter {
   [[nodiscard]] OpenSession open_session(const Enrolment& enrolment);
 
   /// Adds trials after those that the log has.
-  void append_trials(OpenSession& session, std::span<const PlannedTrial> trials);
+  void append_trials(OpenSession& session, std::span<const Trial> trials);
 
-  /// Stores the answer to trial `session.answered`, which must be planned.
+  /// Stores the answer to trial `session.answered`, which the log must have.
   void append_answer(OpenSession& session, const TrialAnswer& answer);
 
-  /// Sets the participant's plan and answers aside (kept in the log, never analysed): the session is at
-  /// trial 0 again, with nothing planned.
+  /// Sets the participant's trials and answers aside (kept in the log, never analysed): the session is at
+  /// trial 0 again, with no trial decided.
   void restart(OpenSession& session);
 
   /// That somebody declined to take part, and when; not who.

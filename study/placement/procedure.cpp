@@ -32,7 +32,7 @@ int answered_trials(const Procedure& procedure) {
                     procedure);
 }
 
-int planned_trials(const Procedure& procedure) {
+int most_trials(const Procedure& procedure) {
   return std::visit(
       Overloaded{[](const ConstantProcedure& constant) { return static_cast<int>(constant.order.size()); },
                  [](const QuestPlusProcedure& quest_plus) { return most_trials(quest_plus); }},

@@ -30,6 +30,6 @@ using Procedure = std::variant<ConstantProcedure, QuestPlusProcedure>;
 [[nodiscard]] int answered_trials(const Procedure& procedure);
 
 /// How many trials there will be in all, or at most; what a progress bar is measured against.
-[[nodiscard]] int planned_trials(const Procedure& procedure);
+[[nodiscard]] int most_trials(const Procedure& procedure);
 
 }  // namespace seamline::study

@@ -51,10 +51,10 @@ int QuestPlusGrid::points() const {
 }
 
 int QuestPlusGrid::index(Parameter parameter, int point) const {
-  auto rest = static_cast<std::size_t>(point);
+  auto remainder = static_cast<std::size_t>(point);
   for (std::size_t axis = values.size() - 1; axis > static_cast<std::size_t>(parameter); --axis)
-    rest /= values[axis].size();
-  return static_cast<int>(rest % of(parameter).size());
+    remainder /= values[axis].size();
+  return static_cast<int>(remainder % of(parameter).size());
 }
 
 QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {

@@ -128,12 +128,12 @@ QuestPlusProcedure begin_quest_plus(std::shared_ptr<const QuestPlusDesign> desig
   return procedure;
 }
 
-QuestPlusProcedure resume_quest_plus(QuestPlusProcedure procedure, const std::vector<int>& planned,
+QuestPlusProcedure resume_quest_plus(QuestPlusProcedure procedure, const std::vector<int>& decided,
                                      const std::vector<TrialAnswer>& answers) {
-  assert(planned.size() >= answers.size());
+  assert(decided.size() >= answers.size());
   for (std::size_t trial = 0; trial < answers.size(); ++trial)
-    take_in(procedure, planned[trial], answers[trial]);
-  procedure.due = planned.size() > answers.size() ? planned[answers.size()] : next_stimulus(procedure);
+    take_in(procedure, decided[trial], answers[trial]);
+  procedure.due = decided.size() > answers.size() ? decided[answers.size()] : next_stimulus(procedure);
   return procedure;
 }
 

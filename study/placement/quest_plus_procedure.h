@@ -46,10 +46,10 @@ struct QuestPlusProcedure {
                                                   std::uint64_t seed);
 
 /// The procedure after trials that the log holds. What was shown is taken from the log, not decided again;
-/// `planned` may name one stimulus more than there are answers: the one that is due. The result is, bit for
+/// `decided` may name one stimulus more than there are answers: the one that is due. The result is, bit for
 /// bit, what it was before the session broke off.
 [[nodiscard]] QuestPlusProcedure resume_quest_plus(QuestPlusProcedure procedure,
-                                                   const std::vector<int>& planned,
+                                                   const std::vector<int>& decided,
                                                    const std::vector<TrialAnswer>& answers);
 
 /// Learns from the answer to the stimulus that was due, and finds the next. Precondition: one was due.

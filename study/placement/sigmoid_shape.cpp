@@ -23,9 +23,9 @@ SigmoidPoint normal_point(double z) {
 
 SigmoidPoint logistic_point(double z) {
   const double decay = std::exp(-std::abs(z));
-  const double tail = decay / (1 + decay), rest = 1 / (1 + decay);
-  const double density = tail * rest;
-  const double below = z < 0 ? tail : rest, above = z < 0 ? rest : tail;
+  const double tail = decay / (1 + decay), body = 1 / (1 + decay);
+  const double density = tail * body;
+  const double below = z < 0 ? tail : body, above = z < 0 ? body : tail;
   return {.below = below, .above = above, .density = density, .density_slope = density * (above - below)};
 }
 

@@ -20,12 +20,12 @@ inline constexpr std::array<TrialKind, 3> every_trial_kind = {TrialKind::stimulu
 [[nodiscard]] std::string_view word(TrialKind kind);
 [[nodiscard]] std::optional<TrialKind> trial_kind_from_word(std::string_view text);
 
-/// A trial of a plan. `stimulus` is an index into the set. An attention trial shows the reference of its
-/// scene with its object changed, a reference trial the reference of its scene as it is.
-struct PlannedTrial {
+/// A trial of a participant. `stimulus` is an index into the set. An attention trial shows the reference of
+/// its scene with its object changed, a reference trial the reference of its scene as it is.
+struct Trial {
   TrialKind kind = TrialKind::stimulus;
   int stimulus = 0;
-  bool operator==(const PlannedTrial&) const = default;
+  bool operator==(const Trial&) const = default;
 };
 
 /// What a participant did in one trial: chose one of the three objects, then rated how noticeable the

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/trials/slot.h"
+#include "study/trials/stimulus_order.h"
 
 namespace seamline::study {
 
@@ -16,15 +16,15 @@ OpenSession enter_session(LogWriter& log, Enrolment enrolment, int orders) {
 }
 
 TrialSequence open_trials(const TrialRules& rules, LogWriter& log, OpenSession& place) {
-  const std::vector<PlannedTrial> decided = decided_trials(rules, place.slot, place.planned);
-  const auto is_new = std::span(decided).subspan(place.planned.size());
+  const std::vector<Trial> decided = decided_trials(rules, place.slot, place.trials);
+  const auto is_new = std::span(decided).subspan(place.trials.size());
   if (!is_new.empty()) log.append_trials(place, is_new);
-  return trial_sequence(rules, {.slot = place.slot, .trials = place.planned, .answers = place.answers});
+  return trial_sequence(rules, {.slot = place.slot, .trials = place.trials, .answers = place.answers});
 }
 
 void store_due_trial(const TrialSequence& trials, LogWriter& log, OpenSession& place) {
-  const std::optional<PlannedTrial> due = undecided_trial(trials, static_cast<int>(place.planned.size()));
-  if (due) log.append_trials(place, std::span<const PlannedTrial>(&*due, 1));
+  const std::optional<Trial> due = undecided_trial(trials, static_cast<int>(place.trials.size()));
+  if (due) log.append_trials(place, std::span<const Trial>(&*due, 1));
 }
 
 int store_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,

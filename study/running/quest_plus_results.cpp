@@ -93,7 +93,13 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
 }
 
 std::string length_unit(Axis axis, Quantity quantity) {
-  return axis == Axis::log2 ? "octaves" : std::string(facts(quantity).unit);
+  const std::string_view unit = facts(quantity).unit;
+  return axis == Axis::log2 ? "octaves" : std::string(unit.empty() ? "levels" : unit);
+}
+
+std::string length_key(Axis axis, Quantity quantity) {
+  const std::string_view key = facts(quantity).unit_key;
+  return axis == Axis::log2 ? "octaves" : std::string(key.empty() ? "levels" : key);
 }
 
 std::string tracks_text(const std::vector<TrackEstimate>& estimates) {

@@ -33,10 +33,13 @@ struct TrackEstimate {
 /// the study does not list.
 [[nodiscard]] std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log);
 
-/// The unit of lengths on the axis: "octaves", or the unit of the quantity, such as "px".
-[[nodiscard]] std::string length_unit(Axis axis, Quantity quantity = Quantity::depth_width_px);
+/// The unit of lengths on the axis, in words: "octaves", or the unit of the quantity ("px", "degrees"), or
+/// "levels" where it has none.
+[[nodiscard]] std::string length_unit(Axis axis, Quantity quantity);
+/// The same for names of columns and fields: "octaves", "px", "deg", "levels".
+[[nodiscard]] std::string length_key(Axis axis, Quantity quantity);
 
-/// The same as a table of text, a line a track.
+/// The estimates as a table of text, a line a track.
 [[nodiscard]] std::string tracks_text(const std::vector<TrackEstimate>& estimates);
 
 }  // namespace seamline::study

@@ -9,7 +9,7 @@
 #include "study/log/log_writer.h"
 #include "study/running/participant_session.h"
 #include "study/trials/rendered_set.h"
-#include "study/trials/slot.h"
+#include "study/trials/stimulus_order.h"
 #include "study/visit/session.h"
 #include "support/arithmetic/random.h"
 #include "support/running/interrupt.h"
@@ -50,7 +50,7 @@ SimulatedPerson make_person(const SimulationRequest& request, const RenderedSet&
 }
 
 Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const Session& session) {
-  const PlannedTrial trial = current_trial(session.trials).value();
+  const Trial trial = current_trial(session.trials).value();
   Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
   const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
   switch (trial.kind) {

@@ -24,7 +24,7 @@ struct SimulationSummary {
   int tracks_on_edge = 0;  ///< adaptive tracks of this call whose threshold leans on the edge of the grid
 };
 
-/// Runs simulated participants through the same plan, session and log as people. Running it again adds what
+/// Runs simulated participants through the same trials, session and log as people. Running it again adds what
 /// is missing and nothing else: completed participants are left alone, and a participant's answers depend on
 /// nothing but the seed, the participant's number and the set. So a transaction holds 25 participants, not
 /// one answer as for people: what a crash loses of simulated participants the next run makes again, bit for

@@ -112,7 +112,7 @@ void VisitStore::State::store_noted() {
 
 bool VisitStore::State::must_store_trial(const Visit& visit) const {
   return place && std::holds_alternative<TrialScreen>(visit.screen) &&
-         static_cast<int>(place->planned.size()) <= place->answered;
+         static_cast<int>(place->trials.size()) <= place->answered;
 }
 
 template <class Work>

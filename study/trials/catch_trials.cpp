@@ -10,7 +10,7 @@
 namespace seamline::study {
 namespace {
 
-/// Keeps the draws of catch trials apart from those of the plan, which has the same key.
+/// Keeps the draws of catch trials apart from those of the order, which has the same key.
 constexpr std::uint64_t catch_salt = 0x6361746368;  // "catch"
 
 /// One stimulus for each thing that a catch trial of a kind can show, in a random order.
@@ -59,21 +59,21 @@ std::vector<CatchTrial> draw_catch_trials(const CatchDefinition& definition, std
   return catches;
 }
 
-std::vector<PlannedTrial> interleave(std::span<const int> order, std::span<const CatchTrial> catches) {
-  std::vector<PlannedTrial> planned;
+std::vector<Trial> interleave(std::span<const int> order, std::span<const CatchTrial> catches) {
+  std::vector<Trial> trials;
   auto next = catches.begin();
   for (std::size_t i = 0; i <= order.size(); ++i) {
     for (; next != catches.end() && next->after_stimulus_trials <= static_cast<int>(i); ++next)
-      planned.push_back(next->trial);
-    if (i < order.size()) planned.push_back({.kind = TrialKind::stimulus, .stimulus = order[i]});
+      trials.push_back(next->trial);
+    if (i < order.size()) trials.push_back({.kind = TrialKind::stimulus, .stimulus = order[i]});
   }
-  return planned;
+  return trials;
 }
 
-std::vector<CatchTrial> catch_trials_of(std::span<const PlannedTrial> planned) {
+std::vector<CatchTrial> catch_trials_of(std::span<const Trial> trials) {
   std::vector<CatchTrial> catches;
   int stimuli = 0;
-  for (const PlannedTrial& trial : planned) {
+  for (const Trial& trial : trials) {
     if (trial.kind == TrialKind::stimulus)
       ++stimuli;
     else

@@ -20,10 +20,9 @@ namespace seamline::study {
                                                         const OrderKey& key);
 
 /// A fixed order of stimuli with catch trials in their places.
-[[nodiscard]] std::vector<PlannedTrial> interleave(std::span<const int> order,
-                                                   std::span<const CatchTrial> catches);
+[[nodiscard]] std::vector<Trial> interleave(std::span<const int> order, std::span<const CatchTrial> catches);
 
-/// The catch trials of a plan, in their places: the inverse of `interleave`.
-[[nodiscard]] std::vector<CatchTrial> catch_trials_of(std::span<const PlannedTrial> planned);
+/// The catch trials among others, in their places: the inverse of `interleave`.
+[[nodiscard]] std::vector<CatchTrial> catch_trials_of(std::span<const Trial> trials);
 
 }  // namespace seamline::study

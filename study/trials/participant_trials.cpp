@@ -61,8 +61,7 @@ TrialRules make_trial_rules(const RenderedSet& set) {
   return rules;
 }
 
-std::vector<PlannedTrial> decided_trials(const TrialRules& rules, int slot,
-                                         std::span<const PlannedTrial> trials) {
+std::vector<Trial> decided_trials(const TrialRules& rules, int slot, std::span<const Trial> trials) {
   if (rules.quest_plus || !trials.empty()) return {trials.begin(), trials.end()};
   const OrderKey key{.study_seed = rules.study_seed, .slot = slot};
   const int stimuli = static_cast<int>(rules.stimuli.size());
@@ -77,7 +76,7 @@ TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress&
           .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size())};
 }
 
-std::optional<PlannedTrial> undecided_trial(const TrialSequence& trials, int decided) {
+std::optional<Trial> undecided_trial(const TrialSequence& trials, int decided) {
   if (decided > answered_trials(trials)) return std::nullopt;
   return current_trial(trials);
 }

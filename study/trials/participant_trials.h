@@ -33,16 +33,16 @@ struct TrialRules {
 
 /// How far a participant has come.
 struct ParticipantProgress {
-  int slot = 0;                          ///< see study/trials/slot.h
-  std::span<const PlannedTrial> trials;  ///< decided so far
+  int slot = 0;                          ///< see study/trials/stimulus_order.h
+  std::span<const Trial> trials;         ///< decided so far
   std::span<const TrialAnswer> answers;  ///< to the first of them
 };
 
 /// The trials of a participant that are known when a session begins: those decided before, `trials`, as they
 /// are; where there are none, all trials of constant stimuli with their catch trials; of an adaptive
 /// procedure none, since it decides each by the answers before it.
-[[nodiscard]] std::vector<PlannedTrial> decided_trials(const TrialRules& rules, int slot,
-                                                       std::span<const PlannedTrial> trials);
+[[nodiscard]] std::vector<Trial> decided_trials(const TrialRules& rules, int slot,
+                                                std::span<const Trial> trials);
 
 /// The trials of a participant, at the first one without an answer. What was decided is taken as it is and
 /// not decided again, so the result is, bit for bit, what it was before a session broke off. Precondition:
@@ -51,6 +51,6 @@ struct ParticipantProgress {
 
 /// The trial that is due, unless it is one of the first `decided` trials or the session is over. Constant
 /// stimuli have none.
-[[nodiscard]] std::optional<PlannedTrial> undecided_trial(const TrialSequence& trials, int decided);
+[[nodiscard]] std::optional<Trial> undecided_trial(const TrialSequence& trials, int decided);
 
 }  // namespace seamline::study

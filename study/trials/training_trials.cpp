@@ -65,11 +65,11 @@ int index_of(const RenderedSet& set, const std::string& id) {
 
 }  // namespace
 
-std::vector<PlannedTrial> training_trials(const RenderedSet& set) {
+std::vector<Trial> training_trials(const RenderedSet& set) {
   std::vector<int> stimuli;
   if (set.study.training.stimuli.empty()) stimuli = easiest(set, set.study.training.trials);
   for (const std::string& id : set.study.training.stimuli) stimuli.push_back(index_of(set, id));
-  std::vector<PlannedTrial> trials;
+  std::vector<Trial> trials;
   for (const int stimulus : stimuli) trials.push_back({.kind = TrialKind::stimulus, .stimulus = stimulus});
   return trials;
 }

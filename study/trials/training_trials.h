@@ -8,6 +8,6 @@ namespace seamline::study {
 
 /// The practice of every visit: the stimuli that the study names, or the coarsest ones, one artifact after
 /// the other. Throws InputError when a stimulus that the study names is not in the set.
-[[nodiscard]] std::vector<PlannedTrial> training_trials(const RenderedSet& set);
+[[nodiscard]] std::vector<Trial> training_trials(const RenderedSet& set);
 
 }  // namespace seamline::study

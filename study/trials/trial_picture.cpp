@@ -6,25 +6,25 @@
 namespace seamline::study {
 namespace {
 
-const ManifestStimulus& record_of(const RenderedSet& set, const PlannedTrial& trial) {
+const ManifestStimulus& record_of(const RenderedSet& set, const Trial& trial) {
   return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
 }
 
-const ManifestReference& scene_reference(const RenderedSet& set, const PlannedTrial& trial) {
+const ManifestReference& scene_reference(const RenderedSet& set, const Trial& trial) {
   return reference_of(set.folder, set.manifest, record_of(set, trial).stimulus);
 }
 
-ByteImage load_reference(const RenderedSet& set, const PlannedTrial& trial) {
+ByteImage load_reference(const RenderedSet& set, const Trial& trial) {
   return read_manifest_picture(set.folder, reference_picture(set.manifest, scene_reference(set, trial)));
 }
 
 }  // namespace
 
-ByteImage load_object_ids(const RenderedSet& set, const PlannedTrial& trial) {
+ByteImage load_object_ids(const RenderedSet& set, const Trial& trial) {
   return read_manifest_picture(set.folder, click_map_picture(set.manifest, scene_reference(set, trial)));
 }
 
-ByteImage load_trial_picture(const RenderedSet& set, const PlannedTrial& trial) {
+ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
   switch (trial.kind) {
     case TrialKind::stimulus:
       return read_manifest_picture(set.folder, stimulus_picture(set.manifest, record_of(set, trial)));
@@ -37,7 +37,7 @@ ByteImage load_trial_picture(const RenderedSet& set, const PlannedTrial& trial) 
   return {};
 }
 
-int right_object(const RenderedSet& set, const PlannedTrial& trial) {
+int right_object(const RenderedSet& set, const Trial& trial) {
   return trial.kind == TrialKind::reference ? 0 : record_of(set, trial).stimulus.object_index;
 }
 

@@ -9,12 +9,12 @@ namespace seamline::study {
 /// Reads files and nothing else, so threads may load pictures ahead. Throws InputError naming the file when
 /// it is missing, has other bytes than the set was rendered with or another size, or the set has no reference
 /// of the scene.
-[[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const PlannedTrial& trial);
+[[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial);
 
 /// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.
-[[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const PlannedTrial& trial);
+[[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const Trial& trial);
 
 /// The object whose choice is right: 1 left, 2 middle, 3 right, 0 when there is none (`reference`).
-[[nodiscard]] int right_object(const RenderedSet& set, const PlannedTrial& trial);
+[[nodiscard]] int right_object(const RenderedSet& set, const Trial& trial);
 
 }  // namespace seamline::study

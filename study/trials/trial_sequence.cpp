@@ -14,19 +14,19 @@ const CatchTrial* due_catch(const TrialSequence& trials) {
   return candidate.after_stimulus_trials <= answered_trials(trials.procedure) ? &candidate : nullptr;
 }
 
-std::optional<PlannedTrial> stimulus_trial(std::optional<int> stimulus) {
+std::optional<Trial> stimulus_trial(std::optional<int> stimulus) {
   if (!stimulus) return std::nullopt;
-  return PlannedTrial{.kind = TrialKind::stimulus, .stimulus = *stimulus};
+  return Trial{.kind = TrialKind::stimulus, .stimulus = *stimulus};
 }
 
 }  // namespace
 
-std::optional<PlannedTrial> current_trial(const TrialSequence& trials) {
+std::optional<Trial> current_trial(const TrialSequence& trials) {
   if (const CatchTrial* due = due_catch(trials)) return due->trial;
   return stimulus_trial(current_stimulus(trials.procedure));
 }
 
-std::optional<PlannedTrial> trial_after_current(const TrialSequence& trials) {
+std::optional<Trial> trial_after_current(const TrialSequence& trials) {
   TrialSequence after = trials;
   if (due_catch(trials) != nullptr) {
     ++after.catches_answered;
@@ -59,8 +59,8 @@ int answered_trials(const TrialSequence& trials) {
   return answered_trials(trials.procedure) + trials.catches_answered;
 }
 
-int planned_trials(const TrialSequence& trials) {
-  return planned_trials(trials.procedure) + static_cast<int>(trials.catches.size());
+int most_trials(const TrialSequence& trials) {
+  return most_trials(trials.procedure) + static_cast<int>(trials.catches.size());
 }
 
 }  // namespace seamline::study

@@ -11,7 +11,7 @@ namespace seamline::study {
 /// A catch trial, and its place: it comes once so many `stimulus` trials have been answered.
 struct CatchTrial {
   int after_stimulus_trials = 0;
-  PlannedTrial trial;
+  Trial trial;
   bool operator==(const CatchTrial&) const = default;
 };
 
@@ -24,12 +24,12 @@ struct TrialSequence {
   int catches_answered = 0;
 };
 
-/// The trial that is due, or none when the session is over. Catch trials that were planned beyond the last
+/// The trial that is due, or none when the session is over. Catch trials that were drawn beyond the last
 /// trial of a procedure that stopped early are left out.
-[[nodiscard]] std::optional<PlannedTrial> current_trial(const TrialSequence& trials);
+[[nodiscard]] std::optional<Trial> current_trial(const TrialSequence& trials);
 
 /// The trial after the one that is due, where it is known before the answer: what may be decoded ahead.
-[[nodiscard]] std::optional<PlannedTrial> trial_after_current(const TrialSequence& trials);
+[[nodiscard]] std::optional<Trial> trial_after_current(const TrialSequence& trials);
 
 /// The sequence once the trial that was due has been answered. Precondition: there was one, and
 /// `answer.trial_index` is `answered_trials`.
@@ -39,6 +39,6 @@ struct TrialSequence {
 [[nodiscard]] int answered_trials(const TrialSequence& trials);
 
 /// How many trials of every kind there will be in all, or at most; what a progress bar is measured against.
-[[nodiscard]] int planned_trials(const TrialSequence& trials);
+[[nodiscard]] int most_trials(const TrialSequence& trials);
 
 }  // namespace seamline::study

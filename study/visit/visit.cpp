@@ -8,7 +8,7 @@ namespace {
 
 Session begin_training(const VisitScript& script) {
   ConstantProcedure procedure;
-  for (const PlannedTrial& trial : script.training)
+  for (const Trial& trial : script.training)
     if (trial.kind == TrialKind::stimulus) procedure.order.push_back(trial.stimulus);
   SessionPace pace = script.pace;
   pace.break_every_trials = 0;
@@ -243,7 +243,7 @@ const Session* session_on_screen(const Visit& visit) {
   return nullptr;
 }
 
-std::optional<PlannedTrial> trial_on_screen(const Visit& visit) {
+std::optional<Trial> trial_on_screen(const Visit& visit) {
   if (const auto* feedback = std::get_if<FeedbackScreen>(&visit.screen)) return feedback->trial;
   const Session* session = session_on_screen(visit);
   return session == nullptr ? std::nullopt : current_trial(session->trials);

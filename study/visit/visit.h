@@ -33,7 +33,7 @@ struct InstructionScreen {
 };
 struct TrainingScreen {};  ///< a trial of `Visit::training`, whose phase says what is seen
 struct FeedbackScreen {    ///< on the training trial that was just answered
-  PlannedTrial trial;
+  Trial trial;
   int chosen_index = 0;
   int right_index = 0;
   [[nodiscard]] bool right() const { return chosen_index == right_index; }
@@ -68,7 +68,7 @@ struct DisplayRecord {
   DisplayFacts facts;
 };
 struct TrainingRecord {
-  PlannedTrial trial;
+  Trial trial;
   TrialAnswer answer;
 };
 struct AnswerRecord {
@@ -143,6 +143,6 @@ struct Visit {
 [[nodiscard]] const Session* session_on_screen(const Visit& visit);
 
 /// The trial whose picture is, or is about to be, on the screen: of the training, or of the session.
-[[nodiscard]] std::optional<PlannedTrial> trial_on_screen(const Visit& visit);
+[[nodiscard]] std::optional<Trial> trial_on_screen(const Visit& visit);
 
 }  // namespace seamline::study

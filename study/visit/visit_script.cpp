@@ -20,7 +20,7 @@ VisitScript make_visit_script(const RenderedSet& set) {
                      .pace = {.break_every_trials = study.session.break_every_trials,
                               .minimum_viewing_ns = nanoseconds(study.session.minimum_viewing_s),
                               .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
-  for (const PlannedTrial& trial : script.training) script.training_right.push_back(right_object(set, trial));
+  for (const Trial& trial : script.training) script.training_right.push_back(right_object(set, trial));
   return script;
 }
 

@@ -11,7 +11,7 @@ namespace seamline::study {
 struct VisitScript {
   std::vector<FormField> form = {};
   int instruction_pages = 0;
-  std::vector<PlannedTrial> training = {};
+  std::vector<Trial> training = {};
   std::vector<int> training_right = {};  ///< the right choice of each: 1 left, 2 middle, 3 right
   SessionPace pace = {};
 };

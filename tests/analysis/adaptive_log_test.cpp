@@ -55,6 +55,33 @@ TEST(AdaptiveLog, TracksAreInTheUnitsOfTheirAxis) {
   EXPECT_THAT(columns_of("axis = \"linear\"\n"), HasSubstr("threshold_sd_px scale_px "));
 }
 
+TEST(AdaptiveLog, TracksNameTheirConditionAndTheUnitOfTheirQuantity) {
+  ReportNumbers numbers;
+  numbers.axis = {.quantity = Quantity::sun_radius_deg, .noticeability = Direction::decreasing, .unit = 1};
+  numbers.conditions = true;
+  for (const char* condition : {"dry", "wet"}) {
+    TrackEstimate track;
+    track.artifact = Artifact::shadow;
+    track.condition = condition;
+    track.axis = Axis::linear;
+    track.quantity = numbers.axis.quantity;
+    numbers.tracks.push_back(track);
+  }
+  const CsvTable table = tracks_table(numbers);
+  std::string columns;
+  for (const CsvColumn& column : table.columns) columns += column.name + " ";
+  EXPECT_EQ(columns,
+            "participant artifact condition track used trials threshold_deg threshold_low_deg "
+            "threshold_high_deg threshold_sd_deg scale_deg lapse alarms ");
+  ASSERT_EQ(table.rows.size(), 2U);
+  for (const std::vector<CsvValue>& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(table.rows[1][2], CsvValue(std::string("wet")));
+  numbers.axis.quantity = numbers.tracks[0].quantity = Quantity::mesh_tolerance;  // a ratio: no unit
+  const CsvTable ratios = tracks_table(numbers);
+  EXPECT_EQ(ratios.columns[6].name, "threshold");
+  EXPECT_EQ(ratios.columns[9].name, "threshold_sd_levels");
+}
+
 TEST(AdaptiveLog, NoFallingThresholdsArePlantedInPeopleWhoseNoticeabilityRises) {
   const Analysis falling = analysis_of("procedure = \"constant\"\n", "");
   EXPECT_FALSE(falling.planted.empty());

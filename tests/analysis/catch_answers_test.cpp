@@ -25,7 +25,7 @@ void take_part(LogWriter& log, const RenderedSet& set, const Enrolment& who, Obs
   const Observer observer = make_observer(kind, set.study.observer, random);
   OpenSession place = enter_session(log, who, 0);
   TrialSequence trials = open_trials(make_trial_rules(set), log, place);
-  while (const std::optional<PlannedTrial> due = current_trial(trials)) {
+  while (const std::optional<Trial> due = current_trial(trials)) {
     const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(due->stimulus)].stimulus;
     const Response response = due->kind == TrialKind::stimulus ? respond(observer, stimulus, random)
                               : due->kind == TrialKind::attention

@@ -22,11 +22,11 @@ TEST(Logistic4, RecoversNoiselessCurves) {
   const Logistic4Fitter fitter(octaves);
   for (double centre : {6.5, 8.0, 9.3, 11.2})
     for (double scale : {0.35, 0.7, 1.2}) {
-      const Logistic4 planted{.upper = 3.8, .lower = 0.35, .centre_x = centre, .scale_octaves = scale};
+      const Logistic4 planted{.upper = 3.8, .lower = 0.35, .centre_x = centre, .scale_x = scale};
       const Logistic4Fit fit = fitter.fit(values_of(planted));
       EXPECT_EQ(fit.verdict, Centre::identified) << centre << " " << scale;
       EXPECT_NEAR(fit.curve.centre_x, centre, 1e-5);
-      EXPECT_NEAR(fit.curve.scale_octaves, scale, 1e-5);
+      EXPECT_NEAR(fit.curve.scale_x, scale, 1e-5);
       EXPECT_NEAR(fit.curve.upper, 3.8, 1e-4);
       EXPECT_NEAR(fit.curve.lower, 0.35, 1e-4);
     }
@@ -37,7 +37,7 @@ TEST(Logistic4, BeatsAFineGridOnNoisyData) {
   const Logistic4Fitter fitter(octaves);
   Random random(7);
   for (int trial = 0; trial < 20; ++trial) {
-    std::vector<double> values = values_of({.upper = 4, .lower = 0.3, .centre_x = 8.5, .scale_octaves = 0.6});
+    std::vector<double> values = values_of({.upper = 4, .lower = 0.3, .centre_x = 8.5, .scale_x = 0.6});
     for (double& value : values) value += 0.4 * random.normal();
     const Logistic4Fit fit = fitter.fit(values);
     if (fit.verdict == Centre::step) continue;
@@ -70,7 +70,7 @@ TEST(Logistic4, SaysWhyThereIsNoCentre) {
   EXPECT_EQ(fitter.fit(std::vector<double>{4, 2, 1, 0.5, 0.25, 0.125, 0.0625}).verdict, Centre::below_range);
   EXPECT_EQ(fitter.fit(std::vector<double>{4, 3.99, 3.98, 3.95, 3.9, 3.6, 2}).verdict, Centre::above_range);
   EXPECT_EQ(fitter.fit(std::vector<double>{6, 5, 4, 3, 2, 1, 0}).verdict, Centre::straight);
-  EXPECT_EQ(Logistic4Fitter({6, 7, 8}).fit(std::vector<double>{4, 2, 0}).verdict, Centre::too_few_widths);
+  EXPECT_EQ(Logistic4Fitter({6, 7, 8}).fit(std::vector<double>{4, 2, 0}).verdict, Centre::too_few_levels);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Logistic4Fit fitted(const std::vector<double>& means) {
 }
 
 TEST(LogisticLevel, IsWhereTheCurveHasTheLevel) {
-  const Logistic4 planted{.upper = 3.6, .lower = 0.3, .centre_x = 8.3, .scale_octaves = 0.7};
+  const Logistic4 planted{.upper = 3.6, .lower = 0.3, .centre_x = 8.3, .scale_x = 0.7};
   std::vector<double> means;
   for (double x : octaves) means.push_back(value_at(planted, x));
   for (double level : {0.5, 1.0, 2.0}) {

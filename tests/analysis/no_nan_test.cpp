@@ -186,7 +186,7 @@ TEST(NoNan, InAReportOfFewWidths) {
   for (const int fewest : {4096, 2048}) {
     LogContents log = test::people_log(3, 2);
     std::erase_if(log.answers, [&](const Answer& answer) { return answer.depth_width_px < fewest; });
-    for (ParticipantRecord& person : log.participants) person.planned_trials = 0;
+    for (ParticipantRecord& person : log.participants) person.stimulus_trials = 0;
     expect_numbers_in_report(fmt::format("widths from {}", fewest), std::move(log), true);
   }
 }
@@ -225,7 +225,7 @@ TEST(NoNan, InAPrediction) {
 }
 
 TEST(NoNan, InAPlanOfOpenIntervals) {
-  Plan plan{.width_sets = {{"all", {64, 128}}}, .rows = {}, .stimuli_a_width = 3, .studies = 1};
+  StudyPlan plan{.width_sets = {{"all", {64, 128}}}, .rows = {}, .stimuli_a_width = 3, .studies = 1};
   const PlannedInterval open{.planted = true, .median_octaves = infinity, .open_share = 1};
   plan.rows.push_back(
       {.artifact = Artifact::receiver, .participants = 2, .perceptual = open, .slightly_noticeable = {}});

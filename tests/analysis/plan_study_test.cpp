@@ -33,7 +33,7 @@ class PlanStudy : public testing::Test {
 const std::string paper_widths = "depth_width_px = [64, 128, 256, 512, 1024, 2048, 4096]";
 
 TEST_F(PlanStudy, MorePeopleGiveNarrowerIntervals) {
-  const Plan plan = plan_study(request(paper_widths));
+  const StudyPlan plan = plan_study(request(paper_widths));
   ASSERT_EQ(plan.width_sets.size(), 3U);
   ASSERT_EQ(plan.rows.size(), 2U * 3 * 3);
   EXPECT_EQ(plan.stimuli_a_width, 6);
@@ -75,7 +75,7 @@ TEST_F(PlanStudy, WidthSetsAreTheStudysEverySecondAndDenser) {
 }
 
 TEST_F(PlanStudy, TheDesignFoundMeetsTheWishAndNoSmallerOneDoes) {
-  Plan plan = plan_study(request(paper_widths));
+  StudyPlan plan = plan_study(request(paper_widths));
   plan.wanted_octaves = 1.0;
   const std::optional<PlannedDesign> people = fewest_participants(plan), answers = fewest_answers(plan);
   ASSERT_TRUE(people && answers);
@@ -101,7 +101,7 @@ TEST_F(PlanStudy, TheDesignFoundMeetsTheWishAndNoSmallerOneDoes) {
 TEST_F(PlanStudy, AThresholdBeyondTheWidthsIsSaidAndNotWaitedFor) {
   PlanRequest wish =
       request("depth_width_px = [64, 128, 256]\n[observer.midpoint_width_px]\noverlap = 60000\n");
-  const Plan plan = plan_study(wish);
+  const StudyPlan plan = plan_study(wish);
   EXPECT_FALSE(plan.rows.back().perceptual.planted);
   EXPECT_NE(plan_text(plan).find("beyond the widths"), std::string::npos);
 }

@@ -13,7 +13,7 @@ inline LogContents people_log(int people, std::uint64_t seed) {
   for (ParticipantRecord& record : log.participants) {
     record.simulated = false;
     record.observer.clear();
-    record.planned_trials = 84;
+    record.stimulus_trials = 84;
   }
   Random random(seed, 1000);
   for (Answer& answer : log.answers) {

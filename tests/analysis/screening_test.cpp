@@ -49,7 +49,7 @@ TEST(Screening, CorrelationFindsRandomRaters) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const std::vector<std::string> named =
-        screened(with_random_raters(people_who_differ(), 4, seed)).named_by(Screen::correlation);
+        screened(with_random_raters(people_who_differ(), 4, seed)).named_by(ScreeningRule::correlation);
     found += static_cast<std::size_t>(std::count_if(
         named.begin(), named.end(), [](const std::string& code) { return code.starts_with("random"); }));
   }
@@ -100,7 +100,7 @@ TEST(Screening, SomebodyWhoSaysTheSameToEverythingIsFound) {
   LogContents log = simulate_guessing({}, 1).log;
   for (Answer& answer : log.answers)
     if (answer.participant == "p3") answer.chosen_index = answer.object_index, answer.rating = 2;
-  EXPECT_THAT(screened(log).named_by(Screen::correlation), ElementsAre("p3"));
+  EXPECT_THAT(screened(log).named_by(ScreeningRule::correlation), ElementsAre("p3"));
 }
 
 TEST(Screening, MissingScoresAreLeftOut) {
@@ -123,7 +123,7 @@ TEST(Screening, CatchTrialsNameWhoDoesNotLook) {
   catches[0].right = false;  // one slip in four is forgiven
   const Screening screening = screened(log, catches);
   EXPECT_TRUE(screening.catch_trials);
-  EXPECT_THAT(screening.named_by(Screen::attention), ElementsAre("p7"));
+  EXPECT_THAT(screening.named_by(ScreeningRule::attention), ElementsAre("p7"));
   EXPECT_THAT(screening.named(), ElementsAre("p7"));
   EXPECT_EQ(screening.people[7].attention.shown, 4);
   EXPECT_FALSE(screened(log).catch_trials);

@@ -83,7 +83,7 @@ TEST(DisplayProfile, IsKeptForEachScreenAndReadBack) {
 
 TEST(PictureLoader, GivesEachWantedPictureOnceAndDropsTheOthers) {
   std::atomic<int> loaded = 0;
-  PictureLoader loader([&](const PlannedTrial& trial) {
+  PictureLoader loader([&](const Trial& trial) {
     ++loaded;
     if (trial.stimulus == 9) throw InputError("picture 9 is damaged");
     return ByteImage{1, 1, 3, std::vector<std::uint8_t>(3, static_cast<std::uint8_t>(trial.stimulus))};

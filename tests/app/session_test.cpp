@@ -125,7 +125,7 @@ class SessionTest : public testing::Test {
     const int x0 = line["picture"][0], y0 = line["picture"][1];
     int index = 0;
     while (set.manifest.stimuli[static_cast<std::size_t>(index)].id != line["stimulus"]) ++index;
-    const PlannedTrial trial{trial_kind_from_word(line["kind"].get<std::string>()).value(), index};
+    const Trial trial{trial_kind_from_word(line["kind"].get<std::string>()).value(), index};
     const ByteImage picture = load_trial_picture(set, trial);
     int different = 0;
     for (int y = 0; y < picture.height_px; ++y)

@@ -80,7 +80,7 @@ TEST_F(CatchStudyTest, AnswersAreKeptApartByKind) {
   EXPECT_EQ(reference, 20);
   EXPECT_EQ(right, 15);
   for (const ParticipantRecord& participant : log.participants) {
-    EXPECT_EQ(participant.planned_trials, 24);
+    EXPECT_EQ(participant.stimulus_trials, 24);
     EXPECT_EQ(trials[participant.code].size(), 31U);
     EXPECT_EQ(*trials[participant.code].rbegin(), 30);
   }
@@ -107,7 +107,7 @@ TEST_F(CatchStudyTest, SeeingObserversPassAndGuessersGuess) {
     EXPECT_NEAR(count, 800, 4 * std::sqrt(2400 * 2.0 / 9)) << chosen;
 }
 
-/// Broken off anywhere, also before and after a catch trial, the plan goes on as if nothing had happened.
+/// Broken off anywhere, also before and after a catch trial, the session goes on as if nothing had happened.
 TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
   for (const std::string& base : {study_text("tiny", "64, 512"), adaptive_text()}) {
     const std::string text = base + catches(4, 4);
@@ -125,7 +125,7 @@ TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
       log.append_answer(place, answer(place.answered));
       trials = after_answer(std::move(trials), place.answers.back());
     }
-    ASSERT_GT(catch_trials_of(place.planned).size(), 4U);
+    ASSERT_GT(catch_trials_of(place.trials).size(), 4U);
     // The same slot, and a new session before every trial; sometimes after the picture was shown.
     exclude_participant(folder / name, "whole");
     int shown = 0;
@@ -134,7 +134,7 @@ TEST_F(CatchStudyTest, ResumesExactlyWithCatchTrialsInBothProcedures) {
       ASSERT_EQ(part.slot, place.slot);
       const TrialSequence resumed = open_trials(rules, log, part);
       if (!current_trial(resumed)) {
-        EXPECT_EQ(part.planned, place.planned);
+        EXPECT_EQ(part.trials, place.trials);
         break;
       }
       store_due_trial(resumed, log, part);
@@ -154,7 +154,7 @@ TEST_F(CatchStudyTest, QuestPlusLearnsFromStimuliOnly) {
     LogWriter log(folder / name, set);
     OpenSession place = log.open_session({.code = "p"});
     TrialSequence trials = open_trials(rules, log, place);
-    while (const std::optional<PlannedTrial> due = current_trial(trials)) {
+    while (const std::optional<Trial> due = current_trial(trials)) {
       store_due_trial(trials, log, place);
       const int own = answered_trials(trials.procedure);
       log.append_answer(place, {.trial_index = place.answered,
@@ -163,16 +163,16 @@ TEST_F(CatchStudyTest, QuestPlusLearnsFromStimuliOnly) {
       trials = after_answer(std::move(trials), place.answers.back());
     }
     log.complete(place);
-    return std::pair(std::get<QuestPlusProcedure>(trials.procedure), place.planned);
+    return std::pair(std::get<QuestPlusProcedure>(trials.procedure), place.trials);
   };
-  const auto [learnt, planned] = run(with, "log-with");
-  const auto [bare, bare_planned] = run(without, "log-without");
+  const auto [learnt, shown] = run(with, "log-with");
+  const auto [bare, bare_shown] = run(without, "log-without");
   EXPECT_EQ(learnt.tracks, bare.tracks);
-  EXPECT_EQ(planned.size(), bare_planned.size() + 10);
-  std::vector<PlannedTrial> stimuli;
-  for (const PlannedTrial& trial : planned)
+  EXPECT_EQ(shown.size(), bare_shown.size() + 10);
+  std::vector<Trial> stimuli;
+  for (const Trial& trial : shown)
     if (trial.kind == TrialKind::stimulus) stimuli.push_back(trial);
-  EXPECT_EQ(stimuli, bare_planned);
+  EXPECT_EQ(stimuli, bare_shown);
   EXPECT_EQ(tracks_text(quest_plus_estimates(read_log(folder / "log-with"))),
             tracks_text(quest_plus_estimates(read_log(folder / "log-without"))));
 }

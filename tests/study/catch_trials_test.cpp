@@ -24,14 +24,14 @@ std::vector<Stimulus> small_set() {
   return set;
 }
 
-std::vector<PlannedTrial> planned(int stimuli, const CatchDefinition& definition, int slot) {
+std::vector<Trial> interleaved(int stimuli, const CatchDefinition& definition, int slot) {
   std::vector<int> order(static_cast<std::size_t>(stimuli));
   std::iota(order.begin(), order.end(), 0);
   return interleave(order,
                     draw_catch_trials(definition, small_set(), stimuli, {.study_seed = 3, .slot = slot}));
 }
 
-bool is_catch(const PlannedTrial& trial) {
+bool is_catch(const Trial& trial) {
   return trial.kind != TrialKind::stimulus;
 }
 
@@ -39,7 +39,7 @@ TEST(CatchPlan, HasAsManyOfEachKindAsAskedAndAllOtherTrialsInOrder) {
   for (int slot = 0; slot < 50; ++slot) {
     std::map<TrialKind, int> count;
     int expected = 0;
-    for (const PlannedTrial& trial : planned(84, {.attention = 4, .reference = 6}, slot)) {
+    for (const Trial& trial : interleaved(84, {.attention = 4, .reference = 6}, slot)) {
       ++count[trial.kind];
       if (!is_catch(trial)) {
         EXPECT_EQ(trial.stimulus, expected++);
@@ -54,8 +54,8 @@ TEST(CatchPlan, HasAsManyOfEachKindAsAskedAndAllOtherTrialsInOrder) {
 TEST(CatchPlan, NoneIsFirstOrLastAndNoTwoStandTogether) {
   for (int slot = 0; slot < 500; ++slot)
     for (const int catches : {1, 3, 10, 11}) {
-      const std::vector<PlannedTrial> trials =
-          planned(12, {.attention = catches / 2, .reference = catches - catches / 2}, slot);
+      const std::vector<Trial> trials =
+          interleaved(12, {.attention = catches / 2, .reference = catches - catches / 2}, slot);
       ASSERT_EQ(static_cast<int>(trials.size()), 12 + catches);
       EXPECT_FALSE(is_catch(trials.front()));
       EXPECT_FALSE(is_catch(trials.back()));
@@ -67,12 +67,12 @@ TEST(CatchPlan, NoneIsFirstOrLastAndNoTwoStandTogether) {
 /// More catch trials than gaps: they must stand together, but still none is first.
 TEST(CatchPlan, CrowdsOnlyWhereItMust) {
   for (int slot = 0; slot < 50; ++slot) {
-    const std::vector<PlannedTrial> trials = planned(3, {.attention = 5, .reference = 4}, slot);
+    const std::vector<Trial> trials = interleaved(3, {.attention = 5, .reference = 4}, slot);
     EXPECT_EQ(trials.size(), 12U);
     EXPECT_FALSE(is_catch(trials.front()));
-    EXPECT_TRUE(is_catch(planned(1, {.attention = 1}, slot).back()));
+    EXPECT_TRUE(is_catch(interleaved(1, {.attention = 1}, slot).back()));
   }
-  EXPECT_TRUE(planned(0, {.attention = 1}, 0).empty());
+  EXPECT_TRUE(interleaved(0, {.attention = 1}, 0).empty());
 }
 
 /// Each quarter of the session holds a quarter of them, and each place is as likely as its neighbours.
@@ -113,15 +113,15 @@ TEST(CatchPlan, GoesThroughScenesAndObjects) {
 }
 
 TEST(CatchPlan, IsTheSameForTheSameKeyAndAnotherForAnother) {
-  EXPECT_EQ(planned(84, {2, 2}, 5), planned(84, {2, 2}, 5));
-  EXPECT_NE(planned(84, {2, 2}, 5), planned(84, {2, 2}, 6));
+  EXPECT_EQ(interleaved(84, {2, 2}, 5), interleaved(84, {2, 2}, 5));
+  EXPECT_NE(interleaved(84, {2, 2}, 5), interleaved(84, {2, 2}, 6));
 }
 
 TEST(CatchPlan, ComesBackOutOfAPlan) {
   for (int slot = 0; slot < 20; ++slot) {
     const std::vector<CatchTrial> catches =
         draw_catch_trials({.attention = 3, .reference = 4}, small_set(), 12, {.study_seed = 3, .slot = slot});
-    EXPECT_EQ(catch_trials_of(planned(12, {.attention = 3, .reference = 4}, slot)), catches);
+    EXPECT_EQ(catch_trials_of(interleaved(12, {.attention = 3, .reference = 4}, slot)), catches);
   }
 }
 
@@ -132,12 +132,12 @@ TrialSequence sequence(int stimuli, const std::vector<CatchTrial>& catches) {
 }
 
 TEST(TrialSequence, ShowsThePlanAndCountsEveryKind) {
-  const std::vector<PlannedTrial> plan = planned(12, {.attention = 2, .reference = 3}, 1);
-  TrialSequence trials = sequence(12, catch_trials_of(plan));
-  EXPECT_EQ(planned_trials(trials), 17);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    EXPECT_EQ(current_trial(trials), plan[i]);
-    EXPECT_EQ(trial_after_current(trials), i + 1 < plan.size() ? std::optional(plan[i + 1]) : std::nullopt);
+  const std::vector<Trial> all = interleaved(12, {.attention = 2, .reference = 3}, 1);
+  TrialSequence trials = sequence(12, catch_trials_of(all));
+  EXPECT_EQ(most_trials(trials), 17);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(current_trial(trials), all[i]);
+    EXPECT_EQ(trial_after_current(trials), i + 1 < all.size() ? std::optional(all[i + 1]) : std::nullopt);
     EXPECT_EQ(answered_trials(trials), static_cast<int>(i));
     trials =
         after_answer(std::move(trials), {.trial_index = static_cast<int>(i), .chosen_index = 1, .rating = 1});

@@ -155,7 +155,7 @@ TEST(Levels, PracticeBeginsWithWhatIsNoticedMost) {
   const RenderedSet falling =
       write_set_of_text(folder / "falling", text_of("depth_width_px = [64, 512]", ""));
   for (const auto& [set, level] : {std::pair(&rising, 0.1), std::pair(&falling, 64.0)})
-    for (const PlannedTrial& trial : training_trials(*set))
+    for (const Trial& trial : training_trials(*set))
       EXPECT_EQ(set->manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus.level, level);
 }
 

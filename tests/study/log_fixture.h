@@ -24,10 +24,10 @@ class LogTest : public testing::Test {
     return stimulus_order(static_cast<int>(set.manifest.stimuli.size()),
                           {.study_seed = set.study.seed, .slot = slot});
   }
-  [[nodiscard]] std::vector<PlannedTrial> plan(int slot) const { return interleave(order(slot), {}); }
+  [[nodiscard]] std::vector<Trial> all_trials(int slot) const { return interleave(order(slot), {}); }
   OpenSession enter(LogWriter& log, const Enrolment& enrolment, int answers) const {
     OpenSession session = enter_session(log, enrolment, set.study.session.orders);
-    if (session.planned.empty()) log.append_trials(session, plan(session.slot));
+    if (session.trials.empty()) log.append_trials(session, all_trials(session.slot));
     for (int i = 0; i < answers; ++i) log.append_answer(session, answer(session.answered));
     return session;
   }

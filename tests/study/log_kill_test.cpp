@@ -36,11 +36,11 @@ TrialAnswer answer_to(int participant, int trial_index) {
 void write_participant(LogWriter& log, const RenderedSet& set, int participant, int pipe_end) {
   OpenSession place = enter_session(log, {.code = fmt::format("p{:05}", participant)}, 0);
   if (place.completed) return;
-  if (place.planned.empty())
+  if (place.trials.empty())
     log.append_trials(
         place,
         interleave(stimulus_order(static_cast<int>(set.manifest.stimuli.size()), {.slot = place.slot}), {}));
-  while (place.answered < static_cast<int>(place.planned.size())) {
+  while (place.answered < static_cast<int>(place.trials.size())) {
     const TrialAnswer answer = answer_to(participant, place.answered);
     log.append_answer(place, answer);
     const Report report{participant, answer.trial_index, answer.chosen_index, answer.rating};
@@ -91,7 +91,7 @@ TEST(LogKill, NothingStoredIsLostAndNothingIsDoubled) {
   std::map<std::pair<std::string, int>, Report> reported;
   Random random(6);
   for (int kill = 0; kill < kills; ++kill) {
-    // The first ones hit the making of the log; later ones answers, plans and the resumption of a
+    // The first ones hit the making of the log; later ones answers, trials and the resumption of a
     // participant.
     const auto delay_us = static_cast<unsigned>(random.below(kill < 5 ? 8000 : 250000));
     for (const Report& report : run_and_kill(path, set, delay_us)) {

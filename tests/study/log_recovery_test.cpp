@@ -1,5 +1,6 @@
 // A damaged log is refused in a sentence, and what can be read of it is saved.
 #include "study/log/recovery/log_recovery.h"
+#include "study/log/recovery/log_recovery_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -38,7 +38,7 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
            answer_row("1", "1, 1, -1, 0"),
            answer_row("1", "1, 1, 5, 4"),
            answer_row("0", "1, 1, 0, 0"),   // answered already
-           answer_row("24", "1, 1, 0, 0"),  // not planned
+           answer_row("24", "1, 1, 0, 0"),  // no such trial
            std::string("INSERT INTO answers VALUES (9, 1, 1, 1, 1, 0, 0, 1.0)"),
            std::string("INSERT INTO answers VALUES (1, 1, 9, 1, 1, 0, 0, 1.0)"),
            std::string("INSERT INTO answers VALUES (1, 1, 1, 1, 1, 0, 0, 0.0)"),

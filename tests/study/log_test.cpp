@@ -41,7 +41,7 @@ TEST_F(LogTest, ReadsBackWhatWasWritten) {
   const ParticipantRecord& person = log.participants[0];
   EXPECT_TRUE(person.code == "P-01" && person.completed && !person.pilot && !person.simulated &&
               !person.excluded);
-  EXPECT_EQ(person.planned_trials, 24);
+  EXPECT_EQ(person.stimulus_trials, 24);
   EXPECT_TRUE(log.participants[1].pilot && !log.participants[1].completed);
   const ParticipantRecord& simulated = log.participants[2];
   EXPECT_TRUE(simulated.simulated && simulated.observer == "guesser" && simulated.seed == ~0ULL);
@@ -92,7 +92,7 @@ TEST_F(LogTest, ResumesWhereTheParticipantStopped) {
   LogWriter log(path, set);
   OpenSession again = log.open_session({.code = "p1"});
   EXPECT_EQ(again.answered, 7);
-  EXPECT_EQ(again.planned, plan(0));
+  EXPECT_EQ(again.trials, all_trials(0));
   EXPECT_FALSE(again.completed);
   while (again.answered < 24) log.append_answer(again, answer(again.answered));
   log.complete(again);

@@ -37,7 +37,7 @@ class LogUpgradeTest : public LogTest {
       log.complete(whole);
       OpenSession again = enter(log, {.code = "p2"}, 9);
       log.restart(again);
-      log.append_trials(again, plan(again.slot));
+      log.append_trials(again, all_trials(again.slot));
       for (int i = 0; i < 7; ++i) log.append_answer(again, answer(again.answered));
       (void)enter(log, {.code = "gone"}, 2);
       (void)enter(log, {.code = "sim-0001", .simulated = Simulated{ObserverKind::guesser, ~0ULL}}, 4);
@@ -110,7 +110,7 @@ TEST_F(LogUpgradeTest, SessionsGoOnInTheUpgradedLogAndTheOldOneNamesTheCommand) 
   LogWriter log(upgraded, set);
   OpenSession session = log.open_session({.code = "p2"});
   EXPECT_EQ(session.answered, 7);
-  EXPECT_EQ(session.planned, plan(session.slot));
+  EXPECT_EQ(session.trials, all_trials(session.slot));
   while (session.answered < 24) log.append_answer(session, answer(session.answered));
   log.complete(session);
   EXPECT_EQ(read_log(upgraded).answers.size(), 39U + 17U);

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "study/trials/slot.h"
+#include "study/trials/stimulus_order.h"
 #include "temporary_set.h"
 
 namespace seamline::study {
@@ -33,7 +33,7 @@ class ParticipantTrialsTest : public testing::Test {
 /// A session that keeps its sequence, and one that knows nothing but what was kept, decide the same trials.
 TEST_F(ParticipantTrialsTest, WhatWasKeptIsEnoughToGoOn) {
   for (const TrialRules& study : {constant(), adaptive()}) {
-    std::vector<PlannedTrial> kept = decided_trials(study, 4, {});
+    std::vector<Trial> kept = decided_trials(study, 4, {});
     std::vector<TrialAnswer> answers;
     TrialSequence sequence = trial_sequence(study, {.slot = 4, .trials = kept, .answers = answers});
     for (int trial = 0; current_trial(sequence); ++trial) {
@@ -57,10 +57,10 @@ TEST_F(ParticipantTrialsTest, WhatWasKeptIsEnoughToGoOn) {
 TEST_F(ParticipantTrialsTest, ConstantStimuliAreAllDecidedBeforeTheSession) {
   const TrialRules study = constant();
   for (int slot = 0; slot < 20; ++slot) {
-    const std::vector<PlannedTrial> trials = decided_trials(study, slot, {});
+    const std::vector<Trial> trials = decided_trials(study, slot, {});
     ASSERT_EQ(trials.size(), study.stimuli.size() + 4);
     std::set<int> stimuli;
-    for (const PlannedTrial& trial : trials)
+    for (const Trial& trial : trials)
       if (trial.kind == TrialKind::stimulus) stimuli.insert(trial.stimulus);
     EXPECT_EQ(stimuli.size(), study.stimuli.size());
     EXPECT_EQ(decided_trials(study, slot, {}), trials);

@@ -183,10 +183,10 @@ TEST_F(QuestPlusProcedureTest, ResumesBitForBitAtEveryTrial) {
     for (std::size_t trial = 0; trial < all.before.size(); ++trial) {
       const std::vector<TrialAnswer> answers(all.answers.begin(),
                                              all.answers.begin() + static_cast<std::ptrdiff_t>(trial));
-      std::vector<int> planned(all.shown.begin(), all.shown.begin() + static_cast<std::ptrdiff_t>(trial));
+      std::vector<int> decided(all.shown.begin(), all.shown.begin() + static_cast<std::ptrdiff_t>(trial));
       for (const bool was_shown : {false, true}) {
-        if (was_shown) planned.push_back(all.shown[trial]);
-        const QuestPlusProcedure again = resume_quest_plus(begin(wanted), planned, answers);
+        if (was_shown) decided.push_back(all.shown[trial]);
+        const QuestPlusProcedure again = resume_quest_plus(begin(wanted), decided, answers);
         ASSERT_EQ(again.tracks, all.before[trial].tracks);  // the masses' every bit
         ASSERT_EQ(again.due, all.before[trial].due);
         ASSERT_EQ(again.shows, all.before[trial].shows);
@@ -242,7 +242,7 @@ TEST_F(QuestPlusProcedureTest, IsAProcedureLikeAnyOther) {
   QuestPlusDefinition wanted = definition(1);
   wanted.max_trials = 5;
   Procedure procedure = begin(wanted);
-  EXPECT_EQ(planned_trials(procedure), 10);
+  EXPECT_EQ(most_trials(procedure), 10);
   for (int trial = 0; trial < 10; ++trial) {
     ASSERT_EQ(answered_trials(procedure), trial);
     const std::optional<int> due = current_stimulus(procedure);
@@ -251,7 +251,7 @@ TEST_F(QuestPlusProcedureTest, IsAProcedureLikeAnyOther) {
         after_answer(std::move(procedure), person.answer(stimuli[static_cast<std::size_t>(*due)], trial));
   }
   EXPECT_EQ(current_stimulus(procedure), std::nullopt);
-  EXPECT_EQ(planned_trials(procedure), 10);
+  EXPECT_EQ(most_trials(procedure), 10);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST_F(QuestPlusStudyTest, RunsEveryTrackAndKeepsToTheCap) {
   }
   for (const ParticipantRecord& participant : read_log(folder / "log").participants) {
     EXPECT_TRUE(participant.completed);
-    EXPECT_EQ(participant.planned_trials, 96);
+    EXPECT_EQ(participant.stimulus_trials, 96);
   }
 }
 

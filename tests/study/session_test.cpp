@@ -29,7 +29,7 @@ Session after(Session session, const std::vector<Event>& events) {
 TEST(Session, GoesFromImageToChoiceToRatingToStoredAnswer) {
   Session session = begin_session(constant(2), {.break_every_trials = 0});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 100}));
+  EXPECT_EQ(current_trial(session.trials), (Trial{.stimulus = 100}));
   session = next(session, ImageShown{.now_ns = 1000});
   EXPECT_TRUE(is<Choosing>(session));
   session = next(session, ObjectChosen{.index = 3, .now_ns = 1500});
@@ -41,7 +41,7 @@ TEST(Session, GoesFromImageToChoiceToRatingToStoredAnswer) {
       (TrialAnswer{.trial_index = 0, .chosen_index = 3, .rating = 2, .choice_ns = 500, .rating_ns = 900}));
   session = next(session, AnswerStored{});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 101}));
+  EXPECT_EQ(current_trial(session.trials), (Trial{.stimulus = 101}));
   session =
       after(session, {ImageShown{}, ObjectChosen{.index = 1}, RatingGiven{.rating = 1}, AnswerStored{}});
   EXPECT_TRUE(is<Done>(session));
@@ -100,7 +100,7 @@ TEST(Session, BreaksAfterEveryNAnswersButNotAfterTheLast) {
 TEST(Session, ResumesAtTheFirstUnansweredTrial) {
   Session session = begin_session(constant(5, 3), {.break_every_trials = 3});
   EXPECT_TRUE(is<AwaitingImage>(session));
-  EXPECT_EQ(current_trial(session.trials), (PlannedTrial{.stimulus = 103}));
+  EXPECT_EQ(current_trial(session.trials), (Trial{.stimulus = 103}));
   session = after(session, {ImageShown{}, ObjectChosen{.index = 1}, RatingGiven{.rating = 1}});
   EXPECT_EQ(std::get<Storing>(session.phase).answer.trial_index, 3);
   EXPECT_TRUE(is<Done>(begin_session(constant(5, 5), {.break_every_trials = 3})));

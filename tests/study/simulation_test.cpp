@@ -174,7 +174,7 @@ TEST_F(SimulationTest, ExcludedPeopleAreLeftAlone) {
   EXPECT_EQ(run_simulated_study(request("log", ObserverKind::threshold, 3)).answers_added, 0);
 }
 
-/// Through the whole chain of plan, session and log the means are the planted ones.
+/// Through the whole chain of trials, session and log the means are the planted ones.
 TEST(Simulation, TwoThousandObserversMeetTheirExpectationFast) {
   const TemporaryFolder folder;
   const RenderedSet set = write_set(folder / "set", paper_widths_px);

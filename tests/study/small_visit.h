@@ -9,7 +9,7 @@ namespace seamline::study {
 
 inline constexpr std::int64_t second = ScriptedPerson::second;
 
-inline VisitScript plan() {
+inline VisitScript script() {
   return {.form = default_form(),
           .instruction_pages = 2,
           .training = {{TrialKind::stimulus, 3}, {TrialKind::stimulus, 5}},
@@ -17,8 +17,8 @@ inline VisitScript plan() {
           .pace = {.break_every_trials = 3, .minimum_viewing_ns = second / 2, .inter_trial_ns = second / 2}};
 }
 
-inline std::shared_ptr<const VisitScript> shared(const VisitScript& plan) {
-  return std::make_shared<const VisitScript>(plan);
+inline std::shared_ptr<const VisitScript> shared(const VisitScript& script) {
+  return std::make_shared<const VisitScript>(script);
 }
 
 inline TrialSequence trials(int count, int answered = 0) {

@@ -30,7 +30,7 @@ double chi_squared_limit(double degrees) {
   return degrees * std::pow(1 - part + 3.0902 * std::sqrt(part), 3);
 }
 
-TEST(Plan, ShowsEveryStimulusOnce) {
+TEST(StimulusOrder, ShowsEveryStimulusOnce) {
   for (const int count : {0, 1, 2, 84, 5000})
     for (int slot = 0; slot < 5; ++slot) {
       std::vector<int> order = stimulus_order(count, {.study_seed = 3, .slot = slot});
@@ -41,7 +41,7 @@ TEST(Plan, ShowsEveryStimulusOnce) {
     }
 }
 
-TEST(Plan, IsTheSameForTheSameKeyAndDiffersBetweenSlotsAndSeeds) {
+TEST(StimulusOrder, IsTheSameForTheSameKeyAndDiffersBetweenSlotsAndSeeds) {
   std::set<std::vector<int>> orders;
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     for (int slot = 0; slot < 100; ++slot) {
@@ -52,14 +52,14 @@ TEST(Plan, IsTheSameForTheSameKeyAndDiffersBetweenSlotsAndSeeds) {
   EXPECT_EQ(orders.size(), 2000U);
 }
 
-TEST(Plan, NeverChangesBetweenVersionsAndMachines) {
+TEST(StimulusOrder, NeverChangesBetweenVersionsAndMachines) {
   EXPECT_THAT(stimulus_order(12, {.study_seed = 1, .slot = 0}),
               testing::ElementsAre(3, 6, 7, 1, 0, 2, 4, 11, 5, 8, 10, 9));
   EXPECT_THAT(stimulus_order(12, {.study_seed = 1, .slot = 1}),
               testing::ElementsAre(8, 6, 9, 11, 4, 0, 10, 5, 3, 7, 2, 1));
 }
 
-TEST(Plan, EveryOrderIsEquallyLikely) {
+TEST(StimulusOrder, EveryOrderIsEquallyLikely) {
   std::map<std::vector<int>, int> seen;
   for (int slot = 0; slot < 24000; ++slot) ++seen[stimulus_order(4, {.study_seed = 11, .slot = slot})];
   std::vector<int> counts;
@@ -68,7 +68,7 @@ TEST(Plan, EveryOrderIsEquallyLikely) {
   EXPECT_LT(chi_squared(counts), chi_squared_limit(23));
 }
 
-TEST(Plan, EveryStimulusIsEquallyLikelyAtEveryPlace) {
+TEST(StimulusOrder, EveryStimulusIsEquallyLikelyAtEveryPlace) {
   constexpr int stimuli = 84;
   std::vector<int> counts(stimuli * stimuli, 0);
   for (int slot = 0; slot < 20000; ++slot) {

@@ -69,7 +69,7 @@ TEST_F(TrialPictureTest, ShowsTheStimulusTheReferenceOrTheReferenceWithOneObject
 }
 
 TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {
-  const auto complaint = [&](const PlannedTrial& trial) {
+  const auto complaint = [&](const Trial& trial) {
     return test::complaint_of([&] { (void)load_trial_picture(set, trial); });
   };
   const int atrium = static_cast<int>(set.manifest.stimuli.size()) - 1;

@@ -45,7 +45,7 @@ VisitEvent random_visit_event(Random& random, std::int64_t now_ns) {
 TEST(Visit, LawsHoldUnderRandomEvents) {
   Random random(77);
   for (int run = 0; run < 100; ++run) {
-    Visit visit = begin_visit(shared(plan()));
+    Visit visit = begin_visit(shared(script()));
     int answers = 0, practice = 0;
     std::vector<int> others(std::variant_size_v<Record>, 0);
     int waiting = -1;  // the kind of record that was pending before the event

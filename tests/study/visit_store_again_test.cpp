@@ -102,7 +102,7 @@ TEST_F(VisitStoreTest, RestartSetsAnswersAsideAndRefuseRefuses) {
   const RenderedSet restart =
       write_set_of_text(folder / "restart", people_text("", "resume = \"restart\"\n"));
   ScriptedPerson person(5);
-  std::vector<PlannedTrial> first_plan;
+  std::vector<Trial> first_plan;
   for (int attempt = 0; attempt < 3; ++attempt) {
     VisitStore store(restart, path, {.code = "p01"});
     Visit visit = store.begin();

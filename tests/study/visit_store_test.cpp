@@ -34,7 +34,7 @@ TEST_F(VisitStoreTest, AWholeVisitIsInTheLog) {
   ASSERT_EQ(log.participants.size(), 1U);
   const ParticipantRecord& record = log.participants[0];
   EXPECT_TRUE(record.completed && !record.pilot && !record.in_progress);
-  EXPECT_EQ(record.planned_trials, 12);
+  EXPECT_EQ(record.stimulus_trials, 12);
   EXPECT_EQ(record.sessions, 1);
   EXPECT_EQ(record.form.size(), 4U);
   EXPECT_EQ(record.form[0], (FormAnswer{"age", "33"}));
@@ -162,7 +162,7 @@ TEST_F(VisitStoreTest, AnAdaptiveStudyPlansBeforeItShows) {
   text.insert(text.find("[session]"), "procedure = \"quest_plus\"\n");
   const RenderedSet adaptive = write_set_of_text(folder / "adaptive", text);
   ScriptedPerson person(5);
-  std::optional<PlannedTrial> shown;
+  std::optional<Trial> shown;
   for (int answered = 0; answered < 30; ++answered) {
     std::optional<VisitStore> store;
     try {
@@ -178,8 +178,8 @@ TEST_F(VisitStoreTest, AnAdaptiveStudyPlansBeforeItShows) {
     }
     visit = run(*store, std::move(visit), person, answered + 1);
     shown = trial_on_screen(visit);
-    const int planned = count("SELECT count(*) FROM trials");
-    EXPECT_EQ(planned, answered_trials(visit.session.trials) + (is_over(visit) ? 0 : 1));
+    const int decided = count("SELECT count(*) FROM trials");
+    EXPECT_EQ(decided, answered_trials(visit.session.trials) + (is_over(visit) ? 0 : 1));
   }
   EXPECT_TRUE(read_log(path).participants[0].completed);
 }

@@ -11,7 +11,7 @@ TEST(Visit, GoesFromConsentToThanks) {
   std::vector<std::size_t> screens;
   std::vector<std::size_t> records;
   ScriptedPerson person(1);
-  Visit visit = begin_visit(shared(plan()));
+  Visit visit = begin_visit(shared(script()));
   for (int i = 0; i < 10000 && !is_over(visit); ++i) {
     if (screens.empty() || screens.back() != visit.screen.index()) screens.push_back(visit.screen.index());
     visit = next(std::move(visit), person.act(visit));
@@ -41,7 +41,7 @@ TEST(Visit, GoesFromConsentToThanks) {
 }
 
 TEST(Visit, DecliningEndsPolitelyAndAsksForTheFactAlone) {
-  Visit visit = next(begin_visit(shared(plan())), ConsentRefused{});
+  Visit visit = next(begin_visit(shared(script())), ConsentRefused{});
   ASSERT_TRUE(visit.pending && std::holds_alternative<DeclineRecord>(*visit.pending));
   EXPECT_FALSE(is_over(visit));
   visit = next(std::move(visit), RecordStored{});
@@ -52,7 +52,7 @@ TEST(Visit, DecliningEndsPolitelyAndAsksForTheFactAlone) {
 }
 
 TEST(Visit, NothingGoesOnWhileSomethingIsToBeStored) {
-  const Visit consenting = next(begin_visit(shared(plan())), ConsentGiven{.unix_s = 7});
+  const Visit consenting = next(begin_visit(shared(script())), ConsentGiven{.unix_s = 7});
   ASSERT_TRUE(consenting.pending);
   EXPECT_EQ(std::get<ConsentRecord>(*consenting.pending).accepted_unix_s, 7);
   const Visit still = after(consenting, {ConsentRefused{}, Continued{}, PauseBegun{}, RecordStored{}});
@@ -60,7 +60,7 @@ TEST(Visit, NothingGoesOnWhileSomethingIsToBeStored) {
   EXPECT_TRUE(on<FormScreen>(next(still, Enrolled{trials(3)})));
   EXPECT_TRUE(on<FormScreen>(after(stored(consenting), {Enrolled{trials(9)}, RecordStored{}})));
 
-  const Visit storing = after(until<TrialScreen>(begin_visit(shared(plan()))),
+  const Visit storing = after(until<TrialScreen>(begin_visit(shared(script()))),
                               {Event(Tick{0}), Event(Tick{second}), Event(ImageShown{second}),
                                Event(ObjectChosen{.index = 2, .now_ns = 2 * second}),
                                Event(RatingGiven{.rating = 3, .now_ns = 3 * second})});
@@ -75,7 +75,7 @@ TEST(Visit, NothingGoesOnWhileSomethingIsToBeStored) {
 }
 
 TEST(Visit, AFormWithProblemsStaysAndNamesThem) {
-  Visit visit = stored(next(begin_visit(shared(plan())), ConsentGiven{}));
+  Visit visit = stored(next(begin_visit(shared(script())), ConsentGiven{}));
   std::vector<FormAnswer> answers = ScriptedPerson::form();
   answers[0].value = "17";
   answers[2].value.clear();
@@ -93,7 +93,7 @@ TEST(Visit, AFormWithProblemsStaysAndNamesThem) {
 }
 
 TEST(Visit, InstructionsTurnBothWays) {
-  Visit visit = until<InstructionScreen>(begin_visit(shared(plan())));
+  Visit visit = until<InstructionScreen>(begin_visit(shared(script())));
   const auto page = [&] { return std::get<InstructionScreen>(visit.screen).page; };
   visit = next(visit, WentBack{});
   EXPECT_EQ(page(), 0);
@@ -105,7 +105,7 @@ TEST(Visit, InstructionsTurnBothWays) {
 }
 
 TEST(Visit, TrainingTellsWhetherTheChoiceWasRight) {
-  Visit visit = until<TrainingScreen>(begin_visit(shared(plan())));
+  Visit visit = until<TrainingScreen>(begin_visit(shared(script())));
   for (const int right : {1, 2}) {
     EXPECT_EQ(trial_on_screen(visit)->stimulus, right == 1 ? 3 : 5);
     visit = after(visit, {Event(Tick{0}), Event(Tick{second}), Event(ImageShown{0}),
@@ -125,7 +125,7 @@ TEST(Visit, TrainingTellsWhetherTheChoiceWasRight) {
 }
 
 TEST(Visit, AnEarlyChoiceDoesNotCountAndGreyComesFirst) {
-  Visit visit = until<TrialScreen>(begin_visit(shared(plan())));
+  Visit visit = until<TrialScreen>(begin_visit(shared(script())));
   EXPECT_TRUE(std::holds_alternative<Grey>(visit.session.phase));
   visit = after(visit, {Event(Tick{100}), Event(Tick{100 + second / 2 - 1}), Event(ImageShown{5})});
   EXPECT_TRUE(std::holds_alternative<Grey>(visit.session.phase));
@@ -138,7 +138,7 @@ TEST(Visit, AnEarlyChoiceDoesNotCountAndGreyComesFirst) {
 }
 
 TEST(Visit, APauseTakesThePictureAwayAndTheTrialBeginsAgain) {
-  const Visit rating = after(until<TrialScreen>(begin_visit(shared(plan()))),
+  const Visit rating = after(until<TrialScreen>(begin_visit(shared(script()))),
                              {Event(Tick{0}), Event(Tick{second}), Event(ImageShown{second}),
                               Event(ObjectChosen{.index = 2, .now_ns = 2 * second})});
   ASSERT_TRUE(std::holds_alternative<Rating>(rating.session.phase));
@@ -162,7 +162,7 @@ TEST(Visit, APauseTakesThePictureAwayAndTheTrialBeginsAgain) {
 }
 
 TEST(Visit, PausesWhereItCanAndGoesBackThere) {
-  Visit visit = begin_visit(shared(plan()));
+  Visit visit = begin_visit(shared(script()));
   EXPECT_TRUE(on<ConsentScreen>(next(visit, PauseBegun{})));
   for (visit = until<InstructionScreen>(visit); !on<ThanksScreen>(visit);) {
     const Visit again = after(visit, {PauseBegun{}, Continued{}});
@@ -175,7 +175,7 @@ TEST(Visit, PausesWhereItCanAndGoesBackThere) {
 }
 
 TEST(Visit, BreaksWaitForThePerson) {
-  Visit visit = until<BreakScreen>(begin_visit(shared(plan())));
+  Visit visit = until<BreakScreen>(begin_visit(shared(script())));
   EXPECT_EQ(answered_trials(visit.session.trials), 3);
   EXPECT_TRUE(on<BreakScreen>(
       after(visit, {Event(ImageShown{0}), Event(BreakEnded{}), Event(ObjectChosen{1, 0}), WentBack{}})));
@@ -184,7 +184,7 @@ TEST(Visit, BreaksWaitForThePerson) {
 
 TEST(Visit, AFailedStoreStopsTheVisitWithItsMessage) {
   ScriptedPerson person(1);
-  Visit visit = begin_visit(shared(plan()));
+  Visit visit = begin_visit(shared(script()));
   for (int records = 0; !is_over(visit);) {
     const bool was_pending = visit.pending.has_value();
     if (was_pending) {
@@ -206,18 +206,18 @@ TEST(Visit, AFailedStoreStopsTheVisitWithItsMessage) {
 }
 
 TEST(Visit, WhoComesAgainSkipsConsentAndFormButNotInstructionsAndTraining) {
-  Visit visit = resume_visit(shared(plan()), true, trials(7, 4));
+  Visit visit = resume_visit(shared(script()), true, trials(7, 4));
   EXPECT_TRUE(on<DisplayScreen>(visit));
   EXPECT_TRUE(on<TrainingScreen>(until<TrainingScreen>(visit)));
   visit = until<TrialScreen>(visit);
-  EXPECT_EQ(trial_on_screen(visit), (PlannedTrial{TrialKind::stimulus, 14}));
+  EXPECT_EQ(trial_on_screen(visit), (Trial{TrialKind::stimulus, 14}));
   EXPECT_TRUE(on<ThanksScreen>(until<ThanksScreen>(visit)));
-  EXPECT_TRUE(on<FormScreen>(resume_visit(shared(plan()), false, trials(7, 4))));
+  EXPECT_TRUE(on<FormScreen>(resume_visit(shared(script()), false, trials(7, 4))));
 }
 
 /// Killed between the last answer and the completion.
 TEST(Visit, WhoHasNothingLeftOnlyNeedsTheCompletion) {
-  const Visit visit = resume_visit(shared(plan()), true, trials(7, 7));
+  const Visit visit = resume_visit(shared(script()), true, trials(7, 7));
   ASSERT_TRUE(visit.pending && std::holds_alternative<CompletionRecord>(*visit.pending));
   EXPECT_TRUE(on<ThanksScreen>(next(visit, RecordStored{})));
 }

@@ -83,7 +83,7 @@ std::vector<std::string> usable_groups(const std::set<std::string>& people, cons
   return names;
 }
 
-/// Plans the columns; `names` receives one name each.
+/// Lays out the columns; `names` receives one name each.
 void plan_columns(StudyDesign& design, const std::vector<std::set<ObjectKey>>& objects, bool several_levels) {
   std::vector<std::string>& names = design.data.predictor_names;
   const auto next = [&] { return static_cast<int>(names.size()); };

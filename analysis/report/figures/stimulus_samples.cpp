@@ -20,15 +20,15 @@ constexpr double smallest_crop_share = 200.0 / 960;  ///< of the picture's width
 ByteImage cut(const ByteImage& image, const Rectangle& area) {
   assert(area.x >= 0 && area.y >= 0 && area.x + area.width_px <= image.width_px &&
          area.y + area.height_px <= image.height_px);
-  ByteImage part{
+  ByteImage cutout{
       .width_px = area.width_px, .height_px = area.height_px, .channels = image.channels, .values = {}};
   const auto row_bytes = static_cast<std::ptrdiff_t>(area.width_px) * image.channels;
   for (int y = area.y; y < area.y + area.height_px; ++y) {
     const auto begin =
         image.values.begin() + (static_cast<std::ptrdiff_t>(y) * image.width_px + area.x) * image.channels;
-    part.values.insert(part.values.end(), begin, begin + row_bytes);
+    cutout.values.insert(cutout.values.end(), begin, begin + row_bytes);
   }
-  return part;
+  return cutout;
 }
 
 /// Cuts samples of one artifact out of a set's pictures.
@@ -49,11 +49,11 @@ class Scissors {
     SampleImage image{.label = label, .stimulus_id = stimulus_id, .png = {}, .trouble = {}};
     const std::optional<ByteImage> picture = read(file, image.trouble);
     if (!picture) return image;
-    const ByteImage part = cut(*picture, area_);
-    write_png(png_, part);
+    const ByteImage cutout = cut(*picture, area_);
+    write_png(png_, cutout);
     image.png = read_file(png_);
-    image.width_px = part.width_px;
-    image.height_px = part.height_px;
+    image.width_px = cutout.width_px;
+    image.height_px = cutout.height_px;
     std::filesystem::remove(png_);
     return image;
   }

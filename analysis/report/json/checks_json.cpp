@@ -72,12 +72,12 @@ Json person_json(const ScreenedPerson& person) {
 
 Json screening_json(const Screening& screening) {
   Json json;
-  for (Screen screen : every_screen) {
-    const bool judged = screen != Screen::attention || screening.catch_trials;
-    json[std::string(word(screen))] = {{"rule", rule_of(screen)},
-                                       {"judged", judged},
-                                       {"count", screening.named_by(screen).size()},
-                                       {"named", screening.named_by(screen)}};
+  for (ScreeningRule rule : every_screening_rule) {
+    const bool judged = rule != ScreeningRule::attention || screening.catch_trials;
+    json[std::string(word(rule))] = {{"rule", rule_of(rule)},
+                                     {"judged", judged},
+                                     {"count", screening.named_by(rule).size()},
+                                     {"named", screening.named_by(rule)}};
   }
   json["people"] = Json::array();
   for (const ScreenedPerson& person : screening.people) json["people"].push_back(person_json(person));

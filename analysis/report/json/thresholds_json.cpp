@@ -65,7 +65,7 @@ Json logistic_json(const Logistic4Fit& fit, const LevelAxis& axis) {
   return {{"upper", json_number(fit.curve.upper)},
           {"lower", json_number(fit.curve.lower)},
           {"centre" + unit_suffix(axis), json_number(level_at(axis, fit.curve.centre_x))},
-          {"scale_" + length_key(axis), json_number(std::abs(difference_at(axis, fit.curve.scale_octaves)))},
+          {"scale_" + length_key(axis), json_number(std::abs(difference_at(axis, fit.curve.scale_x)))},
           {"residual_sum_of_squares", json_number(fit.residual_sum_of_squares)},
           {"identified", fit.verdict == Centre::identified}};
 }

@@ -66,7 +66,7 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
   html += html_paragraph(screening_sentence(analysis.screening));
   if (analysis.screened.size() > 1) html += screened_html(analysis);
   html += "<p class=\"soft\">Rules of the screens:";
-  for (Screen screen : every_screen) html += " " + html_escape(std::string(rule_of(screen))) + ".";
+  for (ScreeningRule rule : every_screening_rule) html += " " + html_escape(std::string(rule_of(rule))) + ".";
   html += "</p>\n";
   if (!std::isnan(analysis.sos.a))
     html += html_paragraph("Standard deviation of opinion scores (SOS): " + sos_text(analysis.sos) + ".");

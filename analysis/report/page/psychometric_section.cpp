@@ -87,7 +87,9 @@ std::string tracks_html(const ReportNumbers& numbers) {
         {track.participant, track.track, track.used ? "yes" : "no", std::to_string(track.trials),
          with_interval(estimated_text(numbers.axis, track.threshold), estimated_text(numbers.axis, track.low),
                        estimated_text(numbers.axis, track.high)),
-         decimal_text(track.scale, 2), percent_text(track.lapse), alarms.empty() ? "–" : alarms});
+         track.axis == Axis::linear && !of_depth_widths(numbers.axis) ? fmt::format("{:.3g}", track.scale)
+                                                                      : decimal_text(track.scale, 2),
+         percent_text(track.lapse), alarms.empty() ? "–" : alarms});
   }
   const study::TrackEstimate& first = numbers.tracks.front();
   const bool linear = first.axis == Axis::linear;
@@ -103,7 +105,7 @@ std::string tracks_html(const ReportNumbers& numbers) {
                      {"used"},
                      {"trials", true},
                      {threshold_title(numbers.axis), true},
-                     {fmt::format("scale, {}", study::length_unit(first.axis)), true},
+                     {fmt::format("scale, {}", study::length_unit(first.axis, first.quantity)), true},
                      {"lapse", true},
                      {"alarms"}},
                     lines);

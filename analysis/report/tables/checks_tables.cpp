@@ -124,23 +124,24 @@ CsvTable guessers_table(const Analysis& analysis) {
 CsvTable screening_table(const Analysis& analysis) {
   const std::string screened_cells = in_words_of(analysis.data.axis, "the same over artifacts and widths") +
                                      (has_conditions(analysis.data) ? ", conditions apart" : "");
-  CsvTable table{.name = "screening",
-                 .columns = {participant_column,
-                             {"catch_trials", "count", "catch trials answered"},
-                             {"catch_right", "count", "of these right"},
-                             {"attention_named", "0 or 1", std::string(rule_of(Screen::attention))},
-                             {"extreme_high", "count", "P of ITU-R BT.500: scores far above the mean of all"},
-                             {"extreme_low", "count", "Q of ITU-R BT.500: scores far below it"},
-                             {"stimuli", "count", "stimuli with a score"},
-                             {"kurtosis_named", "0 or 1", std::string(rule_of(Screen::kurtosis))},
-                             {"correlation_stimuli", "-1 to 1",
-                              "Pearson correlation with the mean of the others, over stimuli"},
-                             {"correlation_conditions", "-1 to 1", screened_cells},
-                             {"correlation_named", "0 or 1", std::string(rule_of(Screen::correlation))},
-                             {"below_p913", "0 or 1",
-                              "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
-                              "P.913; reported only"}},
-                 .rows = {}};
+  CsvTable table{
+      .name = "screening",
+      .columns = {participant_column,
+                  {"catch_trials", "count", "catch trials answered"},
+                  {"catch_right", "count", "of these right"},
+                  {"attention_named", "0 or 1", std::string(rule_of(ScreeningRule::attention))},
+                  {"extreme_high", "count", "P of ITU-R BT.500: scores far above the mean of all"},
+                  {"extreme_low", "count", "Q of ITU-R BT.500: scores far below it"},
+                  {"stimuli", "count", "stimuli with a score"},
+                  {"kurtosis_named", "0 or 1", std::string(rule_of(ScreeningRule::kurtosis))},
+                  {"correlation_stimuli", "-1 to 1",
+                   "Pearson correlation with the mean of the others, over stimuli"},
+                  {"correlation_conditions", "-1 to 1", screened_cells},
+                  {"correlation_named", "0 or 1", std::string(rule_of(ScreeningRule::correlation))},
+                  {"below_p913", "0 or 1",
+                   "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
+                   "P.913; reported only"}},
+      .rows = {}};
   for (const ScreenedPerson& person : analysis.screening.people)
     table.rows.push_back({person.code, whole(person.attention.shown), whole(person.attention.right),
                           whole(person.attention.rejected), whole(person.kurtosis.above),

@@ -37,44 +37,52 @@ CsvTable response_times_table(const ReportNumbers& numbers) {
 CsvTable participants_table(const ReportNumbers& numbers) {
   CsvTable table{
       .name = "participants",
-      .columns = {participant_column,
-                  {"kind", "word", "person, or the kind of simulated observer"},
-                  {"use", "word",
-                   "used, excluded, pilot (left out), incomplete (left out) or screened (left out)"},
-                  {"why", "text", "why their answers are not used; empty when they are"},
-                  {"pilot", "0 or 1", "pilot data"},
-                  {"answers", "count", "answers in the log"},
-                  {"planned_trials", "count", "trials of the session's plan; 0 when the log does not say"},
-                  {"correct", "share 0 to 1", "share of right choices; empty without answers"},
-                  {"mean_rating", "1 to 4", "mean rating of all answers; empty without answers"},
-                  {"screened", "0 or 1", "whether the screens judged them; only those who would be used are"},
-                  {"screens", "text", "screens that name them; empty when none does"},
-                  {"median_choice_s", "s", "median time from the image to the choice; empty when simulated"}},
+      .columns =
+          {participant_column,
+           {"kind", "word", "person, or the kind of simulated observer"},
+           {"use", "word", "used, excluded, pilot (left out), incomplete (left out) or screened (left out)"},
+           {"why", "text", "why their answers are not used; empty when they are"},
+           {"pilot", "0 or 1", "pilot data"},
+           {"answers", "count", "answers in the log"},
+           {"planned_trials", "count",
+            "trials of stimuli that were decided for them, answered or not; 0 when the log does not say"},
+           {"correct", "share 0 to 1", "share of right choices; empty without answers"},
+           {"mean_rating", "1 to 4", "mean rating of all answers; empty without answers"},
+           {"screened", "0 or 1", "whether the screens judged them; only those who would be used are"},
+           {"screens", "text", "screens that name them; empty when none does"},
+           {"median_choice_s", "s", "median time from the image to the choice; empty when simulated"}},
       .rows = {}};
   for (const ParticipantRow& row : numbers.participants)
     table.rows.push_back({row.code, row.kind, std::string(word(row.use)), row.why, whole(row.pilot),
-                          whole(row.answers), whole(row.planned_trials), row.correct, row.mean_rating,
+                          whole(row.answers), whole(row.stimulus_trials), row.correct, row.mean_rating,
                           whole(row.screened), row.screens, row.median_choice_s});
   return table;
 }
 
 CsvTable tracks_table(const ReportNumbers& numbers) {
-  const bool linear = !numbers.tracks.empty() && numbers.tracks.front().axis == Axis::linear;
-  const std::string unit = study::length_unit(linear ? Axis::linear : Axis::log2);
+  const LevelAxis& axis = numbers.axis;
+  const Axis along = numbers.tracks.empty() ? facts(axis.quantity).axis : numbers.tracks.front().axis;
+  const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
+  const std::string length = "_" + study::length_key(along, axis.quantity),
+                    lengths = study::length_unit(along, axis.quantity);
+  std::vector<std::string> conditions;
   CsvTable table{
       .name = "tracks",
       .columns = {participant_column,
                   artifact_column,
-                  {"track", "text", "what the track is about: an artifact, or one of its objects"},
+                  {"track", "text",
+                   numbers.conditions
+                       ? "what the track is about: an artifact, or one of its objects, in a condition"
+                       : "what the track is about: an artifact, or one of its objects"},
                   {"used", "0 or 1", "completed, not excluded and not a pilot"},
                   {"trials", "count", "answers to the track"},
-                  {"threshold_px", "px",
-                   fmt::format("posterior mean{} of the width seen half of the time",
-                               linear ? "" : ", on log2,")},
-                  {"threshold_low_px", "px", "lower end of the equal-tailed 95 % credible interval"},
-                  {"threshold_high_px", "px", "upper end of it"},
-                  {"threshold_sd_" + unit, unit, "posterior standard deviation of the threshold"},
-                  {"scale_" + unit, unit, "posterior mean of the function's scale"},
+                  {"threshold" + suffix, unit,
+                   fmt::format("posterior mean{} of the {} seen half of the time",
+                               along == Axis::linear ? "" : ", on log2,", level_word(axis))},
+                  {"threshold_low" + suffix, unit, "lower end of the equal-tailed 95 % credible interval"},
+                  {"threshold_high" + suffix, unit, "upper end of it"},
+                  {"threshold_sd" + length, lengths, "posterior standard deviation of the threshold"},
+                  {"scale" + length, lengths, "posterior mean of the function's scale"},
                   {"lapse", "share 0 to 1", "posterior mean of the lapse rate"},
                   {"alarms", "text", "where the posterior runs into the edge of its grid"}},
       .rows = {}};
@@ -84,7 +92,9 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
     table.rows.push_back({track.participant, std::string(word(track.artifact)), track.track,
                           whole(track.used), whole(track.trials), track.threshold, track.low, track.high,
                           track.threshold_sd, track.scale, track.lapse, alarms});
+    conditions.push_back(track.condition);
   }
+  add_conditions(table, numbers.conditions, conditions);
   return table;
 }
 

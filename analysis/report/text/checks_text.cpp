@@ -89,10 +89,10 @@ std::string guessers_text(const GuessCorrection& correction) {
 
 std::string screening_sentence(const Screening& screening) {
   std::string text;
-  for (Screen screen : every_screen) {
-    const bool judged = screen != Screen::attention || screening.catch_trials;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(screen),
-                        judged ? fmt::format("names {}", screening.named_by(screen).size())
+  for (ScreeningRule rule : every_screening_rule) {
+    const bool judged = rule != ScreeningRule::attention || screening.catch_trials;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(rule),
+                        judged ? fmt::format("names {}", screening.named_by(rule).size())
                                : std::string("is not judged (no catch trials)"));
   }
   return fmt::format("Screening of {} participants: {}.", screening.people.size(), text);

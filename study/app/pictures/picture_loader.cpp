@@ -15,16 +15,16 @@ PictureLoader::~PictureLoader() {
   thread_.join();
 }
 
-PictureLoader::Entry* PictureLoader::find(const PlannedTrial& trial) {
+PictureLoader::Entry* PictureLoader::find(const Trial& trial) {
   const auto at =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.trial == trial; });
   return at == entries_.end() ? nullptr : &*at;
 }
 
-void PictureLoader::want(const std::vector<PlannedTrial>& trials) {
+void PictureLoader::want(const std::vector<Trial>& trials) {
   const std::lock_guard lock(mutex_);
   std::vector<Entry> kept;
-  for (const PlannedTrial& trial : trials) {
+  for (const Trial& trial : trials) {
     Entry* entry = find(trial);
     kept.push_back(entry == nullptr ? Entry{.trial = trial} : std::move(*entry));
   }
@@ -32,7 +32,7 @@ void PictureLoader::want(const std::vector<PlannedTrial>& trials) {
   changed_.notify_all();
 }
 
-std::optional<ByteImage> PictureLoader::take(const PlannedTrial& trial) {
+std::optional<ByteImage> PictureLoader::take(const Trial& trial) {
   const std::lock_guard lock(mutex_);
   Entry* entry = find(trial);
   if (entry == nullptr) return std::nullopt;
@@ -52,7 +52,7 @@ void PictureLoader::work() {
       continue;
     }
     next->begun = true;
-    const PlannedTrial trial = next->trial;
+    const Trial trial = next->trial;
     lock.unlock();
     std::optional<ByteImage> picture;
     std::exception_ptr failure;

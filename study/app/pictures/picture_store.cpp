@@ -7,7 +7,7 @@
 namespace seamline::study::app {
 namespace {
 
-const std::string& scene_of(const RenderedSet& set, const PlannedTrial& trial) {
+const std::string& scene_of(const RenderedSet& set, const Trial& trial) {
   return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.scene;
 }
 
@@ -16,25 +16,25 @@ const std::string& scene_of(const RenderedSet& set, const PlannedTrial& trial) {
 PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     : set_(set),
       scaled_(scaled),
-      loader_([&set](const PlannedTrial& trial) { return load_trial_picture(set, trial); }) {
+      loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
   for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
-    const PlannedTrial trial{.stimulus = i};
+    const Trial trial{.stimulus = i};
     const std::string& scene = scene_of(set, trial);
     if (!objects_.contains(scene)) objects_[scene] = make_object_map(load_object_ids(set, trial));
   }
 }
 
-void PictureStore::prepare(const PlannedTrial& due, const std::optional<PlannedTrial>& after) {
-  std::vector<PlannedTrial> wanted;
+void PictureStore::prepare(const Trial& due, const std::optional<Trial>& after) {
+  std::vector<Trial> wanted;
   if (find(due) == nullptr) wanted.push_back(due);
   if (after && *after != due && find(*after) == nullptr) wanted.push_back(*after);
   loader_.want(wanted);
   for (Slot& slot : slots_)
     if (slot.trial == due) slot.used = ++clock_;
-  for (const PlannedTrial& trial : wanted) fetch(trial);
+  for (const Trial& trial : wanted) fetch(trial);
 }
 
-void PictureStore::fetch(const PlannedTrial& trial) {
+void PictureStore::fetch(const Trial& trial) {
   const std::optional<ByteImage> picture = loader_.take(trial);
   if (!picture) return;
   Slot& slot = oldest_slot();
@@ -49,13 +49,13 @@ PictureStore::Slot& PictureStore::oldest_slot() {
                            [](const Slot& a, const Slot& b) { return a.used < b.used; });
 }
 
-const Texture* PictureStore::find(const PlannedTrial& trial) const {
+const Texture* PictureStore::find(const Trial& trial) const {
   for (const Slot& slot : slots_)
     if (slot.trial == trial) return &slot.texture;
   return nullptr;
 }
 
-const ObjectMap& PictureStore::objects(const PlannedTrial& trial) const {
+const ObjectMap& PictureStore::objects(const Trial& trial) const {
   return objects_.at(scene_of(set_, trial));
 }
 

@@ -20,21 +20,21 @@ class PictureStore {
 
   /// Has the trial that is due and the one after it decoded, and puts what is decoded into textures. Throws
   /// InputError when a picture cannot be read.
-  void prepare(const PlannedTrial& due, const std::optional<PlannedTrial>& after);
+  void prepare(const Trial& due, const std::optional<Trial>& after);
 
   /// The trial's picture when it is ready to be shown.
-  [[nodiscard]] const Texture* find(const PlannedTrial& trial) const;
+  [[nodiscard]] const Texture* find(const Trial& trial) const;
 
   /// Where the objects of the trial's scene are.
-  [[nodiscard]] const ObjectMap& objects(const PlannedTrial& trial) const;
+  [[nodiscard]] const ObjectMap& objects(const Trial& trial) const;
 
  private:
   struct Slot {
-    std::optional<PlannedTrial> trial;
+    std::optional<Trial> trial;
     Texture texture;
     std::int64_t used = 0;  ///< the larger the later
   };
-  void fetch(const PlannedTrial& trial);
+  void fetch(const Trial& trial);
   [[nodiscard]] Slot& oldest_slot();
 
   const RenderedSet& set_;

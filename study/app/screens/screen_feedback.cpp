@@ -10,7 +10,7 @@ namespace seamline::study::app {
 /// The practice picture once more, with corners around the object that was inserted.
 Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
   const TrialPlace place = trial_place(stage);
-  if (const std::optional<PlannedTrial> trial = trial_on_screen(visit)) {
+  if (const std::optional<Trial> trial = trial_on_screen(visit)) {
     if (const Texture* picture = stage.pictures.find(*trial)) stage.canvas().picture(*picture, place.picture);
     if (screen.right_index >= 1)
       draw_bracket(

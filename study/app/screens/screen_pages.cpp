@@ -37,7 +37,7 @@ Outcome draw(const ReadyScreen&, const Visit&, Stage& stage) {
 Outcome draw(const BreakScreen&, const Visit& visit, Stage& stage) {
   const std::string text =
       stage.phrase(Phrase::break_text, {{"done", fmt::format("{}", answered_trials(visit.session.trials))},
-                                        {"all", fmt::format("{}", planned_trials(visit.session.trials))}});
+                                        {"all", fmt::format("{}", most_trials(visit.session.trials))}});
   if (draw_page(stage, stage.phrase(Phrase::break_title), text, stage.phrase(Phrase::continue_button)))
     return Continued{};
   return std::nullopt;

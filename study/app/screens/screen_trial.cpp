@@ -136,7 +136,7 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
 
 /// A trial of practice or of the study, whatever its phase shows.
 Outcome draw_trial(const Session& session, Stage& stage) {
-  const std::optional<PlannedTrial> due = current_trial(session.trials);
+  const std::optional<Trial> due = current_trial(session.trials);
   if (!due) return std::nullopt;
   const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due)};
   const Texture* picture = stage.pictures.find(*due);
@@ -177,7 +177,7 @@ Outcome draw_trial(const Session& session, Stage& stage) {
 Outcome draw(const TrainingScreen&, const Visit& visit, Stage& stage) {
   const std::string hint = stage.phrase(
       Phrase::training_hint, {{"done", fmt::format("{}", answered_trials(visit.training.trials) + 1)},
-                              {"all", fmt::format("{}", planned_trials(visit.training.trials))}});
+                              {"all", fmt::format("{}", most_trials(visit.training.trials))}});
   Outcome outcome = draw_trial(visit.training, stage);
   stage.canvas().text(Font::small, {stage.ui.em(), 0.6 * stage.ui.em()}, hint, look::ink_on_background);
   return outcome;
@@ -185,7 +185,7 @@ Outcome draw(const TrainingScreen&, const Visit& visit, Stage& stage) {
 
 Outcome draw(const TrialScreen&, const Visit& visit, Stage& stage) {
   Outcome outcome = draw_trial(visit.session, stage);
-  const int done = answered_trials(visit.session.trials), all = planned_trials(visit.session.trials);
+  const int done = answered_trials(visit.session.trials), all = most_trials(visit.session.trials);
   draw_progress(stage, done, all);
   return outcome;
 }

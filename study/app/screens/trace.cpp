@@ -45,7 +45,7 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
     line["trial"] = answered_trials(session->trials);
     const TrialPlace place = trial_place(stage);
     line["picture"] = rectangle(place.picture);
-    if (const std::optional<PlannedTrial> due = current_trial(session->trials)) {
+    if (const std::optional<Trial> due = current_trial(session->trials)) {
       line["kind"] = word(due->kind);
       line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
       for (const Rect& frame : stage.pictures.objects(*due).frames)

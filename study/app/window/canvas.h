@@ -19,10 +19,6 @@ struct FontRequest {
   std::string characters;  ///< UTF-8: every character that will be shown
 };
 
-/// A TrueType file for the study's texts: `wanted` when it is not empty, else the first of Debian's that is
-/// there. Throws InputError when there is none.
-[[nodiscard]] FontRequest find_font(const std::filesystem::path& wanted);
-
 /// Draws shapes, texts and pictures through Dear ImGui's renderer: the only Dear ImGui in Seamline. A frame
 /// is whatever is drawn between `begin` and `end`. Needs the window's OpenGL context.
 class Canvas {

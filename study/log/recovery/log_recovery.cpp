@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "study/log/log_create.h"
 #include "study/log/log_database.h"
 #include "study/log/log_place.h"
 #include "study/log/log_tables.h"
@@ -147,7 +148,7 @@ std::vector<LostAnswers> lost_answers(SQLite::Database& database) {
     stop_if_interrupted();
     LostAnswers lost{.code = person.getColumn(1).getString(),
                      .completed = person.getColumn(2).getInt() != 0,
-                     .planned = person.getColumn(3).getInt(),
+                     .trials = person.getColumn(3).getInt(),
                      .answered = person.getColumn(4).getInt()};
     const int last = lost.completed ? person.getColumn(6).getInt() : person.getColumn(5).getInt();
     for (int trial = 0; trial <= last; ++trial) {

@@ -10,8 +10,8 @@ namespace seamline::study {
 /// What is known to be missing of a participant.
 struct LostAnswers {
   std::string code;
-  bool completed = false;                ///< all planned trials had been answered
-  int planned = 0;                       ///< trials whose plan could be read
+  bool completed = false;                ///< all trials had been answered
+  int trials = 0;                        ///< that could be read
   int answered = 0;                      ///< of them, with an answer that could be read
   std::vector<int> missing_trials = {};  ///< that must have been answered, and whose answer is gone
 };
@@ -33,9 +33,5 @@ struct LogRecovery {
 /// and no set is known.
 LogRecovery recover_log(const std::filesystem::path& damaged, const std::filesystem::path& out,
                         const std::filesystem::path& set_folder);
-
-/// The same in words: what was saved, and what is lost of whom.
-[[nodiscard]] std::string recovery_text(const LogRecovery& recovery, const std::filesystem::path& damaged,
-                                        const std::filesystem::path& out);
 
 }  // namespace seamline::study

@@ -1,7 +1,6 @@
-// What a recovery says to people.
-#include <fmt/core.h>
+#include "study/log/recovery/log_recovery_text.h"
 
-#include "study/log/recovery/log_recovery.h"
+#include <fmt/core.h>
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -31,14 +30,14 @@ std::string recovery_text(const LogRecovery& recovery, const fs::path& damaged, 
                   count(recovery.saved, "participants"), count(recovery.saved, "answers"), out.string());
   std::size_t missing = 0;
   for (const LostAnswers& person : recovery.participants) {
-    missing += person.missing_trials.size() + (person.completed && person.planned == 0 ? 1 : 0);
+    missing += person.missing_trials.size() + (person.completed && person.trials == 0 ? 1 : 0);
     if (!person.missing_trials.empty())
       text +=
           fmt::format("lost: of {} the answers to trials {}{}\n", person.code,
                       trial_list(person.missing_trials), person.completed ? "" : ", and perhaps later ones");
   }
   for (const LostAnswers& person : recovery.participants)
-    if (person.completed && person.planned == 0)
+    if (person.completed && person.trials == 0)
       text += fmt::format("lost: every answer of {}\n", person.code);
   for (const auto& [table, rows] : recovery.refused)
     text += fmt::format("lost: {} rows of {} that were damaged or refer to lost ones\n", rows, table);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "study/log/log_create.h"
 #include "study/log/log_database.h"
 #include "study/log/log_place.h"
 #include "study/log/recovery/log_salvage.h"

@@ -1,6 +1,7 @@
+#include "study/app/window/find_font.h"
+
 #include <array>
 
-#include "study/app/window/canvas.h"
 #include "support/text/error.h"
 
 namespace seamline::study::app {

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+
+#include "study/log/log_database.h"
+
+namespace seamline::study {
+
+// Inside the log only.
+
+/// Opens a log of today's version alone, made durable; where there is no file, or an empty one, a log is
+/// made: its tables and what `fill` enters are one transaction, so no other program ever sees a log that
+/// belongs to no set. When that fails no file is left. Complaints say `called`, where a log is made under a
+/// name of our own.
+[[nodiscard]] SQLite::Database open_or_create_log_database(const std::filesystem::path& path,
+                                                           const std::function<void(SQLite::Database&)>& fill,
+                                                           const std::filesystem::path& called = {});
+
+}  // namespace seamline::study
