@@ -133,6 +133,8 @@ std::string in_words_of(const LevelAxis& axis, std::string sentence) {
   }
   if (axis.noticeability == Direction::increasing) {
     replace_each(sentence, "largest width", "smallest level");
+    replace_each(sentence, "largest levels", "smallest levels");
+    replace_each(sentence, "non-increasing", "non-decreasing");
     replace_each(sentence, "falls with the width", "rises with the level");
     replace_each(sentence, "falls with width", "rises with the level");
     replace_each(sentence, "does not fall with width", "does not rise with the level");

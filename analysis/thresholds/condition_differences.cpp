@@ -78,7 +78,8 @@ std::string text_of(const ThresholdDifference& found) {
     text = "below " + number_text(bounds.high);
   else
     text = "not determined";
-  if (!std::isfinite(found.ci95.low) && !std::isfinite(found.ci95.high)) return text;
+  if (!std::isfinite(found.ci95.low) && !std::isfinite(found.ci95.high))
+    return found.estimate ? text + " (open)" : text;
   return fmt::format("{} ({} to {})", text, bound(found.ci95.low), bound(found.ci95.high));
 }
 

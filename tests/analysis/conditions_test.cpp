@@ -8,6 +8,7 @@
 #include "analysis/log_analysis/report_numbers.h"
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/page/methods_text.h"
 #include "tests/analysis/condition_people.h"
 
 namespace seamline::analysis {
@@ -152,6 +153,20 @@ TEST(Conditions, ALevelThatStandsApartIsNoPartOfAnyFit) {
   ASSERT_TRUE(numbers.choices.front().pooled);
   EXPECT_EQ(numbers.choices.front().pooled->fit.levels.size(), 7U);
   EXPECT_TRUE(numbers.choices.front().apart);
+}
+
+TEST(Conditions, TextsOfARisingAxisSayItsDirectionAndItsQuantity) {
+  const Analysis rising = analysed(mirrored(test::simulate_log(9, 2)));
+  const ReportNumbers numbers = report_numbers(rising);
+  const std::string methods = plain_text(methods_text(rising, numbers));
+  EXPECT_THAT(methods, HasSubstr("smallest levels at which the non-decreasing isotonic regression"));
+  EXPECT_THAT(methods, Not(HasSubstr("non-increasing")));
+  EXPECT_THAT(methods, Not(HasSubstr("depth map width")));
+  ASSERT_TRUE(numbers.comparisons) << numbers.comparisons_missing;
+  bool said = false;
+  for (const ContrastTable& table : numbers.comparisons->contrasts)
+    said = said || table.question.starts_with("Do artifacts differ at a mesh tolerance of ");
+  EXPECT_TRUE(said);
 }
 
 TEST(Conditions, AreAFactorOfTheOrdinalModel) {

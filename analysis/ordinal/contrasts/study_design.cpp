@@ -135,8 +135,10 @@ std::string slope_text(const LevelAxis& axis) {
 }
 
 std::string at_reference(const StudyDesign& design) {
-  const std::string unit(facts(design.axis.quantity).unit);
-  return "at " + estimated_text(design.axis, design.reference_level) + (unit.empty() ? "" : " " + unit);
+  const QuantityFacts& about = facts(design.axis.quantity);
+  const std::string level = estimated_text(design.axis, design.reference_level);
+  return about.unit.empty() ? fmt::format("at a {} of {}", about.name, level)
+                            : fmt::format("at {} {}", level, about.unit);
 }
 
 StudyDesign study_design(std::span<const study::Answer> given, const ParticipantGroups& groups,

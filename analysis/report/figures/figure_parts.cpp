@@ -56,6 +56,11 @@ const char* key_side(const LevelAxis& axis) {
   return axis.noticeability == Direction::increasing ? "left" : "right";
 }
 
+std::string beside_line(const LevelAxis& axis, double from_end, const std::string& y) {
+  const bool rises = axis.noticeability == Direction::increasing;
+  return fmt::format("graph {:g}, first {} {}", rises ? 1 - from_end : from_end, y, rises ? "right" : "left");
+}
+
 Interval drawn_range(const LevelsDrawn& drawn) {
   const double first = place_of(drawn, drawn.levels.front()), last = place_of(drawn, drawn.levels.back());
   if (!is_linear(drawn.axis)) return {.low = first / share_beyond, .high = last * share_beyond};

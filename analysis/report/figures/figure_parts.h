@@ -30,6 +30,10 @@ struct LevelsDrawn {
 /// Where lines leave room for the key: "right", or "left" where noticeability rises.
 [[nodiscard]] const char* key_side(const LevelAxis& axis);
 
+/// Where a label stands beside a low line across the figure, at its height `y`, clear of lines and of a level
+/// that stands apart: "graph 0.004, first 0.5 left"; at the other end where noticeability rises.
+[[nodiscard]] std::string beside_line(const LevelAxis& axis, double from_end, const std::string& y);
+
 /// The ends of the axis: a little wider than what was tested.
 [[nodiscard]] Interval drawn_range(const LevelsDrawn& drawn);
 

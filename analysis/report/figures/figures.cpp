@@ -169,13 +169,14 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
   script += fmt::format(
       "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top {3} font ',13'\nset lmargin 7\nset "
       "rmargin 2\n"
-      "set label 1 'PT  0.5' at graph 0.004, first 0.5 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
+      "set label 1 'PT  0.5' at {4} offset 0,0.45 font ',11' textcolor rgb '{1}' "
       "front\n"
-      "set label 2 'SN  1.0' at graph 0.004, first 1.0 left offset 0,0.45 font ',11' textcolor rgb '{1}' "
+      "set label 2 'SN  1.0' at {5} offset 0,0.45 font ',11' textcolor rgb '{1}' "
       "front\n"
       "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
       "notitle{2}\n",
-      gnuplot_text(source_text(analysis)), ink, plots, key_side(drawn.axis));
+      gnuplot_text(source_text(analysis)), ink, plots, key_side(drawn.axis),
+      beside_line(drawn.axis, 0.004, "0.5"), beside_line(drawn.axis, 0.004, "1.0"));
   draw_svg(figure.svg, 900, 540, script, Readers::owner);
   return figure;
 }

@@ -55,8 +55,8 @@ std::string conditions_panel(const Analysis& analysis, const LevelsDrawn& drawn,
          fmt::format(
              "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
              "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt "
-             "'.' notitle, \\\n     {2:.6g} with lines lc rgb '{1}' lw 1.2 dt (12,6) title 'floor by "
-             "guessing'{3}\n",
+             "'.' notitle, \\\n     {2:.6g} with lines lc rgb '{1}' lw 1.2 dt (12,6) title "
+             "'guessed'{3}\n",
              gnuplot_text(artifact_title(artifact)), plot_ink, analysis.guessing.floor, plots);
 }
 

@@ -76,14 +76,13 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
              gnuplot_text(artifact_title(curve.artifact)), plot_ink, level_tics(drawn, false),
              threshold_mark(curve, drawn, colour)) +
          fmt::format(
-             "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
-             "textcolor rgb '{0}'\n"
+             "set label 1 'chance' at {4} offset 0,-0.55 font ',11' textcolor rgb '{0}'\n"
              "plot 1.0/3 with lines lc rgb '{0}' lw 1.2 dt '.' notitle, \\\n"
              "     ${1} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{2}' "
              "notitle, \\\n"
              "     ${1} using 1:2 with lines lc rgb '{2}' lw 2 notitle, \\\n"
              "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{2}' notitle\n",
-             plot_ink, band, colour, levels) +
+             plot_ink, band, colour, levels, beside_line(drawn.axis, 0.012, "0.3333")) +
          margins(below) +
          fmt::format(
              "unset title\nunset label 1\nunset arrow\nset ylabel \"residual\" textcolor rgb '{0}' offset "
@@ -124,11 +123,11 @@ std::string conditions_panel(const ReportNumbers& numbers, Artifact artifact, co
          fmt::format(
              "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
              "textcolor rgb '{1}' offset 1.2,0\nset xlabel \"{2}\" textcolor rgb '{1}'\nset yrange "
-             "[0:1.04]\nset ytics 0, 0.2, 1\n{3}"
-             "set label 1 'chance' at graph 0.012, first 0.3333 left offset 0,-0.55 font ',11' "
-             "textcolor rgb '{1}'\n"
+             "[0:1.04]\nset ytics 0, 0.2, 1\nset key top {5}\n{3}"
+             "set label 1 'chance' at {6} offset 0,-0.55 font ',11' textcolor rgb '{1}'\n"
              "plot 1.0/3 with lines lc rgb '{1}' lw 1.2 dt '.' notitle{4}\n",
-             gnuplot_text(artifact_title(artifact)), plot_ink, axis_title(drawn.axis), marks, plots);
+             gnuplot_text(artifact_title(artifact)), plot_ink, axis_title(drawn.axis), marks, plots,
+             key_side(drawn.axis), beside_line(drawn.axis, 0.012, "0.3333"));
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {

@@ -22,7 +22,7 @@ std::string differences_html(const Analysis& analysis) {
     const bool same =
         last != nullptr && last->artifact == found.artifact && last->condition == found.condition;
     lines.push_back({same ? "" : artifact_title(found.artifact),
-                     same ? "" : fmt::format("{} to {}", found.condition, found.to), found.quantity,
+                     same ? "" : fmt::format("{} − {}", found.condition, found.to), found.quantity,
                      found.text});
     last = &found;
   }
@@ -31,8 +31,7 @@ std::string differences_html(const Analysis& analysis) {
       "{}{}, "
       "with the 95 % interval over participants.</p>\n",
       length_unit(axis), is_linear(axis) ? "" : " (1: twice the level)");
-  return html +
-         html_table({{"artifact"}, {"condition"}, {""}, {"difference, " + length_unit(axis), true}}, lines) +
+  return html + html_table({{"artifact"}, {"condition"}, {""}, {"difference, " + length_unit(axis)}}, lines) +
          "<p class=\"soft\">Above, below, between: a threshold lies beyond the levels tested, so only a "
          "bound "
          "is known. Open: the answers exclude no value on that side.</p>\n";

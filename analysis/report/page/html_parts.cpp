@@ -52,6 +52,7 @@ std::string percent_text(double share) {
 std::string decimal_text(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   const std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text == fmt::format("{:.{}f}", -0.0, digits)) return text.substr(1);
   return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 

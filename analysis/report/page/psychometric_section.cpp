@@ -70,10 +70,8 @@ std::string warnings_list(const ReportNumbers& numbers) {
   std::string items;
   for (const ChoiceCurve& curve : numbers.choices)
     for (const std::string& warning : curve.warnings)
-      items += fmt::format("<li>{}: {}</li>\n", word(curve.artifact),
-                           html_escape(in_condition(curve.condition).empty()
-                                           ? warning
-                                           : in_condition(curve.condition).substr(1) + " " + warning));
+      items += fmt::format("<li>{}{}: {}</li>\n", word(curve.artifact),
+                           html_escape(in_condition(curve.condition)), html_escape(warning));
   return items.empty() ? "" : "<ul class=\"plain\">\n" + items + "</ul>\n";
 }
 
