@@ -85,12 +85,12 @@ BENCHMARK(rays_from_centre);
 
 void ratio_of_pixels(benchmark::State& state) {
   StimulusSums sums{.width_px = 128, .height_px = 128, .spp = 2};
-  StimulusPixel sums;
-  sums.background = Rgb::Constant(0.5F);
-  sums.without_object = Rgb::Constant(0.4F);
-  sums.with_object = Rgb::Constant(0.3F);
-  sums.uncovered_surfaces = 1;
-  for (auto& half : sums.halves) half.assign(128 * 128, sums);
+  StimulusPixel pixel;
+  pixel.background = Rgb::Constant(0.5F);
+  pixel.without_object = Rgb::Constant(0.4F);
+  pixel.with_object = Rgb::Constant(0.3F);
+  pixel.uncovered_surfaces = 1;
+  for (auto& half : sums.halves) half.assign(128 * 128, pixel);
   sums.guides.resize(128 * 128);
   for (auto _ : state) benchmark::DoNotOptimize(compose(sums));
   state.SetItemsProcessed(state.iterations() * 128 * 128);
