@@ -1,5 +1,7 @@
 #include "analysis/log_analysis/report_numbers.h"
 
+#include <set>
+
 #include "support/text/error.h"
 
 namespace seamline::analysis {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "analysis/scores/level_axis.h"
 #include "support/text/csv.h"
 
 namespace seamline::analysis {
