@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/convergence/convergence_plot.h"
 #include "renderer/convergence/convergence_slope.h"
 #include "stability/common/groups.h"
 #include "stability/common/namespaces.h"
 #include "support/files/gnuplot.h"
+#include "support/files/plot_panels.h"
 #include "support/text/numbers.h"
 
 namespace seamline::stability {

@@ -3,17 +3,22 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "renderer/commands/asset_root_option.h"
 #include "renderer/set/check.h"
+#include "renderer/set/pages/seams_page.h"
+#include "renderer/set/set_seams.h"
 #include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/markdown_table.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {
 
-void run_check(const std::string& path, const std::string& asset_root) {
+void check_study(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
   int broken = 0;
   for (const SceneDefinition& scene : study.scenes) {
@@ -30,14 +35,53 @@ void run_check(const std::string& path, const std::string& asset_root) {
                        .found = fmt::format("{} broken (above)", broken)});
 }
 
+void check_set(const std::string& folder, const std::string& out) {
+  if (!out.empty()) prepare_output_folder(out);
+  const SetSeams seams = read_set_seams(folder);
+  if (!out.empty()) write_seams_page(out, seams);
+  fmt::print("{}\n\n{}", seams_meaning(seams), markdown_table(seam_cells_table(seams)));
+  if (!out.empty())
+    fmt::print("\nFigure and tables: {}\n", (std::filesystem::path(out) / "seams.html").string());
+}
+
+struct CheckOptions {
+  std::string path, asset_root, out;
+};
+
+/// Throws InputError at an option that the other kind of check would ignore.
+void require_not_given(const char* option, const std::string& value, const char* only) {
+  if (!value.empty())
+    throw input_error(
+        {.field = option, .wanted = std::string("only with ") + only, .found = "\"" + value + "\""});
+}
+
+void run_check(const CheckOptions& options) {
+  std::error_code error;
+  if (std::filesystem::is_directory(options.path, error)) {
+    require_not_given("--asset-root", options.asset_root, "a study file");
+    check_set(options.path, options.out);
+  } else {
+    require_not_given("--out", options.out, "the folder of a rendered set");
+    check_study(options.path, options.asset_root);
+  }
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& app) {
-  auto path = std::make_shared<std::string>(), asset_root = std::make_shared<std::string>();
-  CLI::App* check = app.add_subcommand("check", "do the scenes keep the study's own rules");
-  check->add_option("study", *path, "study file (.toml)")->required();
-  add_asset_root_option(*check, *asset_root);
-  check->callback([path, asset_root] { run_check(*path, *asset_root); });
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* check = app.add_subcommand(
+      "check", "do the scenes keep the study's own rules; of a rendered set: how large each seam is");
+  check
+      ->add_option(
+          "study", options->path,
+          "study file (.toml), or the folder of a rendered set: then area and widest band in which its "
+          "stimuli differ from their references")
+      ->required();
+  add_asset_root_option(*check, options->asset_root);
+  check->add_option("--out", options->out,
+                    "of a set: folder for seams.csv and seams.html; made when missing");
+  check->callback([options] { run_check(*options); });
 }
 
 }  // namespace seamline::renderer

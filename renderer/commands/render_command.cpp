@@ -13,8 +13,8 @@
 #include "renderer/set/render_set.h"
 #include "renderer/set/true_error_set.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
-#include "support/files/confined_path.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -94,13 +94,7 @@ void run_render(const RenderOptions& options) {
 
 void run_verify(const std::string& set) {
   const Manifest manifest = read_manifest(set);
-  const std::filesystem::path study =
-      path_below(set, manifest.study_file,
-                 {.file = (std::filesystem::path(set) / "manifest.json").string(), .field = "study.file"});
-  if (study_hash(read_study(study, AssetCheck::not_needed)) != manifest.study_hash)
-    throw input_error({.file = study.string(),
-                       .wanted = "the study that the set was rendered from",
-                       .found = "another one"});
+  (void)study_of_set(set, manifest);
   check_manifest_pictures(set, manifest);
   fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
              manifest.references.size());

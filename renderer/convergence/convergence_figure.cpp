@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "renderer/convergence/convergence_plot.h"
 #include "support/files/gnuplot.h"
+#include "support/files/plot_panels.h"
 
 namespace seamline::renderer {
 namespace {

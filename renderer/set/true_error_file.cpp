@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* file_name = "true_errors.json";
-constexpr const char* format = "seamline true errors 1";
+constexpr const char* file_format = "seamline true errors 1";
 
 }  // namespace
 
@@ -19,7 +19,7 @@ TrueErrors read_true_errors(const std::filesystem::path& set_folder) {
   if (!std::filesystem::exists(set_folder / file_name)) return errors;
   try {
     const Json json = Json::parse(read_file(set_folder / file_name));
-    if (json.at("format") != format) return {};
+    if (json.at("format") != file_format) return {};
     for (const Json& line : json.at("stimuli"))
       errors[line.at("id").get<std::string>()] = {.rmse = line.at("rmse").get<double>(),
                                                   .standard_error = line.at("standard_error").get<double>(),
@@ -41,7 +41,7 @@ void write_true_errors(const std::filesystem::path& set_folder, const TrueErrors
                      {"worst_tile", error.worst_tile},
                      {"reference_spp", error.reference_spp},
                      {"sha256", error.picture_sha256}});
-  const Json json = {{"format", format},
+  const Json json = {{"format", file_format},
                      {"note",
                       "errors of the pictures against the path estimator with another seed, without its "
                       "noise, in display units (0 to 1); sha256 is of the picture"},

@@ -21,7 +21,7 @@ void expect_refused(const RenderedSet& set, const std::string& part) {
   const std::string folder = set.folder.string();
   for (const std::string& command :
        {"verify " + folder, "study " + folder + " --observer perfect --log " + folder + "/log.sqlite",
-        "predict " + folder + " --gain 1"}) {
+        "predict " + folder + " --gain 1", "check " + folder}) {
     const Outcome outcome = run_seamline(command);
     EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr(part)) << command;

@@ -122,10 +122,10 @@ fs::path study_of_many_scenes() {
 
 /// Every command, and which of its ways.
 const std::vector<std::pair<std::string, std::string>> commands = {
-    {"demo", ""},         {"render", ""},    {"verify", ""},     {"check", ""},    {"convergence", ""},
-    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},    {"study", "threshold"},
-    {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},  {"fit", "levels"},
-    {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""}};
+    {"demo", ""},           {"render", ""},       {"verify", ""},    {"check", ""},      {"check", "set"},
+    {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
+    {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
+    {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -134,6 +134,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "demo") return {"--out", out};
   if (command == "render") return {quick, "--out", out, "--spp", "4096"};
   if (command == "verify") return {at.long_set.string()};
+  if (command == "check" && what == "set") return {at.long_set.string()};
   if (command == "check") return {study_of_many_scenes().string()};
   if (command == "convergence")
     return {quick, "--only", "bedroom-receiver-statue-0064", "--out", out, "--seconds", "600"};

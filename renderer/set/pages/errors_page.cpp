@@ -5,6 +5,7 @@
 #include <map>
 
 #include "renderer/set/pages/errors_figure.h"
+#include "renderer/set/pages/page_frame.h"
 #include "renderer/set/set_errors.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
@@ -15,21 +16,6 @@ namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* style = R"css(
-body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 72rem; background: #fff; color: #1f2326;
-  font: 16px/1.5 system-ui, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.8rem; margin: 0 0 .3rem; } h2 { font-size: 1.25rem; margin: 2.4rem 0 .6rem; }
-p, figcaption { max-width: 48rem; } .soft, figcaption { color: #5a6268; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; }
-th, td { padding: .3rem 1.1rem .3rem 0; text-align: right; vertical-align: bottom; }
-th:first-child, td:first-child { text-align: left; } td { white-space: nowrap; }
-thead th { border-bottom: 2px solid #1f2326; font-weight: 600; } tbody tr { border-bottom: 1px solid #d5d9dd; }
-tfoot td { border-top: 2px solid #1f2326; font-weight: 600; }
-td.above { color: #b03a00; font-weight: 600; }
-figure { margin: 1rem 0 1.6rem; } figure svg { width: 100%; height: auto; max-width: 60rem; }
-.scroll { overflow-x: auto; } figure img { max-width: 100%; image-rendering: pixelated; }
-)css";
 
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "&ndash;";
@@ -130,19 +116,20 @@ std::string worst_tiles(const fs::path& set_folder, const SetErrors& errors) {
 void write_errors_page(const fs::path& set_folder) {
   const SetErrors errors = read_set_errors(set_folder);
   write_file_atomically(set_folder / "errors.csv", csv_text(errors_table(errors)));
-  const std::string title = "Errors and run time: " + html_escape(errors.study_name);
   write_file_atomically(
       set_folder / "errors.html",
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>" +
-          title + "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n" +
+      html_page(
+          "Errors and run time: " + html_escape(errors.study_name),
           summary(errors) + "<h2>Error against run time</h2>\n" + figure(errors) +
-          "<h2>Every stimulus</h2>\n<p class=\"soft\">Errors are root mean squares in display units (0 to 1; "
-          "one 8-bit step is 0.0039). Seconds and rays are of the stimulus' own pass. The true error is "
-          "against the path estimator with another seed, without that reference's noise, plus or minus its "
-          "standard error; the rounding to 8 bits (0.0011) is part of it. A true error above its estimate is "
-          "in orange.</p>\n" +
-          table(errors) + worst_tiles(set_folder, errors) + "</body></html>\n");
+              "<h2>Every stimulus</h2>\n<p class=\"soft\">Errors are root mean squares in display units (0 "
+              "to 1; "
+              "one 8-bit step is 0.0039). Seconds and rays are of the stimulus' own pass. The true error is "
+              "against the path estimator with another seed, without that reference's noise, plus or minus "
+              "its "
+              "standard error; the rounding to 8 bits (0.0011) is part of it. A true error above its "
+              "estimate is "
+              "in orange.</p>\n" +
+              table(errors) + worst_tiles(set_folder, errors)));
 }
 
 }  // namespace seamline::renderer
