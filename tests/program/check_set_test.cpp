@@ -26,25 +26,39 @@ ByteImage grey_with_band(int band_px, int steps) {
   return image;
 }
 
-/// Bands of ten steps and a width of the object's index, at the first level; of three steps and a pixel more
-/// at the second. 10 pixels are one degree.
-RenderedSet set_of_bands(const std::string& name, const std::string& more = "", const std::string& top = "") {
-  RenderedSet set = test::write_picture_set(
-      test::fresh_folder(name),
-      {.width_px = 64, .height_px = 48, .top = top, .more = "[observer]\npixels_per_degree = 10\n" + more});
-  const auto put = [&](const std::string& file, int band_px, int steps) {
-    write_png(set.folder / file, grey_with_band(band_px, steps));
-    return sha256_of_file(set.folder / file);
+/// A set whose references are grey. At the first level stimuli have a band of ten steps that is as wide as
+/// the object's index says; at the others one of three steps, a pixel wider. 10 pixels are one degree.
+RenderedSet set_of_bands(const std::string& name, const std::string& levels = "depth_width_px = [64, 128]\n",
+                         const std::string& conditions = "") {
+  const fs::path folder = test::fresh_folder(name);
+  std::string text =
+      "format = \"seamline study 1\"\nname = \"bands\"\nwidth_px = 64\nheight_px = 48\n" + levels +
+      conditions +
+      "[observer]\npixels_per_degree = 10\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\n"
+      "artifacts = [\"receiver\"]\n[scene.sun]\nto_sun = [1, 1, 0]\nirradiance_w_m2 = [1, 1, 1]\n";
+  for (const char* object : {"ball", "disc", "coin"})
+    text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n", object);
+  Manifest manifest = study::begin_set_of_text(folder, text);
+  const auto put = [&](const std::string& file, const ByteImage& picture) {
+    write_png(folder / file, picture);
+    return sha256_of_file(folder / file);
   };
-  for (ManifestReference& reference : set.manifest.references)
-    reference.image_sha256 = put(reference.image, 0, 0);
-  const double first = set.manifest.stimuli.front().stimulus.level;
-  for (ManifestStimulus& record : set.manifest.stimuli) {
+  const std::string ids = put("ids.png", test::disc_ids(64, 48)),
+                    grey = put("grey.png", grey_with_band(0, 0));
+  const double first = manifest.stimuli.front().stimulus.level;
+  for (ManifestStimulus& record : manifest.stimuli) {
+    const std::string& truth = truth_of(record.stimulus);
+    if (std::none_of(manifest.references.begin(), manifest.references.end(),
+                     [&](const ManifestReference& known) { return known.truth == truth; }))
+      manifest.references.push_back({truth, "grey.png", "ids.png", grey, ids});
+    record.reference = "grey.png";
+    record.object_ids = "ids.png";
     const bool strong = record.stimulus.level == first;
-    record.sha256 = put(record.image, record.stimulus.object_index + (strong ? 0 : 1), strong ? 10 : 3);
+    record.sha256 =
+        put(record.image, grey_with_band(record.stimulus.object_index + (strong ? 0 : 1), strong ? 10 : 3));
   }
-  write_manifest(set.folder, set.manifest);
-  return set;
+  write_manifest(folder, manifest);
+  return study::load_rendered_set(folder);
 }
 
 TEST(CheckSet, MeasuresSeamsInPixelsAndDegrees) {
@@ -84,6 +98,33 @@ TEST(CheckSet, MeasuresSeamsInPixelsAndDegrees) {
   EXPECT_EQ(test::read_text(out / "seams.csv"), csv);
   EXPECT_EQ(test::read_text(out / "seams.html"), html);
   EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 2);
+}
+
+TEST(CheckSet, KnowsEveryQuantityAndCondition) {
+  const auto page_of = [](const RenderedSet& set) {
+    const Outcome outcome = run_seamline("check " + set.folder.string() + " --out " + set.folder.string());
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return outcome.output + test::read_text(set.folder / "seams.html") +
+           test::read_text(set.folder / "seams.csv");
+  };
+  // The sun's radius changes the truth, its axis is linear, and 0 is a level like others.
+  const std::string sun = page_of(set_of_bands(
+      "check-set-sun", "depth_width_px = 64\n[level]\nquantity = \"sun_radius_deg\"\nvalues = [0, 2.5]\n"));
+  EXPECT_THAT(sun, HasSubstr("| receiver | 2.5 degrees "));
+  EXPECT_THAT(sun, HasSubstr("object_index,sun_radius_deg,pixels_per_degree"));
+  EXPECT_THAT(sun, HasSubstr("angular radius of the sun (degrees)"));
+  const std::string mesh = page_of(set_of_bands(
+      "check-set-mesh",
+      "depth_width_px = 64\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0, 0.001, 0.1]\n"));
+  EXPECT_THAT(mesh, HasSubstr("| receiver | none "));
+  EXPECT_THAT(mesh, HasSubstr(">none<"));
+  const std::string conditions = page_of(set_of_bands(
+      "check-set-conditions", "depth_width_px = [64, 128]\n",
+      "[[condition]]\nname = \"first\"\nisolation = \"query\"\n[[condition]]\nname = \"second\"\n"
+      "isolation = \"mask\"\n"));
+  EXPECT_THAT(conditions, HasSubstr("| receiver | second    | 64 px "));
+  EXPECT_THAT(conditions, HasSubstr("receiver, second"));
+  EXPECT_THAT(conditions, HasSubstr(",receiver,second,coin,"));
 }
 
 TEST(CheckSet, WithoutAFolderOnlyPrints) {

@@ -66,8 +66,9 @@ void write_seams_page(const std::filesystem::path& folder, const SetSeams& seams
                     "<h2>Means</h2>\n" + html_table(seam_cells_table(seams)) +
                     "<h2>Every stimulus</h2>\n<p class=\"soft\">Areas and bands in px. Noise: standard "
                     "deviation in the "
-                    "noisiest tile of 32 x 32 pixels, in steps of 255; three of these are taken off each "
-                    "difference.</p>\n" +
+                    "noisiest tile of 32 x 32 pixels, in steps of 255; from each difference three standard "
+                    "deviations of "
+                    "its own tile are taken off.</p>\n" +
                     html_table(stimuli_table(seams)));
   write_file_atomically(folder / "seams.csv", csv_text(seams_table(seams)));
   write_file_atomically(folder / "seams.html", page);
