@@ -132,6 +132,9 @@ class SeamsFigure {
         if (!panel.y_room) panel.y_room = {value, value};
         panel.y_room = {std::min(panel.y_room->first, value), std::max(panel.y_room->second, value)};
       }
+    // A narrow axis would have one tick.
+    if (panel.y_room && panel.y_room->second < 4 * panel.y_room->first)
+      panel.y_room = {panel.y_room->first / 2, panel.y_room->second * 2};
     return panel;
   }
 
