@@ -56,6 +56,10 @@ DepthConvention convention_of(const NoiseModel& model) {
   return std::visit(Ask{}, model);
 }
 
+double noise_sigma_m(const NoiseModel& model, const SeenPixel& seen, double scale) {
+  return std::visit([&](const auto& one) { return noise_sigma_m(one, seen, scale); }, model);
+}
+
 SeenPixel seen_pixel(const SeenFrame& seen, int column, int row) {
   const std::size_t at = pixel_index(seen.camera, column, row);
   SeenPixel pixel;

@@ -37,6 +37,9 @@ struct Measurement {
 /// Radial for time of flight, planar for structured light, stated by the generic model.
 [[nodiscard]] DepthConvention convention_of(const NoiseModel& model);
 
+/// Standard deviation of what the model measures of a pixel, at this scale of the noise.
+[[nodiscard]] double noise_sigma_m(const NoiseModel& model, const SeenPixel& seen, double scale);
+
 /// What a pixel of a frame sees, as models ask it; it points into the frame.
 [[nodiscard]] SeenPixel seen_pixel(const SeenFrame& seen, int column, int row);
 
