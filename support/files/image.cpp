@@ -17,6 +17,7 @@
 #include "support/files/atomic_file.h"
 #include "support/files/exr_header.h"
 #include "support/files/png_file.h"
+#include "support/files/word_image.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -86,7 +87,7 @@ struct CloseImage {
 };
 using OpenedImage = std::unique_ptr<OIIO::ImageInput, CloseImage>;
 
-OpenedImage open_image(const fs::path& path) {
+OpenedImage open_image(const fs::path& path, const OIIO::ImageSpec& wishes = {}) {
   if (!fs::is_regular_file(path))
     throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
   const std::string format = format_of(path);
@@ -94,7 +95,7 @@ OpenedImage open_image(const fs::path& path) {
   if (format == "png") check_png(path);
   OpenedImage input(OIIO::ImageInput::create(format).release());
   OIIO::ImageSpec spec;
-  if (!input || !input->open(path.string(), spec))
+  if (!input || !input->open(path.string(), spec, wishes))
     throw input_error({.file = path.string(),
                        .wanted = "an image that can be decoded",
                        .found = input ? input->geterror() : OIIO::geterror()});
@@ -198,6 +199,32 @@ ByteImage read_bytes_image(const fs::path& path) {
     image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
                         static_cast<std::size_t>(spec.nchannels));
     decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), path);
+    return image;
+  });
+}
+
+WordImage read_word_image(const fs::path& path, const std::function<void(const WordImage&)>& accept) {
+  return with_image_errors(path, [&] {
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    const OpenedImage input = open_image(path, wishes);
+    if (std::string_view(input->format_name()) != "png")
+      throw input_error(
+          {.file = path.string(), .wanted = "a PNG file", .found = fmt::format("{}", input->format_name())});
+    const OIIO::ImageSpec spec = input->spec();
+    WordImage image{
+        spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::UINT16 ? 16 : 8, {}};
+    if (accept) accept(image);
+    const auto count =
+        static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels);
+    if (image.bits == 16) {
+      image.values.resize(count);
+      decode(*input, OIIO::TypeDesc::UINT16, image.values.data(), path);
+    } else {
+      std::vector<std::uint8_t> bytes(count);
+      decode(*input, OIIO::TypeDesc::UINT8, bytes.data(), path);
+      image.values.assign(bytes.begin(), bytes.end());
+    }
     return image;
   });
 }

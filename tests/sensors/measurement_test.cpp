@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "support/text/error.h"
+#include "tests/complaint.h"
 #include "tests/sensors/noise_samples.h"
 
 namespace seamline::sensors {
@@ -208,13 +208,8 @@ TEST(Measurement, HugeNoiseGivesHolesThatAreCounted) {
 }
 
 TEST(Measurement, ImpossibleModelsAndFramesAreRefused) {
-  const auto sentence = [](const SeenFrame& seen, const NoiseModel& model, double scale) -> std::string {
-    try {
-      (void)measure(seen, model, {1, 1}, scale);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto sentence = [](const SeenFrame& seen, const NoiseModel& model, double scale) {
+    return test::complaint_of([&] { (void)measure(seen, model, {1, 1}, scale); });
   };
   SeenFrame seen = some_scene(4, 3);
   EXPECT_EQ(sentence(seen, GenericNoise{}, -1),

@@ -4,26 +4,17 @@
 #include <functional>
 
 #include "sensors/rig/presets.h"
-#include "support/text/error.h"
+#include "tests/complaint.h"
 #include "tests/sensors/noise_samples.h"
 
 namespace seamline::sensors {
 namespace {
 
 using namespace testing;
+using test::complaint_of;
 
 const Rig& rig_of(const std::string& key) {
   return std::get<Rig>(sensor_preset(key, "preset").sensor);
-}
-
-template <class Work>
-std::string sentence_of(Work&& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Presets, AreAllValidAndStateTheirSources) {
@@ -74,7 +65,7 @@ TEST(Presets, TheScannerHasFourMillimetresAtTenMetres) {
 
 TEST(Presets, AnUnknownNameIsRefusedWithTheNearest) {
   EXPECT_EQ(
-      sentence_of([] { (void)sensor_preset("tof_160x121", "depth.preset"); }),
+      complaint_of([] { (void)sensor_preset("tof_160x121", "depth.preset"); }),
       "depth.preset: wanted one of tof_160x120, structured_light_640x480, tof_640x576, scanner_360, found "
       "tof_160x121; did you mean tof_160x120?");
 }
@@ -89,7 +80,7 @@ TEST(Rig, WhatIsNoneIsRefusedByField) {
   const auto refused = [](const std::function<void(Rig&)>& spoil) {
     Rig rig = rig_of("structured_light_640x480");
     spoil(rig);
-    return sentence_of([&] { require_valid(rig, "rig."); });
+    return complaint_of([&] { require_valid(rig, "rig."); });
   };
   EXPECT_EQ(refused([](Rig& rig) { rig.depth.fx_px = 0; }),
             "rig.depth.fx: wanted a focal length above 0 pixels, found 0");
