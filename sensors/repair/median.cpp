@@ -32,8 +32,8 @@ Repaired smooth_by_median(const DepthFrame& measured, const MedianRepair& median
       for (int y = top; y <= bottom; ++y)
         for (int x = left; x <= right; ++x)
           if (const float value = measured.at(x, y); !DepthFrame::is_hole(value)) window.push_back(value);
-      const auto area = static_cast<std::size_t>((bottom - top + 1) * (right - left + 1));
-      if (is_hole && 2 * window.size() < area) continue;
+      const int area = (bottom - top + 1) * (right - left + 1);
+      if (is_hole && 2 * std::ssize(window) < area) continue;
       const auto middle = window.begin() + static_cast<std::ptrdiff_t>((window.size() - 1) / 2);
       std::nth_element(window.begin(), middle, window.end());
       depth_m[measured.index(column, row)] = *middle;
