@@ -20,7 +20,7 @@ using test::complaint_of;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-constexpr int file_width_px = 12, file_height_px = 9;
+constexpr int file_width_px = 12, file_height_px = 9, file_pixels = file_width_px * file_height_px;
 
 /// zlib's stream of bytes as they are, at most 65,535.
 std::string stored_stream(const std::string& raw) {
@@ -62,7 +62,7 @@ class DepthFiles : public ::testing::Test {
     form_.camera = pinhole_of_field_of_view(file_width_px, file_height_px, 50);
     form_.metres_per_step = 0.001;
     Random random(4);
-    for (int i = 0; i < file_width_px * file_height_px; ++i)
+    for (int i = 0; i < file_pixels; ++i)
       millimetres_.push_back(i % 5 == 0 ? 0 : static_cast<std::uint16_t>(random.below(65536)));
     millimetres_[1] = 65535;
     millimetres_[2] = 1;
@@ -125,9 +125,8 @@ TEST_F(DepthFiles, WhatIsOutOfRangeReadsAsHolesAndIsCounted) {
   form_.nearest_m = 10;
   form_.farthest_m = 30;
   const DepthFile file = read_depth_file(path, form_);
-  EXPECT_EQ(file_width_px * file_height_px - file.holes,
-            std::count_if(millimetres_.begin(), millimetres_.end(),
-                          [](int mm) { return mm >= 10000 && mm <= 30000; }));
+  EXPECT_EQ(file_pixels - file.holes, std::count_if(millimetres_.begin(), millimetres_.end(),
+                                                    [](int mm) { return mm >= 10000 && mm <= 30000; }));
   form_.nearest_m = 65.6;
   form_.farthest_m = 66;
   EXPECT_EQ(complaint(path), "wanted a depth from 65.6 to 66 m, found none");
@@ -148,7 +147,7 @@ TEST_F(DepthFiles, AnotherSizeOrShapeIsRefused) {
 }
 
 TEST_F(DepthFiles, EightBitsAndOtherKindsAreRefused) {
-  const std::string bytes(file_width_px * file_height_px, 'a');
+  const std::string bytes(file_pixels, 'a');
   EXPECT_EQ(complaint(write("8.png", png_of(grey_8, bytes))),
             "wanted one channel of 16 bits, found one channel of 8 bits");
   EXPECT_EQ(complaint(write("8.pgm", "P5\n12 9\n255\n" + bytes)),
