@@ -40,7 +40,8 @@ void need_extension(const std::string& file, std::initializer_list<const char*> 
 
 struct CaptureOptions {
   std::string scene, out;
-  int width_px = 2048, yaw_texels = 0;
+  int width_px = 2048;
+  double yaw_texels = 0;
   Triple at{};
   bool at_given = false;
 };
@@ -66,7 +67,7 @@ void run_capture(const CaptureOptions& options) {
 struct MeshCommandOptions {
   std::string depth, out, density = "adaptive";
   double tolerance = 1e-4;
-  int yaw_texels = 0;
+  double yaw_texels = 0;
 };
 
 DepthMesh mesh_of(const MeshCommandOptions& options) {

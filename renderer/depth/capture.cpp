@@ -29,7 +29,7 @@ struct TexelDirections {
   }
 };
 
-TexelDirections texel_directions(int width_px, int height_px, int yaw_texels) {
+TexelDirections texel_directions(int width_px, int height_px, double yaw_texels) {
   TexelDirections directions;
   for (int column = 0; column < width_px; ++column) {
     const double azimuth_rad = ((column + yaw_texels + 0.5) / width_px - 0.5) * 2 * std::numbers::pi;
@@ -66,7 +66,7 @@ void capture_band(const Geometry& geometry, const TexelDirections& directions, i
 
 }  // namespace
 
-DepthMap capture_depth(const Geometry& geometry, int width_px, int yaw_texels, int threads) {
+DepthMap capture_depth(const Geometry& geometry, int width_px, double yaw_texels, int threads) {
   DepthMap map{.width_px = width_px, .height_px = width_px / 2, .distance_m = {}};
   map.distance_m.resize(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(map.height_px));
   const TexelDirections directions = texel_directions(width_px, map.height_px, yaw_texels);

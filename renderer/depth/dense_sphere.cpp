@@ -79,11 +79,11 @@ float mean_of_valid(std::span<const float> row) {
 
 }  // namespace
 
-DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads, int smallest_width) {
+DenseSphere make_dense_sphere(const DepthMap& map, double yaw_texels, int threads, int smallest_width) {
   DenseSphere sphere;
   sphere.width = std::max(map.width_px, smallest_width);
   sphere.height = sphere.width / 2;
-  const double yaw_turns = static_cast<double>(yaw_texels % map.width_px) / map.width_px;
+  const double yaw_turns = std::fmod(yaw_texels, map.width_px) / map.width_px;
   fill_angles(sphere.sin_azimuth, sphere.cos_azimuth, sphere.width, [&](int column) {
     return ((column + 0.5) / sphere.width - 0.5 + yaw_turns) * 2 * std::numbers::pi;
   });

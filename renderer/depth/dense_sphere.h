@@ -64,7 +64,7 @@ struct DenseSphere {
 /// renormalised over valid texels. A vertex is a hole when the texel it lies in is one. The map's holes must
 /// be +infinity already (`clean_holes`). `yaw_texels` as in MeshOptions.
 /// `smallest_width` (even) is another number only in tests.
-[[nodiscard]] DenseSphere make_dense_sphere(const DepthMap& map, int yaw_texels, int threads,
+[[nodiscard]] DenseSphere make_dense_sphere(const DepthMap& map, double yaw_texels, int threads,
                                             int smallest_width = 2048);
 
 }  // namespace seamline::renderer

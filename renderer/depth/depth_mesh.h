@@ -16,7 +16,7 @@ struct MeshOptions {
   /// The phase of the sampling grid: the map was captured with its directions turned, so that texel column c
   /// looks where column c + yaw_texels of the unturned panorama does (towards the right, clockwise seen from
   /// above). The mesh lies where the world is.
-  int yaw_texels = 0;
+  double yaw_texels = 0;
   int threads = 0;  ///< 0: one for each core
 };
 

@@ -86,7 +86,10 @@ std::string stimulus_id(const Stimulus& stimulus) {
   std::string id = fmt::format("{}-{}-{}", stimulus.scene, word(stimulus.artifact), stimulus.object);
   if (!stimulus.condition.empty()) id += "-" + stimulus.condition;
   id += "-" + level_in_id(stimulus.quantity, stimulus.level);
-  return stimulus.depth.yaw_texels == 0 ? id : fmt::format("{}-yaw{}", id, stimulus.depth.yaw_texels);
+  if (stimulus.depth.yaw_texels == 0) return id;
+  std::string yaw = fmt::format("{}", stimulus.depth.yaw_texels);
+  std::replace(yaw.begin(), yaw.end(), '.', 'p');
+  return id + "-yaw" + yaw;
 }
 
 std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {

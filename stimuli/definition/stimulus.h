@@ -33,7 +33,7 @@ struct Stimulus {
 }
 
 /// `bedroom-receiver-statue-0512`; with the condition's name before the level where there is more than one
-/// (`bedroom-receiver-statue-soft-0512`), and a non-zero yaw behind it as `-yaw3`.
+/// (`bedroom-receiver-statue-soft-0512`), and a yaw that is not 0 behind it as `-yaw3` or `-yaw0p25`.
 [[nodiscard]] std::string stimulus_id(const Stimulus& stimulus);
 
 /// Every stimulus of a study: scenes, artifacts, objects, conditions and levels in the order of the study

@@ -37,8 +37,9 @@ enum class MeshDensity { adaptive, full };
 
 /// How the depth map of a stimulus is captured, and the mesh rebuilt from it.
 struct DepthSettings {
-  int width_px = 0;    ///< W of the panorama; its height is W / 2
-  int yaw_texels = 0;  ///< phase of the sampling grid: the panorama is turned by this many of its own texels
+  int width_px = 0;       ///< W of the panorama; its height is W / 2
+  double yaw_texels = 0;  ///< the panorama is turned by so many of its own texels; their fraction is the
+                          ///< phase of the sampling grid
   MeshDensity mesh = MeshDensity::adaptive;
   double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
 

@@ -1,6 +1,8 @@
 #include "stimuli/set/manifest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -21,6 +23,11 @@ bool is_varied(const Stimulus& stimulus) {
          truth_of(stimulus) != stimulus.scene;
 }
 
+/// Whole numbers are written as such, as they were when only these were allowed.
+Json whole_where_whole(double value) {
+  return value == std::trunc(value) ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
 Json to_json(const ManifestStimulus& record) {
   const Stimulus& stimulus = record.stimulus;
   Json json;
@@ -31,7 +38,7 @@ Json to_json(const ManifestStimulus& record) {
   json["object_index"] = stimulus.object_index;
   json["condition"] = {{"depth_width_px", stimulus.depth.width_px},
                        {"depth_height_px", stimulus.depth.height_px()},
-                       {"yaw_texels", stimulus.depth.yaw_texels}};
+                       {"yaw_texels", whole_where_whole(stimulus.depth.yaw_texels)}};
   if (is_varied(stimulus)) {
     json["condition"]["name"] = stimulus.condition;
     json["condition"]["mesh"] = word(stimulus.depth.mesh);
@@ -109,14 +116,13 @@ void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus
 Stimulus read_stimulus(const JsonFields& fields) {
   const JsonFields condition = fields.object("condition");
   const int width_px = read_depth_width(condition);
-  Stimulus stimulus{
-      .scene = read_name(fields, "scene"),
-      .artifact = read_artifact(fields),
-      .object = read_name(fields, "object"),
-      .object_index = fields.number("object_index", 1, 3),
-      .level = static_cast<double>(width_px),
-      .depth = {.width_px = width_px,
-                .yaw_texels = condition.number("yaw_texels", -widest_depth_px, widest_depth_px)}};
+  Stimulus stimulus{.scene = read_name(fields, "scene"),
+                    .artifact = read_artifact(fields),
+                    .object = read_name(fields, "object"),
+                    .object_index = fields.number("object_index", 1, 3),
+                    .level = static_cast<double>(width_px),
+                    .depth = {.width_px = width_px,
+                              .yaw_texels = condition.real("yaw_texels", -widest_depth_px, widest_depth_px)}};
   stimulus.truth = stimulus.scene;
   if (fields.has("level")) read_varied(fields, condition, stimulus);
   return stimulus;

@@ -117,7 +117,7 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
     depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
   }
   if (!width_is_level(level.quantity)) depth.width_px = read_width(table, depth.width_px);
-  depth.yaw_texels = table.integer("yaw_texels", depth.yaw_texels, {-16384, 16384, "texels"});
+  depth.yaw_texels = table.number("yaw_texels", depth.yaw_texels, {-16384, 16384, "texels"});
 }
 
 std::string read_condition_name(const TomlTable& table) {

@@ -39,7 +39,7 @@ CREATE TABLE stimuli (
   object          TEXT NOT NULL CHECK (length(object) > 0),
   object_index    INTEGER NOT NULL CHECK (object_index BETWEEN 1 AND 3),
   depth_width_px  INTEGER NOT NULL CHECK (depth_width_px >= 2 AND depth_width_px % 2 = 0),
-  yaw_texels      INTEGER NOT NULL,
+  yaw_texels      {yaw} NOT NULL{yaw_check},
   sha256          TEXT NOT NULL{stimuli_since_3}
 ) STRICT;
 
@@ -191,12 +191,15 @@ constexpr const char* stimuli_since_3 = R"sql(,
 
 std::string log_schema_sql(int version) {
   const bool since_3 = version >= 3;
-  return fmt::format("{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
-                     fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(every_artifact)),
-                                 fmt::arg("kinds", word_list(every_trial_kind)),
-                                 fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
-                                 fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : "")),
-                     log_application_id, version);
+  return fmt::format(
+      "{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
+      fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(every_artifact)),
+                  fmt::arg("kinds", word_list(every_trial_kind)),
+                  fmt::arg("yaw_check", since_3 ? " CHECK (typeof(yaw_texels) IN ('integer', 'real'))" : ""),
+                  fmt::arg("yaw", since_3 ? "ANY" : "INTEGER"),
+                  fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
+                  fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : "")),
+      log_application_id, version);
 }
 
 }  // namespace seamline::study

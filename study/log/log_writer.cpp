@@ -26,7 +26,9 @@ void check_same(const fs::path& path, const char* field, const std::string& want
 std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector<ManifestStimulus>& stimuli) {
   SQLite::Statement insert(
       database,
-      "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
+      "INSERT INTO stimuli VALUES (?, ?, ?, ?, ?, ?, ?, "
+      "CASE WHEN ?8 = CAST(?8 AS INTEGER) THEN CAST(?8 AS INTEGER) ELSE ?8 END, "  // whole yaws as ever
+      "?, ?, ?) ON CONFLICT (stimulus) DO NOTHING");
   std::int64_t entered = 0;
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
     const Stimulus& stimulus = stimuli[i].stimulus;
@@ -75,7 +77,7 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
         row.getColumn(4).getString() != stimulus.object ||
         row.getColumn(5).getInt64() != stimulus.object_index ||
         row.getColumn(6).getInt64() != stimulus.depth.width_px ||
-        row.getColumn(7).getInt64() != stimulus.depth.yaw_texels ||
+        row.getColumn(7).getDouble() != stimulus.depth.yaw_texels ||
         row.getColumn(8).getString() != record.sha256 || row.getColumn(9).getString() != stimulus.condition ||
         row.getColumn(10).getDouble() != stimulus.level)
       break;

@@ -69,7 +69,7 @@ TEST(Render, ConditionsShareTheTruthOfOneLightAndCostOthersNothing) {
   ASSERT_EQ(run_seamline(render(folder, "without", "")).status, 0);
   test::write_text(
       folder / "study.toml",
-      bedroom_study("[[condition]]\nname = \"plain\"\n[[condition]]\nname = \"turned\"\nyaw_texels = 5\n"
+      bedroom_study("[[condition]]\nname = \"plain\"\n[[condition]]\nname = \"turned\"\nyaw_texels = 0.5\n"
                     "[[condition]]\nname = \"soft\"\nsun_radius_deg = 2.0\n"));
   const test::Outcome outcome = run_seamline(render(folder, "with", "--contact-sheet"));
   ASSERT_EQ(outcome.status, 0) << outcome.output;

@@ -101,8 +101,8 @@ TEST(FullMesh, YawTurnsTheMapAndLeavesTheWorldWhereItIs) {
       const DepthMap turned = make_map(width, [&](int c, int r) {
         return static_cast<double>(map.at(((c + yaw) % width + width) % width, r));
       });
-      const auto found =
-          by_direction(build_depth_mesh(turned, {.density = MeshDensity::full, .yaw_texels = yaw}));
+      const auto found = by_direction(
+          build_depth_mesh(turned, {.density = MeshDensity::full, .yaw_texels = static_cast<double>(yaw)}));
       float largest = 0;
       for (std::size_t i = 0; i < wanted.size(); ++i)
         largest = std::max(largest, (wanted[i] - found[i]).norm());

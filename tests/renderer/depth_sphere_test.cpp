@@ -77,7 +77,7 @@ TEST(DenseSphere, PolesAreMeansOfTheirRows) {
 
 TEST(DenseSphere, YawTurnsDirectionsToTheRight) {
   const DepthMap map = make_map(512, [](int, int) { return 1; });
-  for (const int yaw : {1, 128, -5, 512, 513}) {
+  for (const double yaw : {1.0, 128.0, -5.0, 512.0, 513.0, 0.5, -0.25, 511.75}) {
     const DenseSphere sphere = make_dense_sphere(map, yaw, 1);
     // Dense column 4 c + 2 begins the right half of texel c.
     const Eigen::Vector3d wanted = panorama_direction(4 * (100 + yaw) + 2.5, 300.5, 2048, 1024);

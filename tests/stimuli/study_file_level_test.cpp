@@ -68,6 +68,14 @@ TEST(StudyFileLevel, TexelsPerDegreeAreWidths) {
               HasSubstr("level.values: wanted 360 times a value to be an even number of texels"));
 }
 
+TEST(StudyFileLevel, APartOfATexelIsAPhaseOfTheGridAndStandsInIds) {
+  const StudyDefinition whole = study_with("yaw_texels = -3\ndepth_width_px = [64]\n");
+  EXPECT_THAT(ids_of_first_object(whole), ElementsAre("room-receiver-a-0064-yaw-3"));
+  const StudyDefinition part = study_with("yaw_texels = 0.25\ndepth_width_px = [64]\n");
+  EXPECT_THAT(ids_of_first_object(part), ElementsAre("room-receiver-a-0064-yaw0p25"));
+  EXPECT_THAT(complaint("yaw_texels = 20000\ndepth_width_px = [64]\n"), HasSubstr("yaw_texels: wanted"));
+}
+
 TEST(StudyFileLevel, ConditionsOfOneLightShareATruthAndOthersDoNot) {
   const StudyDefinition study = study_with(
       "depth_width_px = [64, 512]\n[[condition]]\nname = \"hard\"\n[[condition]]\nname = "
