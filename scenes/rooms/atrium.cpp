@@ -18,9 +18,12 @@ constexpr double aisle_m = 3.0;    ///< depth behind the columns
 constexpr double shaft_m = 0.26;
 constexpr double thickness_m = 0.6;  ///< of the arcade wall
 constexpr int bays = 8;
+constexpr int balusters = 6;             ///< of a bay
+constexpr double openwork_from_m = 0.3;  ///< the column's axis to the end of the rail
+constexpr double rail_m = 1.95;          ///< height of its middle
 constexpr double first_x_m = -12.0;
 constexpr double arcade_z_m = -7.5;  ///< the plane of the columns' axes
-const Vector3d eye_m(2.2, 1.75, 0.9);
+const Vector3d eye_m(2.4, 1.75, 0.9);
 
 void add(SceneContents& court, const std::string& name, const TriangleMesh& mesh,
          const Vector3d& shift = Vector3d::Zero()) {
@@ -128,15 +131,64 @@ TriangleMesh make_balustrade() {
   return mesh;
 }
 
-/// Backing behind a column (paper section 4.1.1): an upright sheet from its axis to the aisle's wall along
-/// the line of sight, so that the eye never sees it. The sheets of a depth mesh stop the light that would
-/// pass behind a column; this stops it here too. One in the middle rather than one on each side: those would
-/// seal what lies between them, and leave it black where a coarse depth map lets it show over the column.
-TriangleMesh make_screen(const Vector3d& axis) {
+/// A turned baluster of beads and a vase, 1.4 m tall, its foot at the origin.
+TriangleMesh make_slender_baluster(int beads) {
+  std::vector<ProfilePoint> profile = {{0.085, 0}, {0.085, 0.06}, {0.045, 0.09}};
+  const double step = 1.22 / beads;
+  for (int i = 0; i < beads; ++i) {
+    const double low = 0.09 + i * step;
+    for (int k = 1; k <= 8; ++k) {
+      const double t = k / 8.0;
+      profile.push_back({0.032 + 0.055 * std::sin(pi * t) * std::sin(pi * t), low + t * step});
+    }
+  }
+  profile.push_back({0.045, 1.31});
+  profile.push_back({0.085, 1.34});
+  profile.push_back({0.085, 1.4});
+  return turned(profile, 20);
+}
+
+/// Where a baluster stands in its bay.
+double baluster_x_m(int number) {
+  return openwork_from_m + (number + 0.5) * (bay_m - 2 * openwork_from_m) / balusters;
+}
+
+/// An openwork screen between two columns, before things that stand in the aisle: a sill, balusters, a rail.
+TriangleMesh make_openwork(int beads) {
+  TriangleMesh mesh = box({0.36, 0, -0.16}, {bay_m - 0.36, 0.5, 0.16});
+  append(mesh, box({0.3, 0.42, -0.2}, {bay_m - 0.3, 0.5, 0.2}));
+  append(mesh, box({0.3, rail_m - 0.05, -0.13}, {bay_m - 0.3, rail_m + 0.05, 0.13}));
+  for (int i = 0; i < balusters; ++i)
+    append(mesh, transformed(make_slender_baluster(beads),
+                             Eigen::Affine3d(
+                                 Eigen::Translation3d(0.3 + (i + 0.5) * (bay_m - 0.6) / balusters, 0.5, 0))));
+  return mesh;
+}
+
+/// Backing behind a column or baluster (paper section 4.1.1): an upright sheet from its axis to the aisle's
+/// wall along the line of sight, so that the eye never sees it. The sheets of a depth mesh stop the light
+/// that would pass behind it; this stops it here too. One in the middle rather than one on each side: those
+/// would seal what lies between them, and leave it black where a coarse depth map lets it show over the
+/// column.
+TriangleMesh make_screen(const Vector3d& axis, double low_m, double high_m) {
   const Vector3d sight = (axis - Vector3d(eye_m.x(), 0, eye_m.z())).normalized();
   const Vector3d end = axis + sight * ((arcade_z_m - aisle_m - axis.z()) / sight.z());
-  const Vector3d middle(0, spring_m / 2, 0);
-  return beam(axis + middle, end + middle, 0.03, spring_m);
+  const Vector3d middle(0, (low_m + high_m) / 2, 0);
+  return beam(axis + middle, end + middle, 0.03, high_m - low_m);
+}
+
+/// The same behind the rail of the openwork of the bay that begins at `axis`: a lying sheet.
+TriangleMesh make_rail_screen(const Vector3d& axis) {
+  const auto behind = [&](const Vector3d& front) -> Vector3d {
+    const Vector3d sight = front - eye_m;
+    return eye_m + sight * ((arcade_z_m - aisle_m - eye_m.z()) / sight.z());
+  };
+  const Vector3d left = axis + Vector3d(openwork_from_m, rail_m, 0);
+  const Vector3d right = axis + Vector3d(bay_m - openwork_from_m, rail_m, 0);
+  const Vector3d up(0, 0.01, 0);
+  TriangleMesh mesh = polygon({left + up, right + up, behind(right) + up, behind(left) + up});
+  append(mesh, polygon({left - up, behind(left) - up, behind(right) - up, right - up}));
+  return mesh;
 }
 
 /// A long bench along the aisle, on which things stand behind the columns.
@@ -149,15 +201,19 @@ TriangleMesh make_plinths() {
 }
 
 void add_arcade(SceneContents& court) {
-  TriangleMesh columns, arches, upper, balustrade, screens, ornament, panels;
+  TriangleMesh columns, arches, upper, balustrade, screens, ornament, panels, openwork;
   for (int i = 0; i <= bays; ++i) {
     const Vector3d axis(first_x_m + i * bay_m, 0, arcade_z_m);
     const Eigen::Affine3d there{Eigen::Translation3d(axis)};
     append(columns, transformed(make_column(spring_m, shaft_m), there));
     const Eigen::Affine3d above{Eigen::Translation3d(axis + Vector3d(0, storey_m, 0))};
     append(upper, transformed(make_column(2.3, 0.2), above));
-    append(screens, make_screen(axis));
+    append(screens, make_screen(axis, 0, spring_m));
     if (i == bays) continue;
+    append(screens, make_rail_screen(axis));
+    for (int k = 0; k < balusters; ++k)
+      append(screens, make_screen(axis + Vector3d(baluster_x_m(k), 0, 0), 0.5, rail_m));
+    append(openwork, transformed(make_openwork(2 + i % 3), there));
     append(arches, transformed(make_arch(spring_m, storey_m - 0.2), there));
     append(upper, transformed(make_arch(2.3, 3.8), above));
     append(ornament, transformed(make_ornament(spring_m), there));
@@ -168,6 +224,7 @@ void add_arcade(SceneContents& court) {
   }
   add(court, "plinths", make_plinths());
   add(court, "columns", columns);
+  add(court, "openwork", openwork);
   add(court, "arches", arches);
   add(court, "gallery_arcade", upper);
   add(court, "balustrade", balustrade);
@@ -200,7 +257,7 @@ SceneContents make_atrium() {
   }
   add(court, "cornice", cornice);
   add_arcade(court);
-  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {0.15, 2.45, -7.5}, .vertical_fov_rad = 0.74};
+  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {1.6, 1.95, -7.5}, .vertical_fov_rad = 0.66};
   return court;
 }
 

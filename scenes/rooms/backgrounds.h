@@ -16,4 +16,9 @@ namespace seamline::scenes {
 /// to an error are measured against other renderers.
 [[nodiscard]] SceneContents make_furnished_room();
 
+/// The first versions of the three, on which published numbers of speed and convergence rest.
+[[nodiscard]] SceneContents make_bedroom_v1();
+[[nodiscard]] SceneContents make_gazebo_v1();
+[[nodiscard]] SceneContents make_atrium_v1();
+
 }  // namespace seamline::scenes

@@ -13,13 +13,16 @@ using std::numbers::pi;
 
 constexpr double deck_height_m = 0.45;
 constexpr double eaves_m = 3.4;
-const Vector3d centre_m(-3.2, 0, -12.2);
+const Vector3d centre_m(-3.45, 0, -16.85);
 constexpr double yaw_rad = 0.065;  ///< its left comes a little nearer
 
 /// The pavilion's plan: a rectangle with cut corners, the eaves' overhang included.
 constexpr double half_width_m = 6.6;
 constexpr double half_depth_m = 3.5;
 constexpr double cut_m = 1.6;
+constexpr double crest_m = 1.35;
+constexpr double picket_m = 0.17;
+constexpr double picket_pitch_m = 0.41;
 
 void add(SceneContents& garden, const std::string& name, const TriangleMesh& mesh) {
   garden.parts.push_back({name, mesh});
@@ -119,11 +122,28 @@ TriangleMesh make_roof() {
   append(mesh,
          transformed(soffit, Eigen::Translation3d(0, eaves_m, 0) * Eigen::AngleAxisd(pi, Vector3d::UnitZ())));
   add_band(mesh, 0, eaves_m, 0, eaves_m + 0.14);
-  add_band(mesh, 0, eaves_m + 0.14, 2.4, eaves_m + 1.5);
-  add_band(mesh, 2.4, eaves_m + 1.5, 2.4, eaves_m + 1.9);
-  add_band(mesh, 2.2, eaves_m + 1.9, 3.0, eaves_m + 2.6);
-  add_lid(mesh, 2.2, eaves_m + 1.9);
-  add_lid(mesh, 3.0, eaves_m + 2.6);
+  add_lid(mesh, 0, eaves_m + 0.14);
+  return mesh;
+}
+
+/// An openwork crest along the front of the eaves, the sky behind it: pickets between a rail and a frieze.
+TriangleMesh make_crest() {
+  TriangleMesh mesh;
+  const double low_m = eaves_m + 0.14;
+  for (const int i : {6, 7, 0}) {
+    const Vector3d a = corner(i, 0.15, low_m);
+    const Vector3d b = corner(i + 1, 0.15, low_m);
+    const auto at = [&](double t, double height) -> Vector3d {
+      return (1 - t) * a + t * b + Vector3d(0, height, 0);
+    };
+    append(mesh, beam(at(0, crest_m), at(1, crest_m), 0.12, 0.42));
+    append(mesh, beam(at(0, 0.06), at(1, 0.06), 0.14, 0.12));
+    const int bars = static_cast<int>((b - a).norm() / picket_pitch_m);
+    for (int bar = 0; bar < bars; ++bar) {
+      const double t = (bar + 0.5) / bars;
+      append(mesh, beam(at(t, 0), at(t, crest_m + 0.33), picket_m, 0.08));
+    }
+  }
   return mesh;
 }
 
@@ -141,9 +161,10 @@ SceneContents make_gazebo() {
   add_placed(garden, "posts", make_posts());
   add_placed(garden, "railing", make_railing());
   add_placed(garden, "roof", make_roof());
+  add_placed(garden, "crest", make_crest());
   garden.camera =
-      SceneCamera{.position_m = {0, 2.6, 2.0}, .look_at_m = {0, 1.1, -7}, .vertical_fov_rad = 0.53};
-  garden.sun = SceneSun{.to_sun = Vector3d(-0.66, 0.62, -0.36).normalized(), .irradiance_w_m2 = 4.0};
+      SceneCamera{.position_m = {0, 2.6, 2.0}, .look_at_m = {0, 1.1, -7}, .vertical_fov_rad = 0.51};
+  garden.sun = SceneSun{.to_sun = Vector3d(-0.332, 0.462, -0.822).normalized(), .irradiance_w_m2 = 5.2};
   return garden;
 }
 

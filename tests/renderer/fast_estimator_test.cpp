@@ -55,7 +55,9 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
       const double difference =
           display_rmse(compose(a.sums).picture, compose(b.sums).picture, subject.exposure_ev());
       EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact) << " " << word(isolation);
-      EXPECT_LT(*a.rmse, 1.05 * *b.rmse) << word(artifact) << " " << word(isolation);
+      // Sky light is sampled by both alike and filtered by neither; where it is most of the light, fast has
+      // nothing to gain.
+      EXPECT_LT(*a.rmse, 1.1 * *b.rmse) << word(artifact) << " " << word(isolation);
     }
 }
 
@@ -102,14 +104,19 @@ TEST_P(EveryScene, NoiseDoesNotGiveTheObjectAway) {
   const auto fast = subject.estimator(Estimator::fast, {.error = 0.006, .seed = 1, .threads = 2});
   const StimulusSums made =
       fast->stimulus(recipe(Artifact::shadow, Isolation::query), &subject.depth, {}).sums;
-  double in_photograph = 0, in_stimulus = 0;
+  // Relative to the object's light, which differs where the depth mesh lets in what the truth keeps out.
+  double noise_in_photograph = 0, noise_in_stimulus = 0, light_in_photograph = 0, light_in_stimulus = 0;
   for (std::size_t i = 0; i < made.guides.size(); ++i) {
     const auto& truth = fast->truth().halves;
-    in_photograph += double{(truth[0][i].object.total() - truth[1][i].object.total()).square().sum()};
-    in_stimulus += double{(made.halves[0][i].object - made.halves[1][i].object).square().sum()};
+    const Rgb there[2] = {truth[0][i].object.total(), truth[1][i].object.total()};
+    const Rgb here[2] = {made.halves[0][i].object, made.halves[1][i].object};
+    noise_in_photograph += double{(there[0] - there[1]).square().sum()};
+    noise_in_stimulus += double{(here[0] - here[1]).square().sum()};
+    light_in_photograph += double{(there[0] + there[1]).square().sum()};
+    light_in_stimulus += double{(here[0] + here[1]).square().sum()};
   }
-  EXPECT_GT(in_photograph, 0);
-  EXPECT_LT(in_stimulus, 1.44 * in_photograph);
+  EXPECT_GT(noise_in_photograph, 0);
+  EXPECT_LT(noise_in_stimulus / light_in_stimulus, 1.44 * noise_in_photograph / light_in_photograph);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values(0, 1, 2), [](const auto& scene) {
