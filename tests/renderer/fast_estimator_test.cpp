@@ -55,9 +55,9 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
       const double difference =
           display_rmse(compose(a.sums).picture, compose(b.sums).picture, subject.exposure_ev());
       EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact) << " " << word(isolation);
-      // Sky light is sampled by both alike and filtered by neither; where it is most of the light, fast has
-      // nothing to gain.
-      EXPECT_LT(*a.rmse, 1.1 * *b.rmse) << word(artifact) << " " << word(isolation);
+      // Sky light is sampled by both alike and filtered by neither; where it is most of the light (bedroom),
+      // fast has little to gain, and its estimate holds the bias of its filter.
+      EXPECT_LT(*a.rmse, 1.2 * *b.rmse) << word(artifact) << " " << word(isolation);
     }
 }
 
