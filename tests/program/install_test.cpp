@@ -23,9 +23,12 @@ using testing::Not;
 const fs::path build_folder = SEAMLINE_BUILD_DIR;
 const fs::path manual = build_folder / "manual";
 
+/// A folder for each test: two of them may run at once.
 Outcome run_shell(const std::string& script) {
-  test::write_text(fresh_folder("install-shell") / "run", script);
-  return run_program("bash", (fs::path(SEAMLINE_TEST_OUTPUT) / "install-shell" / "run").string());
+  const fs::path folder =
+      fresh_folder(std::string("shell-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::write_text(folder / "run", script);
+  return run_program("bash", (folder / "run").string());
 }
 
 void install_into(const fs::path& prefix) {
