@@ -47,6 +47,10 @@ constexpr std::array artifacts = {Artifact::receiver, Artifact::shadow, Artifact
 TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
   const auto fast = subject.estimator(Estimator::fast, {.spp = 16, .seed = 1, .threads = 2});
   const auto path = subject.estimator(Estimator::path, {.spp = 16, .seed = 7, .threads = 2});
+  // Under a bright sky, which both sample alike and neither filters, fast has little to gain from its filter
+  // of bounce light, and its estimate holds the bias of that: 1.12 in the bedroom, 1.10 in the gazebo. The
+  // atrium has no bounce light.
+  const double largest_ratio = subject.scene.definition.ambient_occlusion ? 1.05 : 1.15;
   for (const Isolation isolation : {Isolation::query, Isolation::mask})
     for (const Artifact artifact : artifacts) {
       const Recipe how = recipe(artifact, isolation);
@@ -55,9 +59,7 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
       const double difference =
           display_rmse(compose(a.sums).picture, compose(b.sums).picture, subject.exposure_ev());
       EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact) << " " << word(isolation);
-      // Sky light is sampled by both alike and filtered by neither; where it is most of the light (bedroom),
-      // fast has little to gain, and its estimate holds the bias of its filter.
-      EXPECT_LT(*a.rmse, 1.2 * *b.rmse) << word(artifact) << " " << word(isolation);
+      EXPECT_LT(*a.rmse, largest_ratio * *b.rmse) << word(artifact) << " " << word(isolation);
     }
 }
 
