@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 // toml++ 3.3, made safe to read damaged files with: included by toml_table.cpp alone.
-namespace seamline::inline stimuli {
+namespace seamline {
 
 /// What the library takes for impossible, and damaged files make possible.
 struct TomlAssertion : std::logic_error {
@@ -12,7 +12,7 @@ struct TomlAssertion : std::logic_error {
   throw TomlAssertion(what);
 }
 
-}  // namespace seamline::inline stimuli
+}  // namespace seamline
 
 // With NDEBUG the library tells the compiler that its assertions hold, and reads on when they do not (found
 // by fuzz/study). Here they are checked in every build, and throw.

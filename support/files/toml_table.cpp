@@ -1,17 +1,17 @@
 // The only file that includes toml++ (through toml_library.h).
-#include "stimuli/study_file/toml_table.h"
+#include "support/files/toml_table.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "stimuli/study_file/toml_library.h"
 #include "support/files/atomic_file.h"
+#include "support/files/toml_library.h"
 #include "support/text/suggest.h"
 #include "support/text/text_bounds.h"
 
-namespace seamline::inline stimuli {
+namespace seamline {
 
 struct TomlTable::Node {
   std::shared_ptr<const toml::table> root;  ///< keeps the file alive
@@ -85,7 +85,7 @@ bool TomlTable::has(const std::string& key) const {
   return node_->table->contains(key);
 }
 
-double TomlTable::number(const std::string& key, double fallback, Range range) const {
+double TomlTable::number(const std::string& key, double fallback, NumberRange range) const {
   if (!has(key)) return fallback;
   const toml::node& node = *node_->table->get(key);
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
@@ -93,7 +93,7 @@ double TomlTable::number(const std::string& key, double fallback, Range range) c
   return *value;
 }
 
-int TomlTable::integer(const std::string& key, int fallback, Range range) const {
+int TomlTable::integer(const std::string& key, int fallback, NumberRange range) const {
   if (!has(key)) return fallback;
   const toml::node& node = *node_->table->get(key);
   const std::optional<std::int64_t> value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
@@ -123,7 +123,7 @@ std::string TomlTable::text(const std::string& key) const {
 }
 
 std::array<double, 3> TomlTable::triple(const std::string& key, const std::array<double, 3>& fallback,
-                                        Range range) const {
+                                        NumberRange range) const {
   if (!has(key)) return fallback;
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
@@ -140,7 +140,7 @@ std::array<double, 3> TomlTable::triple(const std::string& key, const std::array
   return values;
 }
 
-std::vector<int> TomlTable::integers(const std::string& key, Range range) const {
+std::vector<int> TomlTable::integers(const std::string& key, NumberRange range) const {
   if (!has(key)) throw complaint(key, "an array of whole numbers", "nothing");
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
@@ -155,7 +155,7 @@ std::vector<int> TomlTable::integers(const std::string& key, Range range) const 
   return values;
 }
 
-std::vector<double> TomlTable::numbers(const std::string& key, Range range) const {
+std::vector<double> TomlTable::numbers(const std::string& key, NumberRange range) const {
   if (!has(key)) throw complaint(key, "an array of numbers", "nothing");
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
@@ -214,4 +214,4 @@ void TomlTable::finish() const {
   }
 }
 
-}  // namespace seamline::inline stimuli
+}  // namespace seamline
