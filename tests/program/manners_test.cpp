@@ -24,7 +24,8 @@ std::map<std::string, std::string> sources() {
     text << std::ifstream(path, std::ios::binary).rdbuf();
     found[fs::relative(path, root).generic_string()] = text.str();
   };
-  for (const char* folder : {"support", "stimuli", "scenes", "renderer", "study", "analysis", "stability"})
+  for (const char* folder : {"support", "stimuli", "sensors", "registration", "scenes", "renderer", "study",
+                             "analysis", "stability"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) take(entry.path());
   for (const auto& entry : fs::directory_iterator(root)) take(entry.path());
   return found;

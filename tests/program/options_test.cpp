@@ -158,7 +158,8 @@ TEST(Options, NumbersOnTheCommandLineAreReadInOnePlace) {
   const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
   const std::regex other_ways(R"(\bsto[idlfu]|\bstrto|from_chars|sscanf|CLI::(Range|Bound|PositiveNumber))");
   int with_options = 0;
-  for (const char* folder : {"stimuli", "renderer", "study", "analysis", "stability"})
+  for (const char* folder :
+       {"stimuli", "sensors", "registration", "renderer", "study", "analysis", "stability"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
       const std::string path = std::filesystem::relative(entry.path(), root).generic_string();
       if (entry.path().extension() != ".cpp" || path == "support/text/number_option.cpp") continue;
