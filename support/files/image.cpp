@@ -239,6 +239,7 @@ void write_exr(const fs::path& path, const Image& image) {
   if (image.channels == 1) spec.channelnames = {"Y"};
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
+  spec.attribute("DateTime", "");  // else the library writes the time of day
   write_image(path, spec, OIIO::TypeDesc::FLOAT, image.values.data());
 }
 

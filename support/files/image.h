@@ -92,7 +92,8 @@ void require_numbers(const Image& image, const std::string& what = {});
 /// (`require_numbers`).
 void write_picture_exr(const std::filesystem::path& path, const Image& image);
 
-/// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically. The values are not looked at.
+/// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically; the same picture always gives the
+/// same bytes. The values are not looked at.
 void write_exr(const std::filesystem::path& path, const Image& image);
 
 /// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian:
