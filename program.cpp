@@ -5,6 +5,7 @@
 
 #include "analysis/commands/commands.h"
 #include "demo.h"
+#include "registration/commands/commands.h"
 #include "renderer/commands/commands.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
@@ -29,6 +30,7 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   study::add_study_commands(*app);
 #endif
   analysis::add_analysis_commands(*app);
+  registration::add_registration_commands(*app);
   stability::add_stability_command(*app, any_case_failed);
   return app;
 }

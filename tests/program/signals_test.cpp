@@ -70,13 +70,27 @@ int status_after(const Running& running, int signal) {
 
 /// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
 struct Work {
-  fs::path folder, set, long_set, log, counts, depth, photograph;
+  fs::path folder, set, long_set, log, counts, depth, photograph, rig, rig_depth;
 };
 
 /// A set whose pictures go on for gigabytes after their last byte that says anything.
 void write_long_set(const fs::path& folder) {
   const RenderedSet set = test::write_picture_set(folder, {.width_px = 64, .height_px = 48});
   fs::resize_file(set.folder / "room.png", std::uintmax_t{1} << 34U);
+}
+
+/// A large depth camera beside the photograph's.
+void write_rig(const Work& work) {
+  const auto camera = [](const char* name, int width, int height) {
+    return fmt::format(
+        "[{}]\nwidth_px = {}\nheight_px = {}\nfx_px = 2000\nfy_px = 2000\ncx_px = 960\n"
+        "cy_px = 540\nk1 = -0.05\n",
+        name, width, height);
+  };
+  test::write_text(work.rig, "format = \"seamline camera 1\"\nconvention = \"radial\"\n" +
+                                 camera("depth", 4096, 3072) + camera("colour", 1920, 1080) +
+                                 "[colour_from_depth]\ntranslation_m = [0.05, 0, 0]\n");
+  write_exr(work.rig_depth, Image(4096, 3072, 1, 2.0F));
 }
 
 const Work& work() {
@@ -88,7 +102,9 @@ const Work& work() {
               .log = folder / "log.sqlite",
               .counts = folder / "counts.csv",
               .depth = folder / "depth.exr",
-              .photograph = folder / "photograph.exr"};
+              .photograph = folder / "photograph.exr",
+              .rig = folder / "rig.toml",
+              .rig_depth = folder / "rig-depth.exr"};
     (void)test::write_picture_set(
         work.set, {.width_px = 640, .height_px = 480, .widths = "64, 128, 256, 512, 1024, 2048, 4096, 8192"});
     write_long_set(work.long_set);
@@ -96,6 +112,7 @@ const Work& work() {
     for (int level = 1; level <= 2000; ++level) counts += fmt::format("{},{},60\n", level, 20 + level % 41);
     test::write_text(work.counts, counts);
     write_exr(work.photograph, Image(1920, 1080, 3, 0.5F));
+    write_rig(work);
     for (const std::string& made_by :
          {"study " + work.set.string() + " --observer guesser --count 12000 --log " + work.log.string(),
           "capture builtin:bedroom --width 4096 --out " + work.depth.string()})
@@ -125,7 +142,8 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"demo", ""},           {"render", ""},       {"verify", ""},    {"check", ""},      {"check", "set"},
     {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
-    {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""}};
+    {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
+    {"register", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -178,6 +196,12 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "fit" && what == "levels") return {at.counts.string(), "--alternatives", "3"};
   if (command == "fit") return {at.counts.string(), "--alternatives", "3", "--bootstrap", "1000"};
   if (command == "predict") return {at.set.string()};
+  if (command == "register")
+    return {"--depth",  at.rig_depth.string(),
+            "--colour", at.photograph.string(),
+            "--camera", at.rig.string(),
+            "--repair", "joint_bilateral",
+            "--out",    out};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};
 }

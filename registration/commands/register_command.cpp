@@ -1,0 +1,192 @@
+#include "registration/commands/register_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "registration/files/camera_file.h"
+#include "registration/files/point_cloud.h"
+#include "registration/mesh/register_by_mesh.h"
+#include "registration/pictures/photograph.h"
+#include "registration/points/register_by_points.h"
+#include "sensors/repair/repair.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+
+namespace seamline::registration {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double edge_ratio = 1.05;  ///< of depths that edges.png draws a line between
+
+struct RegisterOptions {
+  std::string depth, camera, colour, out;
+  std::string by = "mesh", jumps = "stretch", repair = "none";
+  MeshRegistration mesh;
+  bool jumps_given = false, ratio_given = false, extrusion_given = false;
+};
+
+/// Seconds of each link of the chain, for the printed text alone: files hold no time.
+class Stopwatch {
+ public:
+  /// Seconds since the last call, or since it was made.
+  double lap_s() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// An option that would be ignored is refused.
+void check(const RegisterOptions& options) {
+  const auto refuse = [](const char* option, const char* wanted, const std::string& found) {
+    throw input_error({.field = option, .wanted = wanted, .found = found});
+  };
+  if (options.by == "points") {
+    if (options.jumps_given) refuse("--jumps", "--by mesh beside it", "--by points, which has no triangles");
+    if (options.extrusion_given)
+      refuse("--extrude", "--by mesh beside it", "--by points, which has no border");
+  }
+  if (options.ratio_given && (options.by == "points" || options.jumps != "cut"))
+    refuse("--jump-ratio", "--jumps cut beside it",
+           options.by == "points" ? "--by points" : "--jumps " + options.jumps);
+}
+
+RegistrationRig rig_of(const RegisterOptions& options) {
+  const bool preset = is_preset(options.camera) && !fs::exists(options.camera);
+  const CameraFile cameras =
+      preset ? camera_file_of_preset(options.camera, "--camera") : read_camera_file(options.camera);
+  return registration_rig(cameras, options.camera);
+}
+
+sensors::RepairMethod method_of(const std::string& repair) {
+  if (repair == "nearest") return sensors::NearestRepair{};
+  if (repair == "median") return sensors::MedianRepair{.radius_px = 2, .fills = true};
+  if (repair == "joint_bilateral") return sensors::JointBilateralRepair{};
+  if (repair == "planes") return sensors::PlaneRepair{};
+  return sensors::NoRepair{};
+}
+
+sensors::Repaired repaired(const RegisterOptions& options, const RegistrationRig& rig,
+                           const sensors::DepthFrame& measured, const Image& photograph) {
+  const sensors::RepairMethod method = method_of(options.repair);
+  if (!std::holds_alternative<sensors::JointBilateralRepair>(method))
+    return sensors::repair(measured, method);
+  const Image guide = photograph_in_depth_pixels(photograph, measured, rig.colour_from_depth, rig.colour);
+  return sensors::repair(measured, method, &guide);
+}
+
+RegisteredFrame registered_of(const RegisterOptions& options, const RegistrationRig& rig,
+                              const sensors::Repaired& repaired) {
+  std::vector<std::uint8_t> invented;
+  for (const sensors::RepairMark mark : repaired.marks)
+    invented.push_back(mark == sensors::RepairMark::invented ? 1 : 0);
+  if (options.by == "points")
+    return register_by_points(repaired.frame, rig.colour_from_depth, rig.colour, invented);
+  MeshRegistration mesh = options.mesh;
+  mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
+  return register_by_mesh(repaired.frame, rig.colour_from_depth, rig.colour, mesh, invented);
+}
+
+void write_all(const fs::path& folder, const RegistrationRig& rig, const RegisteredFrame& registered,
+               const Image& photograph) {
+  Image depth(rig.colour.width_px, rig.colour.height_px, 1);
+  depth.values = registered.frame.depth_m;
+  write_exr(folder / "registered.exr", depth);
+  write_png(folder / "filled.png", mask_picture(rig.colour, registered.filled));
+  write_png(folder / "extruded.png", mask_picture(rig.colour, registered.extruded));
+  write_png(folder / "invented.png", mask_picture(rig.colour, registered.invented));
+  write_png(folder / "edges.png", edges_over_photograph(registered, photograph, edge_ratio));
+  const bool in_world = rig.world_from_colour.has_value();
+  write_file_atomically(
+      folder / "points.ply",
+      point_cloud_ply(registered, display_image(photograph),
+                      rig.world_from_colour.value_or(Eigen::Isometry3d::Identity()),
+                      in_world ? "world frame" : "colour camera's frame: x right, y down, z forward"));
+}
+
+void print_count(const char* what, std::int64_t count, std::size_t of) {
+  fmt::print("  {:<34}{:>10}  {:5.1f} %\n", what, count,
+             100.0 * static_cast<double>(count) / static_cast<double>(of));
+}
+
+void run_register(const RegisterOptions& options) {
+  check(options);
+  Stopwatch stopwatch;
+  const RegistrationRig rig = rig_of(options);
+  const sensors::DepthFile file = sensors::read_depth_file(options.depth, rig.depth_form);
+  const Image photograph = read_photograph(options.colour, rig.colour);
+  prepare_output_folder(options.out);
+  const double read_s = stopwatch.lap_s();
+  const sensors::Repaired mended = repaired(options, rig, file.frame, photograph);
+  const double repair_s = stopwatch.lap_s();
+  const RegisteredFrame registered = registered_of(options, rig, mended);
+  const double register_s = stopwatch.lap_s();
+  write_all(options.out, rig, registered, photograph);
+  const double write_s = stopwatch.lap_s();
+
+  const std::size_t depth_pixels = file.frame.depth_m.size(), colour_pixels = registered.filled.size();
+  fmt::print("depth camera, {} x {} pixels:\n", rig.depth_form.camera.width_px,
+             rig.depth_form.camera.height_px);
+  print_count("measured", static_cast<std::int64_t>(depth_pixels) - file.holes, depth_pixels);
+  print_count("holes", file.holes, depth_pixels);
+  print_count("changed by the repair", mended.count(sensors::RepairMark::changed), depth_pixels);
+  print_count("invented by the repair", mended.count(sensors::RepairMark::invented), depth_pixels);
+  fmt::print("colour camera, {} x {} pixels:\n", rig.colour.width_px, rig.colour.height_px);
+  const std::int64_t filled = count_of(registered.filled), extruded = count_of(registered.extruded);
+  print_count("registered", filled - extruded, colour_pixels);
+  print_count("from invented depth", count_of(registered.invented), colour_pixels);
+  print_count("extruded", extruded, colour_pixels);
+  print_count("without depth", static_cast<std::int64_t>(colour_pixels) - filled, colour_pixels);
+  fmt::print("seconds: read {:.2f}, repair {:.2f}, register {:.2f}, write {:.2f}\n{}\n", read_s, repair_s,
+             register_s, write_s, options.out);
+}
+
+}  // namespace
+
+void add_register_command(CLI::App& app) {
+  const auto options = std::make_shared<RegisterOptions>();
+  CLI::App* command = app.add_subcommand("register", "bring a depth map into the photograph's camera");
+  command
+      ->add_option("--depth", options->depth, "depth map (EXR, 16-bit PNG or PGM, 8-bit PNG red and green)")
+      ->required();
+  command->add_option("--colour", options->colour, "photograph (EXR, HDR, PNG, JPEG)")->required();
+  command->add_option("--camera", options->camera, "the two cameras: a TOML file, or the name of a preset")
+      ->required();
+  command->add_option("--out", options->out, "folder to write; made when missing")->required();
+  command->add_option("--by", options->by, "points or mesh")
+      ->check(CLI::IsMember({"points", "mesh"}))
+      ->capture_default_str();
+  const CLI::Option* jumps =
+      command->add_option("--jumps", options->jumps, "what the mesh does where depth jumps")
+          ->check(CLI::IsMember({"stretch", "cut"}))
+          ->capture_default_str();
+  const CLI::Option* ratio = add_number(*command, "--jump-ratio", options->mesh.jump_ratio, {1.0001, 1000},
+                                        "of depths between which --jumps cut cuts")
+                                 ->capture_default_str();
+  const CLI::Option* extrusion =
+      add_number(*command, "--extrude", options->mesh.border_extrusion_px, {0, 16384, "px"},
+                 "pixels of the depth camera by which its border is extended")
+          ->capture_default_str();
+  command->add_option("--repair", options->repair, "what is done to the depth first")
+      ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
+      ->capture_default_str();
+  command->callback([options, jumps, ratio, extrusion] {
+    options->jumps_given = jumps->count() > 0;
+    options->ratio_given = ratio->count() > 0;
+    options->extrusion_given = extrusion->count() > 0;
+    run_register(*options);
+  });
+}
+
+}  // namespace seamline::registration
