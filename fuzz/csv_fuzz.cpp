@@ -1,11 +1,12 @@
-// Counts of answers as `seamline fit` reads them: through support/text/csv_read.h, as everything that is
-// CSV.
+// Counts of answers as `seamline fit` reads them, pairs of points as `seamline calibrate` does: through
+// support/text/csv_read.h, as everything that is CSV.
 #include <fmt/format.h>
 
 #include <array>
 
 #include "analysis/psychometric/likelihood/level_counts.h"
 #include "fuzz/fuzz_target.h"
+#include "registration/files/pairs_file.h"
 #include "support/text/csv_read.h"
 
 namespace {
@@ -44,6 +45,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_valid(counts, Axis::log2);
   });
   fuzz::only_input_errors([&] { read_any_table(text); });
+  fuzz::only_input_errors([&] {
+    for (const registration::PointPair& pair : registration::read_pairs(file, 0.5).pairs)
+      if (!(pair.confidence >= 0.5) || !pair.point_m.allFinite() || !pair.position_px.allFinite()) abort();
+  });
   return fuzz::only_input_errors([&] {
     const std::vector<LevelCounts> counts = read_level_counts(file);
     require_valid(counts, Axis::linear);

@@ -31,7 +31,8 @@ inline PlantedRig planted_rig() {
   return rig;
 }
 
-/// Boards in different tilts and distances, where both cameras see all of them.
+/// Boards in different tilts and distances, all over the pictures. (In the pictures' middle alone they leave
+/// the lens so loosely determined that its curvature shows: ten of them held 90 instead of 95 % of the rigs.)
 inline std::vector<Eigen::Isometry3d> planted_boards(const Board& board, int count, Random& random) {
   std::vector<Eigen::Isometry3d> poses;
   const Eigen::Vector3d middle_m = 0.5 * board.corner_m(board.corners() - 1);
@@ -40,7 +41,7 @@ inline std::vector<Eigen::Isometry3d> planted_boards(const Board& board, int cou
     const double distance_m = uniform(0.5, 0.8);
     Eigen::Isometry3d pose = sensors::pose_of(
         {0, 0, 0}, {random.normal(), random.normal(), 0.3 * random.normal()}, uniform(15, 40));
-    const Eigen::Vector3d place_m(uniform(-0.15, 0.15) * distance_m, uniform(-0.12, 0.12) * distance_m,
+    const Eigen::Vector3d place_m(uniform(-0.3, 0.3) * distance_m, uniform(-0.22, 0.22) * distance_m,
                                   distance_m);
     pose.translation() = place_m - pose.linear() * middle_m;
     poses.push_back(pose);
@@ -109,7 +110,7 @@ inline RigCoverage rig_coverage(int trials, std::uint64_t seed) {
   RigCoverage coverage;
   for (int trial = 0; trial < trials; ++trial) {
     Random random(seed, static_cast<std::uint64_t>(trial));
-    const auto poses = planted_boards(board, 10, random);
+    const auto poses = planted_boards(board, 16, random);
     const BoardPictures depth =
         seen_boards(rig.depth, Eigen::Isometry3d::Identity(), board, poses, 0.15, random);
     const BoardPictures colour = seen_boards(rig.colour, rig.colour_from_depth, board, poses, 0.15, random);
