@@ -52,6 +52,11 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
                        .field = "--only",
                        .wanted = "a stimulus that asks something of the depth mesh",
                        .found = stimulus_id(stimulus)});
+  if (stimulus.depth.chain)
+    throw input_error({.file = study.file.string(),
+                       .field = "depth",
+                       .wanted = "exact panoramas, whose errors are measured here",
+                       .found = "a " + std::string(kind_of(stimulus.depth.chain->sources.front()))});
   TruthScene scene = load_truth_scene(scene_of(study, stimulus), study.width_px, study.height_px);
   ObjectGeometry geometry = object_geometry(scene, stimulus.object_index);
   const int threads = request.threads > 0 ? request.threads : default_thread_count();

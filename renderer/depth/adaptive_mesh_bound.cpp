@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/depth/grid_triangle_cells.h"
+#include "renderer/depth/lattice/grid_triangle_cells.h"
 
 namespace seamline::renderer {
 

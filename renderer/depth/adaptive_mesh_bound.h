@@ -6,10 +6,6 @@
 
 namespace seamline::renderer {
 
-/// Three vertices of the dense sphere's grid, none a pole, anticlockwise as seen from the centre. Columns are
-/// not wrapped: they lie in [0, width] and less than a quarter turn apart.
-using GridTriangle = std::array<GridVertex, 3>;
-
 /// Says whether a triangle may stand for all dense vertices under it.
 ///
 /// The triangle's plane n.x = 1 meets the ray of direction d at t = 1 / (n.d), so that with q = r (n.d) the

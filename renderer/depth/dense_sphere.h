@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "renderer/depth/depth_map.h"
+#include "renderer/depth/lattice/grid_vertex.h"
 
 namespace seamline::renderer {
-
-/// A vertex of the dense sphere. Row -1 is the zenith, row `height` the nadir, where the column means
-/// nothing.
-struct GridVertex {
-  int row = 0;
-  int column = 0;
-};
 
 [[nodiscard]] inline bool is_hole(float distance_m) {
   return !(distance_m < std::numeric_limits<float>::infinity());

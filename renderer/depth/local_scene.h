@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/depth/depth_mesh.h"
+#include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/set/manifest.h"
@@ -17,9 +17,12 @@ struct LocalSceneUse {
   double albedo = 0.5;      ///< of the whole mesh
   bool traces_rays = true;  ///< false: only from the panorama's centre, which needs no good tree
   int threads = 1;
+  Camera photograph = {};  ///< in whose frame sensors are; panoramas do not look at it
 };
 
-/// Captures a depth map of `truth` from the panorama's centre and rebuilds the scene from it.
+/// Captures depth of `truth` as the settings say and rebuilds the scene from it: a panorama from the
+/// photograph's position, or what a chain of source, repair and registration delivers. Throws InputError as
+/// the readers of depth files do.
 [[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings,
                                           const LocalSceneUse& use);
 

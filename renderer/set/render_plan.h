@@ -46,8 +46,8 @@ struct RenderPlan {
   std::vector<ScenePlan> scenes = {};
 };
 
-/// What an estimator is asked for in one truth of a study. By all its stimuli, not by those left to render: a set
-/// that was interrupted has the same bytes.
+/// What an estimator is asked for in one truth of a study. By all its stimuli, not by those left to render: a
+/// set that was interrupted has the same bytes.
 [[nodiscard]] EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& truth,
                                                const RenderSettings& settings, int threads);
 

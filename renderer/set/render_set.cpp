@@ -168,9 +168,11 @@ class SetRenderer {
     // bytes.
     const Answers asked = asked_of_depth(study_, scene.definition);
     if (needed)
-      depth.emplace(make_local_scene(
-          estimator.geometry().truth, settings,
-          {.albedo = scene.definition.albedo, .traces_rays = asked.traces_depth(), .threads = threads_}));
+      depth.emplace(make_local_scene(estimator.geometry().truth, settings,
+                                     {.albedo = scene.definition.albedo,
+                                      .traces_rays = asked.traces_depth(),
+                                      .threads = threads_,
+                                      .photograph = scene.camera}));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              settings.width_px),

@@ -36,7 +36,8 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
   out.height_px = set.study.height_px;
   std::set<std::string> scenes;
   for (const Stimulus& stimulus : list_stimuli(set.study))
-    if (const auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
+    if (auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
+      record->stimulus.depth.chain = stimulus.depth.chain;  // which the record holds as a text only
       out.stimuli.push_back(*record);
       scenes.insert(stimulus.truth);
     }

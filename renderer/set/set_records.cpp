@@ -108,12 +108,24 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
                           amount_of_work(settings), settings.seed)),
       mesh_(settings.mesh) {
   for (const SceneDefinition& truth : list_truths(study)) truths_[truth.truth] = scene_inputs(truth);
-  for (const Stimulus& stimulus : list_stimuli(study)) settings_.insert(isolation_and_mesh(stimulus));
+  for (const Stimulus& stimulus : list_stimuli(study)) {
+    if (stimulus.depth.chain)
+      for (const DepthSource& source : stimulus.depth.chain->sources)
+        if (const auto* file = std::get_if<FileSource>(&source))
+          if (!depth_files_.contains(file->path))
+            depth_files_.emplace(file->path, sha256_of_file(file->path));
+    settings_.insert(isolation_and_mesh(stimulus));
+  }
 }
 
 std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
-  return fmt::format("{} {} {}", word(stimulus.isolation), word(mesh_.value_or(stimulus.depth.mesh)),
-                     stimulus.depth.mesh_tolerance);
+  std::string text = fmt::format("{} {} {}", word(stimulus.isolation),
+                                 word(mesh_.value_or(stimulus.depth.mesh)), stimulus.depth.mesh_tolerance);
+  if (!stimulus.depth.chain) return text;
+  text += " " + canonical_text(stimulus.depth.chain);
+  for (const DepthSource& source : stimulus.depth.chain->sources)
+    if (const auto* file = std::get_if<FileSource>(&source)) text += " " + depth_files_.at(file->path);
+  return text;
 }
 
 std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {

@@ -34,8 +34,9 @@ class InputHashes {
   [[nodiscard]] std::string isolation_and_mesh(const Stimulus& stimulus) const;
 
   std::optional<MeshDensity> mesh_;
-  std::set<std::string> settings_;             ///< isolations and meshes of the study
-  std::map<std::string, std::string> truths_;  ///< scenes and their files, by truth
+  std::set<std::string> settings_;                            ///< isolations and meshes of the study
+  std::map<std::string, std::string> truths_;                 ///< scenes and their files, by truth
+  std::map<std::filesystem::path, std::string> depth_files_;  ///< hashes of depth maps that lie in files
 };
 
 /// Finished pieces of a set, one small file each in `SET/records/`: what lets an interrupted job continue.

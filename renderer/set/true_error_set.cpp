@@ -24,7 +24,11 @@ constexpr std::uint64_t reference_seed_offset = 1000;  // the reference shares n
 using Key = std::tuple<std::string, int, DepthSettings>;  // truth, object, mesh
 using Groups = std::map<Key, std::vector<ManifestStimulus>>;
 
-Groups unmeasured(const Manifest& manifest, const TrueErrorRequest& request, const TrueErrors& known) {
+Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const TrueErrorRequest& request,
+                  const TrueErrors& known) {
+  // A manifest says how depth was captured as a text only.
+  std::map<std::string, std::optional<DepthChain>> chains;
+  for (const Stimulus& stimulus : list_stimuli(study)) chains[stimulus_id(stimulus)] = stimulus.depth.chain;
   Groups groups;
   bool any = false;
   for (const ManifestStimulus& record : manifest.stimuli) {
@@ -34,8 +38,9 @@ Groups unmeasured(const Manifest& manifest, const TrueErrorRequest& request, con
     if (found != known.end() && found->second.picture_sha256 == record.sha256 &&
         found->second.reference_spp == request.spp)
       continue;
-    groups[{truth_of(record.stimulus), record.stimulus.object_index, record.stimulus.depth}].push_back(
-        record);
+    DepthSettings depth = record.stimulus.depth;
+    if (const auto chain = chains.find(record.id); chain != chains.end()) depth.chain = chain->second;
+    groups[{truth_of(record.stimulus), record.stimulus.object_index, depth}].push_back(record);
   }
   if (!any)
     throw input_error({.file = request.set_folder.string(),
@@ -56,7 +61,7 @@ class Measuring {
   void run() {
     const Manifest manifest = read_manifest(request_.set_folder);
     forget_changed(manifest);
-    const Groups groups = unmeasured(manifest, request_, errors_);
+    const Groups groups = unmeasured(study_, manifest, request_, errors_);
     double work = 0;
     for (const auto& [key, records] : groups) work += 1 + static_cast<double>(records.size());
     progress_.emplace("true errors of " + study_.name, work);
@@ -104,8 +109,9 @@ class Measuring {
     for (const ManifestStimulus& record : records) {
       const Recipe how = recipe(record.stimulus.artifact, record.stimulus.isolation);
       if (how.answers.needs_depth() && !depth)
-        depth.emplace(make_local_scene(estimator.geometry().truth, settings,
-                                       {.albedo = scene.definition.albedo, .threads = threads_}));
+        depth.emplace(make_local_scene(
+            estimator.geometry().truth, settings,
+            {.albedo = scene.definition.albedo, .threads = threads_, .photograph = scene.camera}));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
       measure(record, scene.definition.exposure_ev, made.sums);

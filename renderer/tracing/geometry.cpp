@@ -109,7 +109,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, E
   commit(as_scene(scene_));
 }
 
-Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality)
+Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality, CentreRays centre)
     : scene_(rtcNewScene(embree_device())) {
   surfaces_.push_back({.albedo = albedo});
   const RTCBuildQuality of_tree =
@@ -121,9 +121,11 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality
     return;
   }
   const auto neighbours = triangle_neighbours(mesh.vertices_m.size(), mesh.triangles);
-  auto table = std::async(std::launch::async, [&mesh, &neighbours] {
-    return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
-  });
+  auto table =
+      std::async(std::launch::async, [&mesh, &neighbours, centre]() -> std::optional<DirectionTable> {
+        if (centre == CentreRays::by_tree) return std::nullopt;
+        return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
+      });
   attach(as_scene(scene_), mesh.vertices_m, pair_into_quads(mesh.vertices_m, mesh.triangles, neighbours),
          of_tree);
   commit(as_scene(scene_));

@@ -40,6 +40,12 @@ enum class TreeQuality {
   for_few_rays  ///< built in a third of the time
 };
 
+/// How the local scene answers rays from the photograph's position.
+enum class CentreRays {
+  by_table,  ///< by the table of directions, if each has at most one triangle: it was captured from there
+  by_tree    ///< as any other rays
+};
+
 /// Something rays can be asked about: the truth, a virtual object alone, or the local scene. Safe to ask from
 /// many threads. Every question adds its rays to `counts->traced`; without `counts` nobody counts them.
 class Geometry {
@@ -47,7 +53,8 @@ class Geometry {
   /// Meshes of scene files.
   explicit Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, Edges edges = Edges::tight);
   /// The local scene: geometric normals, one albedo, loose edges.
-  Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality = TreeQuality::for_light);
+  Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality = TreeQuality::for_light,
+           CentreRays centre = CentreRays::by_table);
   ~Geometry();
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) = delete;

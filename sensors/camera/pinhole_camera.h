@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <compare>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@ struct LensDistortion {
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
 
   [[nodiscard]] bool is_none() const { return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0; }
+  auto operator<=>(const LensDistortion&) const = default;
 };
 
 /// A pinhole camera with a lens, in the camera frame: x right, y down, z forward, metres. Image coordinates
@@ -30,6 +32,8 @@ struct PinholeCamera {
   double cy_px = 240;
   double skew_px = 0;
   LensDistortion distortion;
+
+  auto operator<=>(const PinholeCamera&) const = default;
 };
 
 /// A camera with square pixels, its principal point in the middle, and this horizontal field of view.

@@ -18,6 +18,8 @@ struct GenericNoise {
   double dropout_share = 0;
   Outliers outliers = {};
   SensorRange range = {};
+
+  auto operator<=>(const GenericNoise&) const = default;
 };
 
 /// One pixel's measurement, a pure function of its arguments; `scale` above 0.

@@ -51,6 +51,8 @@ struct MeasuredPixel {
 struct SensorRange {
   double nearest_m = 0;
   double farthest_m = 1e9;
+
+  auto operator<=>(const SensorRange&) const = default;
 };
 
 /// Single wild values, "sporadic and extreme" (paper 002, section 8): this share of the pixels, each with a
@@ -59,6 +61,8 @@ struct Outliers {
   double share = 0;
   double nearest_m = 0.1;
   double farthest_m = 7.5;
+
+  auto operator<=>(const Outliers&) const = default;
 };
 
 /// What the models share: a value becomes the pixel's depth, or a hole where it is no number, not above 0,

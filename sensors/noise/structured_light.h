@@ -38,6 +38,8 @@ struct StructuredLightNoise {
   double sure_signal = 0, lost_signal = 0;
   Outliers outliers = {};
   SensorRange range = {};
+
+  auto operator<=>(const StructuredLightNoise&) const = default;
 };
 
 /// One pixel's measurement, planar, a pure function of its arguments; `scale` above 0.

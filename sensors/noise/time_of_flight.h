@@ -47,6 +47,8 @@ struct TimeOfFlightNoise {
   bool mixes = true;                 ///< false: the centre's ray alone is measured, no flying pixels
   Outliers outliers = {};
   SensorRange range = {};
+
+  auto operator<=>(const TimeOfFlightNoise&) const = default;
 };
 
 /// c / (2 f): distances that differ by it have the same phase. Metres.

@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <string>
 
 #include "sensors/repair/repaired.h"
@@ -22,6 +23,8 @@ struct JointBilateralRepair {
   double sigma_colour = 0.1;  ///< of the length of a difference of colours, in the photograph's own units
   bool fills = true;          ///< whether holes get a depth where the weights sum up to `least_weight`
   double least_weight = 0.1;
+
+  auto operator<=>(const JointBilateralRepair&) const = default;
 };
 
 /// Throws InputError naming `where`: a radius outside 1 to 50, sigmas or least weight that are not above 0.

@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <string>
 
 #include "sensors/repair/repaired.h"
@@ -10,6 +11,8 @@ namespace seamline::sensors {
 struct MedianRepair {
   int radius_px = 1;
   bool fills = false;  ///< whether a hole with at least half of its window measured gets a depth
+
+  auto operator<=>(const MedianRepair&) const = default;
 };
 
 /// Throws InputError naming `where` unless the radius is 1 to 50.

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct PlaneRepair {
   double tolerance_relative = 0.0;  ///< added: this share of the depth
   int draws = 300;                  ///< samples of three pixels for each plane
   std::uint64_t seed = 1;
+
+  auto operator<=>(const PlaneRepair&) const = default;
 };
 
 struct FoundPlane {

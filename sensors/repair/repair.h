@@ -8,8 +8,12 @@
 
 namespace seamline::sensors {
 
-struct NoRepair {};
-struct NearestRepair {};
+struct NoRepair {
+  auto operator<=>(const NoRepair&) const = default;
+};
+struct NearestRepair {
+  auto operator<=>(const NearestRepair&) const = default;
+};
 
 /// What is done to measured depth before it is used.
 using RepairMethod = std::variant<NoRepair, NearestRepair, MedianRepair, JointBilateralRepair, PlaneRepair>;

@@ -9,10 +9,23 @@
 namespace seamline::inline stimuli {
 
 /// What the levels of a study are values of.
-enum class Quantity { depth_width_px, texels_per_degree, mesh_tolerance, sun_radius_deg };
-inline constexpr std::array<Quantity, 4> every_quantity = {
-    Quantity::depth_width_px, Quantity::texels_per_degree, Quantity::mesh_tolerance,
-    Quantity::sun_radius_deg};
+enum class Quantity {
+  depth_width_px,
+  texels_per_degree,
+  mesh_tolerance,
+  sun_radius_deg,
+  depth_noise,
+  outlier_share,
+  calibration_error_deg,
+  calibration_error_m,
+  depth_field_of_view_deg,
+  depth_delay_ms
+};
+inline constexpr std::array<Quantity, 10> every_quantity = {
+    Quantity::depth_width_px,        Quantity::texels_per_degree,   Quantity::mesh_tolerance,
+    Quantity::sun_radius_deg,        Quantity::depth_noise,         Quantity::outlier_share,
+    Quantity::calibration_error_deg, Quantity::calibration_error_m, Quantity::depth_field_of_view_deg,
+    Quantity::depth_delay_ms};
 
 /// What is known of a quantity: one row of the table in quantity.cpp.
 struct QuantityFacts {

@@ -12,6 +12,26 @@
 namespace seamline::inline stimuli {
 namespace {
 
+SourceNoise* noise_of(DepthSource& source) {
+  return const_cast<SourceNoise*>(stimuli::noise_of(std::as_const(source)));
+}
+
+std::optional<DepthChain> chain_at(DepthChain chain, Quantity quantity, double level) {
+  for (DepthSource& source : chain.sources) {
+    SourceNoise* noise = noise_of(source);
+    if (noise != nullptr && quantity == Quantity::depth_noise) noise->scale = level;
+    if (noise != nullptr && quantity == Quantity::outlier_share)
+      std::visit([&](auto& model) { model.outliers.share = level; }, noise->model);
+    if (auto* pinhole = std::get_if<PinholeSource>(&source);
+        pinhole != nullptr && quantity == Quantity::depth_field_of_view_deg)
+      pinhole->camera = with_field_of_view(pinhole->camera, level);
+  }
+  if (quantity == Quantity::calibration_error_deg) chain.calibration_error_deg = level;
+  if (quantity == Quantity::calibration_error_m) chain.calibration_error_m = level;
+  if (quantity == Quantity::depth_delay_ms) chain.delay_ms = level;
+  return meaningful(std::move(chain));
+}
+
 DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
   switch (quantity) {
     case Quantity::depth_width_px:
@@ -25,6 +45,16 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
       if (level == 0) depth.mesh = MeshDensity::full;
       break;
     case Quantity::sun_radius_deg:
+      break;
+    case Quantity::depth_noise:
+    case Quantity::outlier_share:
+    case Quantity::calibration_error_deg:
+    case Quantity::calibration_error_m:
+    case Quantity::depth_field_of_view_deg:
+    case Quantity::depth_delay_ms:
+      if (depth.chain) depth.chain = chain_at(std::move(*depth.chain), quantity, level);
+      if (depth.chain)
+        if (const auto* camera = camera_of(depth.chain->sources.front())) depth.width_px = camera->width_px;
       break;
   }
   return depth;

@@ -56,6 +56,10 @@ std::string shown_text(const StudyDefinition& study) {
   return out;
 }
 
+std::string chain_line(const DepthSettings& depth) {
+  return depth.chain ? "depth " + canonical_text(depth.chain) + "\n" : std::string();
+}
+
 /// Levels that are no widths, and conditions; nothing for studies without, which keep their hash.
 std::string varied_text(const StudyDefinition& study) {
   std::string out;
@@ -66,16 +70,23 @@ std::string varied_text(const StudyDefinition& study) {
                        study.observer.people_sd_linear);
   if (study.level.noticeability != facts(study.level.quantity).noticeability)
     out += fmt::format("level {}\n", noticeability_word(study.level.noticeability));
+  out += chain_line(study.depth);
   for (const ConditionDefinition& condition : study.conditions) {
     out += fmt::format("condition {} {} {} {} {} {}\n", condition.name, word(condition.isolation),
                        condition.depth.width_px, condition.depth.yaw_texels, word(condition.depth.mesh),
-                       condition.depth.mesh_tolerance);
+                       condition.depth.mesh_tolerance) +
+           chain_line(condition.depth);
     for (const SceneDefinition& scene : condition.scenes) out += canonical_text(scene);
   }
   return out;
 }
 
 }  // namespace
+
+int DepthSettings::height_px() const {
+  const sensors::PinholeCamera* camera = chain ? camera_of(chain->sources.front()) : nullptr;
+  return camera != nullptr ? camera->height_px : width_px / 2;
+}
 
 std::string_view word(Estimator estimator) {
   switch (estimator) {

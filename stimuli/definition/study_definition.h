@@ -12,6 +12,7 @@
 #include "stimuli/definition/artifact.h"
 #include "stimuli/definition/axis.h"
 #include "stimuli/definition/consent_definition.h"
+#include "stimuli/definition/depth_chain.h"
 #include "stimuli/definition/form_definition.h"
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
@@ -37,13 +38,14 @@ enum class MeshDensity { adaptive, full };
 
 /// How the depth map of a stimulus is captured, and the mesh rebuilt from it.
 struct DepthSettings {
-  int width_px = 0;       ///< W of the panorama; its height is W / 2
+  int width_px = 0;       ///< W of the panorama, or of the (first) sensor; even
   double yaw_texels = 0;  ///< the panorama is turned by so many of its own texels; their fraction is the
                           ///< phase of the sampling grid
   MeshDensity mesh = MeshDensity::adaptive;
-  double mesh_tolerance = 1e-4;  ///< relative error along the ray that the adaptive mesh may make
+  double mesh_tolerance = 1e-4;          ///< relative error along the ray that the adaptive mesh may make
+  std::optional<DepthChain> chain = {};  ///< none: the paper's exact panorama
 
-  [[nodiscard]] int height_px() const { return width_px / 2; }
+  [[nodiscard]] int height_px() const;  ///< of the panorama W / 2
   auto operator<=>(const DepthSettings&) const = default;
 };
 

@@ -20,7 +20,7 @@ constexpr int widest_depth_px = 16384;  ///< as in study files
 /// Whether it says more than a depth width: sets of the first kind keep their bytes.
 bool is_varied(const Stimulus& stimulus) {
   return stimulus.quantity != Quantity::depth_width_px || !stimulus.condition.empty() ||
-         truth_of(stimulus) != stimulus.scene;
+         truth_of(stimulus) != stimulus.scene || stimulus.depth.chain.has_value();
 }
 
 /// Whole numbers are written as such, as they were when only these were allowed.
@@ -43,6 +43,7 @@ Json to_json(const ManifestStimulus& record) {
     json["condition"]["name"] = stimulus.condition;
     json["condition"]["mesh"] = word(stimulus.depth.mesh);
     json["condition"]["mesh_tolerance"] = stimulus.depth.mesh_tolerance;
+    if (stimulus.depth.chain) json["condition"]["depth"] = canonical_text(stimulus.depth.chain);
     json["level"] = {{"quantity", facts(stimulus.quantity).key}, {"value", stimulus.level}};
     json["truth"] = truth_of(stimulus);
   }
@@ -55,6 +56,11 @@ Json to_json(const ManifestStimulus& record) {
   json["rmse"] = record.rmse ? Json(*record.rmse) : Json(nullptr);
   json["mesh"] = {{"triangles", record.mesh.triangles},
                   {"max_relative_error", record.mesh.max_relative_error}};
+  if (const auto& sensor = record.mesh.sensor)
+    json["mesh"]["sensor"] = {{"measured", sensor->measured},
+                              {"holes", sensor->holes},
+                              {"invented", sensor->invented},
+                              {"outliers", sensor->outliers}};
   json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
                                {"clamped_pixels", record.tiny_denominators.clamped_pixels},
                                {"sealed_pixels", record.tiny_denominators.sealed_pixels},
@@ -154,7 +160,15 @@ ManifestStimulus read_record(const JsonFields& fields) {
   const auto rmse = fields.get<Json>("rmse");
   if (rmse.is_number()) record.rmse = rmse.get<double>();
   const JsonFields mesh = fields.object("mesh");
-  record.mesh = {mesh.get<std::int64_t>("triangles"), mesh.get<double>("max_relative_error")};
+  record.mesh = {.triangles = mesh.get<std::int64_t>("triangles"),
+                 .max_relative_error = mesh.get<double>("max_relative_error")};
+  if (mesh.has("sensor")) {
+    const JsonFields sensor = mesh.object("sensor");
+    record.mesh.sensor = {.measured = sensor.get<std::int64_t>("measured"),
+                          .holes = sensor.get<std::int64_t>("holes"),
+                          .invented = sensor.get<std::int64_t>("invented"),
+                          .outliers = sensor.get<std::int64_t>("outliers")};
+  }
   const JsonFields tiny = fields.object("tiny_denominators");
   record.tiny_denominators = {
       tiny.get<std::int64_t>("floored_pixels"), tiny.get<std::int64_t>("clamped_pixels"),

@@ -23,9 +23,19 @@ struct TinyDenominators {
   std::int64_t not_finite_pixels = 0;  ///< infinite or not a number: shown black or white, and counted
 };
 
+/// What became of the pixels of all sources of a mesh. Measured pixels, outliers and holes are all of them;
+/// invented ones were holes, and have a depth that nobody measured.
+struct SensorCounts {
+  std::int64_t measured = 0;
+  std::int64_t holes = 0;  ///< before any repair
+  std::int64_t invented = 0;
+  std::int64_t outliers = 0;
+};
+
 struct MeshRecord {
   std::int64_t triangles = 0;
-  double max_relative_error = 0;  ///< against the dense sphere, along its rays; 0 for the full mesh
+  double max_relative_error = 0;  ///< against what was captured, along its rays; 0 for the full mesh
+  std::optional<SensorCounts> sensor = {};  ///< none of exact panoramas
 };
 
 /// One rendered stimulus as the manifest records it. Paths are relative to the set's folder.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
+#include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_people.h"
 #include "stimuli/study_file/study_file_procedure.h"
@@ -51,6 +52,12 @@ std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
       return midpoint;
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:
+    case Quantity::depth_noise:
+    case Quantity::outlier_share:
+    case Quantity::calibration_error_deg:
+    case Quantity::calibration_error_m:
+    case Quantity::depth_field_of_view_deg:
+    case Quantity::depth_delay_ms:
       return midpoint;  // nobody knows
   }
   return midpoint;
@@ -123,7 +130,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
   study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 2147483647}));
   study.level = read_level(table);
-  study.depth = read_depth(table, study.level);
+  study.depth = read_depth(table, study.level, study.seed);
   if (const auto session = table.table("session")) study.session = read_session(*session);
   study.procedure = read_procedure(table, study.level);
   if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
@@ -135,6 +142,9 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
   study.conditions = read_conditions(table, study);
+  if (study.conditions.empty())
+    require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level);
+  if (assets == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
   const auto observer = table.table("observer");
   study.observer =

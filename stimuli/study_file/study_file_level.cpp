@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_scene.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -51,6 +52,12 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
         throw table.complaint(key, "0 or at least 1e-09", fmt::format("{}", level));
       break;
     case Quantity::sun_radius_deg:
+    case Quantity::depth_noise:
+    case Quantity::outlier_share:
+    case Quantity::calibration_error_deg:
+    case Quantity::calibration_error_m:
+    case Quantity::depth_field_of_view_deg:
+    case Quantity::depth_delay_ms:
       break;
   }
 }
@@ -108,13 +115,33 @@ void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
       return refuse_level_key(table, "mesh_tolerance", level);
     case Quantity::sun_radius_deg:
       return refuse_level_key(table, "sun_radius_deg", level);
+    case Quantity::depth_noise:  // these are keys of the table `depth`
+    case Quantity::outlier_share:
+    case Quantity::calibration_error_deg:
+    case Quantity::calibration_error_m:
+    case Quantity::depth_field_of_view_deg:
+    case Quantity::depth_delay_ms:
+      return;
   }
+}
+
+bool has_sensor(const DepthSettings& depth) {
+  return depth.chain && !is_panorama(*depth.chain);
 }
 
 void read_depth_keys(const TomlTable& table, const LevelDefinition& level, DepthSettings& depth) {
   if (level.quantity != Quantity::mesh_tolerance) {
     depth.mesh = read_mesh(table, depth.mesh);
     depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
+  }
+  if (has_sensor(depth)) {
+    for (const char* key : {"depth_width_px", "yaw_texels"})
+      if (table.has(key) && !width_is_level(level.quantity))
+        throw table.complaint(key, "a panorama: a sensor has a size and a pose of its own",
+                              fmt::format("depth.source = \"{}\"", kind_of(depth.chain->sources.front())));
+    depth.width_px = camera_of(depth.chain->sources.front())->width_px;
+    depth.yaw_texels = 0;
+    return;
   }
   if (!width_is_level(level.quantity)) depth.width_px = read_width(table, depth.width_px);
   depth.yaw_texels = table.number("yaw_texels", depth.yaw_texels, {-16384, 16384, "texels"});
@@ -134,7 +161,8 @@ std::string read_condition_name(const TomlTable& table) {
 std::string meaning(const ConditionDefinition& condition) {
   std::string text =
       fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
-                  condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance);
+                  condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
+      canonical_text(condition.depth.chain) + "\n";
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
   return text;
 }
@@ -145,7 +173,12 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
                                 .depth = study.depth,
                                 .scenes = study.scenes};
   refuse_level_keys(table, study.level);
+  condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed);
+  if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))
+    throw table.complaint("depth_width_px", "the width of the condition's panorama", "nothing");
   read_depth_keys(table, study.level, condition.depth);
+  require_level_in_chain(table, condition.depth.chain,
+                         width_is_level(study.level.quantity) ? 0 : condition.depth.width_px, study.level);
   if (condition.depth.mesh == MeshDensity::full && table.has("mesh_tolerance"))
     throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
                           "mesh = \"full\"");
@@ -182,9 +215,10 @@ Isolation read_isolation(const TomlTable& table, Isolation fallback) {
   return *isolation;
 }
 
-DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level) {
+DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, std::uint64_t seed) {
   DepthSettings depth;
-  if (!width_is_level(level.quantity) && !study.has("depth_width_px"))
+  depth.chain = read_depth_chain(study, std::nullopt, level, seed);
+  if (!has_sensor(depth) && !width_is_level(level.quantity) && !study.has("depth_width_px"))
     throw study.complaint(
         "depth_width_px",
         fmt::format("the width of all depth maps, because the level is {}", facts(level.quantity).key),

@@ -11,8 +11,9 @@ namespace seamline::inline stimuli {
 /// `isolation`, where the table has it.
 [[nodiscard]] Isolation read_isolation(const TomlTable& table, Isolation fallback);
 
-/// The depth settings of the study itself, besides what is the level.
-[[nodiscard]] DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level);
+/// The depth settings of the study itself, besides what is the level; `seed` is that of the noise.
+[[nodiscard]] DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level,
+                                       std::uint64_t seed);
 
 /// Every `[[condition]]`, over the study's own settings and scenes, which must have been read. Throws
 /// InputError where a condition sets what is the level, sets what another of its settings makes void, or is

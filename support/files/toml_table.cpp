@@ -85,6 +85,10 @@ bool TomlTable::has(const std::string& key) const {
   return node_->table->contains(key);
 }
 
+bool TomlTable::is_text(const std::string& key) const {
+  return has(key) && node_->table->get(key)->is_string();
+}
+
 double TomlTable::number(const std::string& key, double fallback, NumberRange range) const {
   if (!has(key)) return fallback;
   const toml::node& node = *node_->table->get(key);

@@ -24,6 +24,7 @@ class TomlTable {
   [[nodiscard]] static TomlTable parse(const std::string& text, const std::filesystem::path& path);
 
   [[nodiscard]] bool has(const std::string& key) const;
+  [[nodiscard]] bool is_text(const std::string& key) const;  ///< it is there and a text
   [[nodiscard]] double number(const std::string& key, double fallback, NumberRange range) const;
   [[nodiscard]] int integer(const std::string& key, int fallback, NumberRange range) const;
   [[nodiscard]] bool boolean(const std::string& key, bool fallback) const;

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/depth/dense_sphere.h"
+#include "renderer/depth/lattice/grid_vertex.h"
 
 namespace seamline::renderer {
 
 struct LatticePoint {
-  int x = 0;  ///< to the right as seen from the centre; [0, width], where width is 0 again
+  int x = 0;  ///< to the right as seen from the centre; [0, width], where width may be 0 again
   int y = 0;  ///< down; [0, height]
 };
 
@@ -22,16 +22,24 @@ struct LatticeTriangle {
   [[nodiscard]] LatticePoint midpoint() const { return {(left.x + right.x) / 2, (left.y + right.y) / 2}; }
 };
 
-/// Which triangles of the right-triangulated network are split. The lattice is made of square blocks with a
-/// power of two as side, in an even number around, because the network asks for that; it is laid over the
-/// dense sphere's grid, which may have any even width, by repeating a column or a row here and there.
-/// Repeated ones make cells without area, which the mesh leaves out.
+/// The grid that a lattice is laid over.
+struct LatticeGrid {
+  int columns = 0;     ///< of vertices
+  int rows = 0;        ///< of vertices
+  int block = 1;       ///< side of the largest triangles: a power of two
+  bool wraps = false;  ///< behind the last column comes the first
+};
+
+/// Which triangles of the right-triangulated network are split. The lattice is made of square blocks, in an
+/// even number around where it wraps, because the network asks for that; it is laid over the grid, which may
+/// have any size (around: any even width), by repeating a column or a row here and there. Repeated ones make
+/// cells without area, which the mesh leaves out.
 ///
 /// A split is a bit at the midpoint, shared by the two triangles on both sides. What splits follow from what
 /// is a monotone rule, so that the set does not depend on the order in which threads find it.
 class Lattice {
  public:
-  Lattice(int dense_width, int dense_height);
+  explicit Lattice(const LatticeGrid& grid);
 
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int block_count() const { return width_ / block_ * (height_ / block_); }
@@ -75,8 +83,8 @@ class Lattice {
     return t.apex.y < m.y || (t.apex.y == m.y && t.apex.x < m.x) ? accepted_first : accepted_second;
   }
   [[nodiscard]] std::size_t index(const LatticePoint& p) const {
-    const int x = p.x == width_ ? 0 : p.x;
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    const int x = p.x == stride_ ? 0 : p.x;  // never without a wrap
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x);
   }
   [[nodiscard]] std::uint8_t flags(const LatticePoint& p) const {
     return std::atomic_ref<std::uint8_t>(flags_[index(p)]).load(std::memory_order_relaxed);
@@ -84,9 +92,11 @@ class Lattice {
 
   void note_change(const LatticePoint& p);
 
+  bool wraps_;
   int block_, width_, height_;
+  int stride_;  ///< columns that are stored
   std::vector<int> column_of_,
-      row_of_;  ///< dense column (the last is the dense width) and row of each line of the lattice
+      row_of_;  ///< the grid's column (of a wrap the last is its width) and row of each line of the lattice
   std::vector<std::uint8_t> changed_;        ///< a flag a block
   mutable std::vector<std::uint8_t> flags_;  ///< mutable only because std::atomic_ref cannot be const
 };

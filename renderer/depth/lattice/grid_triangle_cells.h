@@ -1,12 +1,13 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
-#include "renderer/depth/adaptive_mesh_bound.h"
+#include "renderer/depth/lattice/grid_vertex.h"
 
 namespace seamline::renderer {
 
-// Which cells of the dense sphere's grid a triangle covers.
+// Which cells of a grid a triangle covers.
 
 /// The columns of each row that belong to cells the triangle covers, at least in part: visit(row, first,
 /// last) until it says false.

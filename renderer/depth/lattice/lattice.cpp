@@ -1,8 +1,7 @@
-#include "renderer/depth/adaptive_mesh_lattice.h"
+#include "renderer/depth/lattice/lattice.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace seamline::renderer {
 namespace {
@@ -23,16 +22,17 @@ int round_up(int value, int step) {
 
 }  // namespace
 
-// A sixteenth of a turn is a triangle's largest leg: small enough that the curved edges of the sphere's rows,
-// which are straight in the mesh, never turn a triangle over, and large enough for any wall.
-Lattice::Lattice(int dense_width, int dense_height)
-    : block_(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(16, dense_width) / 16)))),
-      width_(round_up(dense_width, 2 * block_)),
-      height_(round_up(std::max(1, dense_height - 1), block_)),
-      column_of_(spread(width_, dense_width)),
-      row_of_(spread(height_, dense_height - 1)),
+Lattice::Lattice(const LatticeGrid& grid)
+    : wraps_(grid.wraps),
+      block_(grid.block),
+      width_(grid.wraps ? round_up(grid.columns, 2 * block_)
+                        : round_up(std::max(1, grid.columns - 1), block_)),
+      height_(round_up(std::max(1, grid.rows - 1), block_)),
+      stride_(grid.wraps ? width_ : width_ + 1),
+      column_of_(spread(width_, grid.wraps ? grid.columns : grid.columns - 1)),
+      row_of_(spread(height_, grid.rows - 1)),
       changed_(static_cast<std::size_t>(block_count()), 1),
-      flags_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_ + 1)) {}
+      flags_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_ + 1)) {}
 
 LatticeTriangle Lattice::root(int i) const {
   const int blocks_across = width_ / block_;
@@ -62,17 +62,19 @@ void Lattice::split_at(const LatticePoint& p) {
   else
     apexes = {LatticePoint{p.x - step, p.y - step}, LatticePoint{p.x + step, p.y + step}};
   for (const LatticePoint& apex : apexes)
-    if (apex.y >= 0 && apex.y <= height_) split_at({(apex.x + width_) % width_, apex.y});
+    if (apex.y >= 0 && apex.y <= height_ && (wraps_ || (apex.x >= 0 && apex.x <= width_)))
+      split_at({wraps_ ? (apex.x + width_) % width_ : apex.x, apex.y});
 }
 
 void Lattice::note_change(const LatticePoint& p) {
   const int across = width_ / block_, down = height_ / block_;
-  const int right = p.x / block_ % across, below = p.y / block_;
-  const int left = p.x % block_ == 0 ? (right + across - 1) % across : right;
+  const int right = wraps_ ? p.x / block_ % across : p.x / block_, below = p.y / block_;
+  int left = p.x % block_ == 0 ? right - 1 : right;
+  if (wraps_ && left < 0) left = across - 1;
   const int above = p.y % block_ == 0 ? below - 1 : below;
   for (const int row : {above, below})
     for (const int column : {left, right})
-      if (row >= 0 && row < down)
+      if (row >= 0 && row < down && column >= 0 && column < across)
         std::atomic_ref<std::uint8_t>(changed_[static_cast<std::size_t>(row * across + column)])
             .store(1, std::memory_order_release);
 }

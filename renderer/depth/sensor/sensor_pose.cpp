@@ -1,0 +1,59 @@
+#include "renderer/depth/sensor/sensor_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace seamline::renderer {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+
+Eigen::Vector3d vector(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+Eigen::Isometry3d world_from_photograph(const Camera& camera) {
+  // Columns right, up, back become right, down, forward; through a quaternion, so that floats end as a
+  // rotation.
+  Eigen::Matrix3d axes = camera.axes.cast<double>();
+  axes.col(1) *= -1;
+  axes.col(2) *= -1;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Quaterniond(axes).normalized().toRotationMatrix();
+  return pose;
+}
+
+sensors::PinholeCamera pinhole_of(const Camera& camera, double largest_focal_px) {
+  const double tan_half = static_cast<double>(camera.tan_half_horizontal);
+  const double own_focal_px = camera.width_px / (2 * tan_half);
+  const double share = std::min(1.0, largest_focal_px / own_focal_px);
+  sensors::PinholeCamera pinhole;
+  pinhole.width_px = std::max(2, static_cast<int>(std::lround(camera.width_px * share)));
+  pinhole.height_px = std::max(2, static_cast<int>(std::lround(camera.height_px * share)));
+  pinhole.fx_px = pinhole.fy_px = pinhole.width_px / (2 * tan_half);
+  pinhole.cx_px = 0.5 * pinhole.width_px;
+  pinhole.cy_px = 0.5 * pinhole.height_px;
+  return pinhole;
+}
+
+Eigen::Isometry3d photograph_from_sensor(const SensorPose& given) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(vector(given.position_m));
+  pose.rotate(Eigen::AngleAxisd(given.rotation_deg[1] * radians_per_degree, Eigen::Vector3d::UnitY()));
+  pose.rotate(Eigen::AngleAxisd(given.rotation_deg[0] * radians_per_degree, Eigen::Vector3d::UnitX()));
+  pose.rotate(Eigen::AngleAxisd(given.rotation_deg[2] * radians_per_degree, Eigen::Vector3d::UnitZ()));
+  return pose;
+}
+
+Eigen::Isometry3d believed_photograph_from_sensor(const SensorPose& given, const DepthChain& chain) {
+  Eigen::Isometry3d pose = photograph_from_sensor(given);
+  pose.pretranslate(vector(chain.velocity_m_s) * (chain.delay_ms * 1e-3));
+  pose.translate(Eigen::Vector3d(chain.calibration_error_m, 0, 0));
+  pose.rotate(Eigen::AngleAxisd(chain.calibration_error_deg * radians_per_degree, Eigen::Vector3d::UnitY()));
+  return pose;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,164 @@
+#include "renderer/depth/sensor/sensor_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/depth/sensor/pixel_mesh.h"
+#include "renderer/depth/sensor/second_layer.h"
+#include "renderer/depth/sensor/sensor_pose.h"
+
+namespace seamline::renderer {
+namespace {
+
+using sensors::PixelState;
+using sensors::SeenFrame;
+
+constexpr int sub_rays_across = 3;
+
+/// What one source delivers.
+struct Captured {
+  sensors::DepthFrame frame;
+  std::int64_t measured = 0, outliers = 0;
+  double relative_sigma = 0;        ///< of its noise, the median over what was seen
+  std::optional<Image> guide = {};  ///< of a joint bilateral repair
+};
+
+/// The model as this camera has it.
+sensors::NoiseModel model_of(const PinholeSource& source) {
+  sensors::NoiseModel model = source.noise->model;
+  std::visit([&](auto& one) { one.range = source.range; }, model);
+  if (auto* light = std::get_if<sensors::StructuredLightNoise>(&model)) light->focal_px = source.camera.fx_px;
+  return model;
+}
+
+SensorSight sight_of(const PinholeSource& source, bool guided) {
+  SensorSight sight{.surfaces = guided || source.noise.has_value()};
+  if (!source.noise) return sight;
+  const auto* flight = std::get_if<sensors::TimeOfFlightNoise>(&source.noise->model);
+  if (flight != nullptr && flight->mixes) sight.sub_rays_across = sub_rays_across;
+  if (source.projector_m)
+    sight.projector_m =
+        Eigen::Vector3d((*source.projector_m)[0], (*source.projector_m)[1], (*source.projector_m)[2]);
+  return sight;
+}
+
+double median_relative_sigma(const SeenFrame& seen, const sensors::NoiseModel& model, double scale) {
+  const bool radial = sensors::convention_of(model) == sensors::DepthConvention::radial;
+  std::vector<double> shares;
+  for (int row = 0; row < seen.camera.height_px; ++row)
+    for (int column = 0; column < seen.camera.width_px; ++column) {
+      const sensors::SeenPixel pixel = sensors::seen_pixel(seen, column, row);
+      const double share =
+          sensors::noise_sigma_m(model, pixel, scale) / (radial ? pixel.centre.radial_m : pixel.planar_m);
+      if (std::isfinite(share)) shares.push_back(share);
+    }
+  if (shares.empty()) return 0;
+  const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+  std::nth_element(shares.begin(), middle, shares.end());
+  return *middle;
+}
+
+std::int64_t count_depths(const sensors::DepthFrame& frame) {
+  return std::count_if(frame.depth_m.begin(), frame.depth_m.end(),
+                       [](float depth_m) { return !sensors::DepthFrame::is_hole(depth_m); });
+}
+
+/// Asked for one source of a chain; `frame` tells the noises of several apart.
+struct Capture {
+  const Geometry& truth;
+  const DepthChain& chain;
+  const Eigen::Isometry3d& world_from_photograph;
+  std::uint64_t frame;
+  int threads;
+
+  [[nodiscard]] bool guided() const {
+    return std::holds_alternative<sensors::JointBilateralRepair>(chain.repair);
+  }
+
+  Captured operator()(const PanoramaSource&) const { return {}; }  // made by capture_panorama
+
+  Captured operator()(const PinholeSource& source) const {
+    const SeenFrame seen =
+        see_truth(truth, source.camera, world_from_photograph * photograph_from_sensor(source.pose),
+                  sight_of(source, guided()), threads);
+    Captured captured;
+    if (guided()) captured.guide = headlight_picture(seen);
+    if (!source.noise) {
+      captured.frame = sensors::true_depth(seen, source.convention);
+      sensors::clean_holes(captured.frame, source.range.nearest_m, source.range.farthest_m);
+      captured.measured = count_depths(captured.frame);
+      return captured;
+    }
+    const sensors::NoiseModel model = model_of(source);
+    sensors::Measurement measured =
+        sensors::measure(seen, model, {.seed = chain.seed, .frame = frame}, source.noise->scale, threads);
+    captured.frame = std::move(measured.frame);
+    captured.measured = measured.count(PixelState::measured);
+    captured.outliers = measured.count(PixelState::outlier);
+    captured.relative_sigma = median_relative_sigma(seen, model, source.noise->scale);
+    return captured;
+  }
+
+  Captured operator()(const FileSource& source) const {
+    sensors::DepthFileForm form{.camera = source.camera,
+                                .convention = source.convention,
+                                .metres_per_step = source.metres_per_step,
+                                .packing = source.packing,
+                                .nearest_m = source.range.nearest_m,
+                                .farthest_m = source.range.farthest_m};
+    Captured captured{.frame = sensors::read_depth_file(source.path, form).frame};
+    captured.measured = count_depths(captured.frame);
+    if (guided())
+      captured.guide = headlight_picture(
+          see_truth(truth, source.camera, world_from_photograph * photograph_from_sensor(source.pose),
+                    {.surfaces = true}, threads));
+    return captured;
+  }
+};
+
+const SensorPose& pose_of(const DepthSource& source) {
+  if (const auto* file = std::get_if<FileSource>(&source)) return file->pose;
+  return std::get<PinholeSource>(source).pose;
+}
+
+}  // namespace
+
+bool is_seen_from_its_place(const DepthChain& chain) {
+  if (is_panorama(chain)) return true;
+  const bool in_place = chain.registration != Registration::none ||
+                        (pose_of(chain.sources.front()).position_m == std::array<double, 3>{0, 0, 0} &&
+                         chain.calibration_error_m == 0 && chain.delay_ms == 0);
+  return chain.sources.size() == 1 && chain.jumps != Jumps::layer && in_place;
+}
+
+MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings, const Camera& photograph,
+                         int threads) {
+  const DepthChain& chain = *settings.chain;
+  const Eigen::Isometry3d world = world_from_photograph(photograph);
+  MeasuredMesh made;
+  for (std::size_t i = 0; i < chain.sources.size(); ++i) {
+    const DepthSource& source = chain.sources[i];
+    const Captured captured = std::visit(Capture{truth, chain, world, i, threads}, source);
+    const sensors::Repaired repaired =
+        sensors::repair(captured.frame, chain.repair, captured.guide ? &*captured.guide : nullptr, threads);
+    made.counts.measured += captured.measured;
+    made.counts.outliers += captured.outliers;
+    made.counts.holes += std::ssize(captured.frame.depth_m) - captured.measured - captured.outliers;
+    made.counts.invented += repaired.count(sensors::RepairMark::invented);
+
+    PlacedFrame placed{repaired.frame, world * believed_photograph_from_sensor(pose_of(source), chain)};
+    Eigen::Isometry3d truly = world * photograph_from_sensor(pose_of(source));
+    const double tolerance = std::max(settings.mesh_tolerance, chain.noise_sigmas * captured.relative_sigma);
+    const std::optional<double> cut_ratio =
+        chain.jumps == Jumps::stretch ? std::nullopt : std::optional(chain.jump_ratio);
+    append(made.mesh, build_pixel_mesh(pixel_grid(placed, threads), {.density = settings.mesh,
+                                                                     .tolerance = tolerance,
+                                                                     .cut_ratio = cut_ratio,
+                                                                     .threads = threads}));
+    if (chain.jumps == Jumps::layer)
+      append(made.mesh, second_layer_mesh(placed, {truth, truly, chain.jump_ratio, chain.layer_px}, threads));
+  }
+  return made;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,147 @@
+#pragma once
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sensors/files/depth_file.h"
+#include "sensors/noise/measurement.h"
+#include "sensors/repair/repair.h"
+
+namespace seamline::inline stimuli {
+
+/// What a sensor makes of what it sees. `scale` multiplies the model's errors (sensors/noise/measurement.h);
+/// it is above 0: without errors there is no noise here.
+struct SourceNoise {
+  sensors::NoiseModel model;
+  double scale = 1;
+
+  auto operator<=>(const SourceNoise&) const = default;
+};
+
+/// Where a sensor is in the photograph's camera (x right, y down, z forward). Rotations as of objects: roll
+/// about z first, then pitch about x, then yaw about y.
+struct SensorPose {
+  std::array<double, 3> position_m = {0, 0, 0};
+  std::array<double, 3> rotation_deg = {0, 0, 0};  ///< pitch about x, yaw about y, roll about z
+
+  auto operator<=>(const SensorPose&) const = default;
+};
+
+/// How a texel stands for the texels of a finer map under it: the one ray through its centre, or the nearest,
+/// the farthest or the middle one of them (lower median). Holes are farther than anything.
+enum class Reduction { sample, minimum, maximum, median };
+
+/// A panorama from the photograph's own position, radial; its width is that of the depth settings.
+struct PanoramaSource {
+  Reduction reduction = Reduction::sample;
+  int reduction_factor = 1;  ///< the finer map has so many times the width; 1 with `sample`
+  double lowest_elevation_deg = -90, highest_elevation_deg = 90;  ///< of texel centres; holes outside
+  sensors::SensorRange range;
+  std::optional<SourceNoise> noise;  ///< the generic model
+
+  auto operator<=>(const PanoramaSource&) const = default;
+};
+
+/// A depth camera that looks at the truth.
+struct PinholeSource {
+  sensors::PinholeCamera camera;
+  /// Of values without noise, and of the generic model; the other models have their own.
+  sensors::DepthConvention convention = sensors::DepthConvention::planar;
+  sensors::SensorRange range;
+  SensorPose pose;
+  std::optional<SourceNoise> noise;
+  std::optional<std::array<double, 3>> projector_m;  ///< in the sensor's frame; structured light only
+
+  auto operator<=>(const PinholeSource&) const = default;
+};
+
+/// A depth map that lies in a file, and what the file does not say of itself.
+struct FileSource {
+  std::string file;            ///< as written
+  std::filesystem::path path;  ///< resolved; empty where files are not needed
+  sensors::PinholeCamera camera;
+  sensors::DepthConvention convention = sensors::DepthConvention::planar;
+  sensors::SensorRange range;
+  SensorPose pose;
+  std::optional<double> metres_per_step;
+  sensors::DepthPacking packing = sensors::DepthPacking::whole;
+
+  auto operator<=>(const FileSource&) const = default;
+};
+
+using DepthSource = std::variant<PanoramaSource, PinholeSource, FileSource>;
+
+/// How depth is brought into the photograph's camera: not (the mesh is placed by the sensor's pose), point by
+/// point, or as a mesh that is looked at from there.
+enum class Registration { none, points, mesh };
+
+/// What the mesh does between neighbouring pixels whose distances differ by more than a ratio: a sheet, as in
+/// the paper; nothing; or nothing, with a second surface behind it, which the truth gives.
+enum class Jumps { stretch, cut, layer };
+
+/// How depth is captured and what becomes of it: source -> repair -> registration -> local scene. Values that
+/// mean nothing beside the others have their defaults (`meaningful`), so that equal means the same.
+struct DepthChain {
+  std::vector<DepthSource> sources = {PanoramaSource{}};  ///< one at least; a panorama is the only one
+  sensors::RepairMethod repair = sensors::NoRepair{};
+  Registration registration = Registration::none;
+  int border_extrusion_px = 0;  ///< of registration by mesh
+  Jumps jumps = Jumps::stretch;
+  double jump_ratio = 1.1;  ///< above 1
+  int layer_px = 16;        ///< how far behind an edge the second surface reaches, in pixels
+  /// The sensor is believed to be where it is not: turned by this angle about its own y axis and moved by
+  /// this distance along its x axis.
+  double calibration_error_deg = 0;
+  double calibration_error_m = 0;
+  /// Depth is so much older than the photograph, while the rig moves; in the photograph's camera.
+  double delay_ms = 0;
+  std::array<double, 3> velocity_m_s = {0, 0, 0};
+  double noise_sigmas = 3;  ///< the adaptive mesh may err by so many standard deviations of the noise
+  std::uint64_t seed = 0;   ///< of the noise
+
+  auto operator<=>(const DepthChain&) const = default;
+};
+
+[[nodiscard]] std::string_view word(Reduction reduction);
+[[nodiscard]] std::string_view word(Registration registration);
+[[nodiscard]] std::string_view word(Jumps jumps);
+/// "panorama", "pinhole", "file".
+[[nodiscard]] std::string_view kind_of(const DepthSource& source);
+/// "none", "nearest", "median", "joint_bilateral", "planes".
+[[nodiscard]] std::string_view word(const sensors::RepairMethod& repair);
+/// "generic", "time_of_flight", "structured_light".
+[[nodiscard]] std::string_view word(const sensors::NoiseModel& model);
+
+[[nodiscard]] bool is_panorama(const DepthChain& chain);
+/// Camera of a pinhole or file; null of a panorama.
+[[nodiscard]] const sensors::PinholeCamera* camera_of(const DepthSource& source);
+/// Noise of a source, null where it has none.
+[[nodiscard]] const SourceNoise* noise_of(const DepthSource& source);
+[[nodiscard]] bool has_noise(const DepthChain& chain);
+
+/// The same with defaults wherever a value has no meaning (a noise of scale 0 is none, a ratio of jumps
+/// beside sheets); nothing when that is the paper's exact panorama.
+[[nodiscard]] std::optional<DepthChain> meaningful(DepthChain chain);
+
+/// The chain link by link as a text of one line, for hashes and the manifest; empty without a chain.
+[[nodiscard]] std::string canonical_text(const std::optional<DepthChain>& chain);
+
+/// The links for people, each with what it is: {"source", "pinhole 160 x 120 px, ..."}. Absent links say
+/// "none".
+using DepthLinks = std::vector<std::pair<std::string, std::string>>;
+[[nodiscard]] DepthLinks depth_links(const std::optional<DepthChain>& chain, int panorama_width_px);
+
+/// A pinhole with another field of view and as many texels per degree on its axis: its focal lengths stay,
+/// its width is the nearest even number, its height keeps their proportion, its principal point its distance
+/// from the middle.
+[[nodiscard]] sensors::PinholeCamera with_field_of_view(const sensors::PinholeCamera& camera,
+                                                        double horizontal_field_of_view_deg);
+
+}  // namespace seamline::inline stimuli

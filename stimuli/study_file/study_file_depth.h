@@ -1,0 +1,25 @@
+#pragma once
+#include <optional>
+
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/study_file/toml_table.h"
+#include "support/files/assets.h"
+
+namespace seamline::inline stimuli {
+
+/// The table `depth` of a study or a condition: how depth is captured. What it leaves out is `usual`'s;
+/// another `source` or `preset` begins anew. Nothing where it says, or leaves, the exact panorama. Throws
+/// InputError for keys that nothing would look at, links that do not go together, and what is the level.
+[[nodiscard]] std::optional<DepthChain> read_depth_chain(const TomlTable& settings,
+                                                         const std::optional<DepthChain>& usual,
+                                                         const LevelDefinition& level, std::uint64_t seed);
+
+/// Throws InputError unless the level is something that this chain has: noise, a pinhole, a speed. `width_px`
+/// of the panorama, or 0 where it is the level.
+void require_level_in_chain(const TomlTable& settings, const std::optional<DepthChain>& chain, int width_px,
+                            const LevelDefinition& level);
+
+/// Finds the files of sources. Throws InputError where one is not there, or lies outside the folders.
+void find_depth_files(StudyDefinition& study, const AssetFolders& folders);
+
+}  // namespace seamline::inline stimuli
