@@ -119,7 +119,9 @@ std::string text(const sensors::RepairMethod& repair) {
 /// A source for people.
 std::string described(const DepthSource& source, int panorama_width_px) {
   if (const auto* panorama = std::get_if<PanoramaSource>(&source)) {
-    std::string out = fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);
+    std::string out = panorama_width_px == 0
+                          ? "panorama, whose width is the level"
+                          : fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);
     if (panorama->reduction != Reduction::sample)
       out += fmt::format(", {} of {} x {} texels each", word(panorama->reduction), panorama->reduction_factor,
                          panorama->reduction_factor);
@@ -245,10 +247,9 @@ bool has_noise(const DepthChain& chain) {
 std::optional<DepthChain> meaningful(DepthChain chain) {
   const DepthChain usual;
   for (DepthSource& source : chain.sources) simplify(source);
-  if (!has_noise(chain)) {
-    chain.seed = usual.seed;
-    chain.noise_sigmas = usual.noise_sigmas;
-  }
+  const bool exact_pose = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
+  if (!has_noise(chain)) chain.noise_sigmas = usual.noise_sigmas;
+  if (!has_noise(chain) && exact_pose) chain.seed = usual.seed;
   if (chain.registration != Registration::mesh) chain.border_extrusion_px = usual.border_extrusion_px;
   if (chain.jumps == Jumps::stretch) chain.jump_ratio = usual.jump_ratio;
   if (chain.jumps != Jumps::layer) chain.layer_px = usual.layer_px;

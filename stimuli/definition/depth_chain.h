@@ -96,15 +96,15 @@ struct DepthChain {
   Jumps jumps = Jumps::stretch;
   double jump_ratio = 1.1;  ///< above 1
   int layer_px = 16;        ///< how far behind an edge the second surface reaches, in pixels
-  /// The sensor is believed to be where it is not: turned by this angle about its own y axis and moved by
-  /// this distance along its x axis.
+  /// The sensor is believed to be where it is not: turned by this angle and moved by this distance, about an
+  /// axis and in a direction that the seed draws (registration/pose/pose.h).
   double calibration_error_deg = 0;
   double calibration_error_m = 0;
   /// Depth is so much older than the photograph, while the rig moves; in the photograph's camera.
   double delay_ms = 0;
   std::array<double, 3> velocity_m_s = {0, 0, 0};
   double noise_sigmas = 3;  ///< the adaptive mesh may err by so many standard deviations of the noise
-  std::uint64_t seed = 0;   ///< of the noise
+  std::uint64_t seed = 0;   ///< of the noise and of the calibration error
 
   auto operator<=>(const DepthChain&) const = default;
 };

@@ -178,10 +178,13 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
   if (is_panorama(chain)) keep_panorama_links(*table, chain);
   refuse_idle(*table, chain, level);
   table->finish();
-  // A delay that is the level needs the speed that `meaningful` would drop beside a delay of 0.
+  // What is the level needs what `meaningful` drops beside a delay or an error of 0.
   const std::array<double, 3> velocity_m_s = chain.velocity_m_s;
   std::optional<DepthChain> kept = meaningful(std::move(chain));
   if (kept && level.quantity == Quantity::depth_delay_ms) kept->velocity_m_s = velocity_m_s;
+  if (kept &&
+      (level.quantity == Quantity::calibration_error_deg || level.quantity == Quantity::calibration_error_m))
+    kept->seed = seed;
   return kept;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "registration/pose/pose.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -51,9 +53,9 @@ Eigen::Isometry3d photograph_from_sensor(const SensorPose& given) {
 Eigen::Isometry3d believed_photograph_from_sensor(const SensorPose& given, const DepthChain& chain) {
   Eigen::Isometry3d pose = photograph_from_sensor(given);
   pose.pretranslate(vector(chain.velocity_m_s) * (chain.delay_ms * 1e-3));
-  pose.translate(Eigen::Vector3d(chain.calibration_error_m, 0, 0));
-  pose.rotate(Eigen::AngleAxisd(chain.calibration_error_deg * radians_per_degree, Eigen::Vector3d::UnitY()));
-  return pose;
+  return registration::with_calibration_error(pose, {.rotation_deg = chain.calibration_error_deg,
+                                                     .displacement_m = chain.calibration_error_m,
+                                                     .seed = chain.seed});
 }
 
 }  // namespace seamline::renderer

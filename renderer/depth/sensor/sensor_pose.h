@@ -19,8 +19,8 @@ namespace seamline::renderer {
 /// Where a sensor is.
 [[nodiscard]] Eigen::Isometry3d photograph_from_sensor(const SensorPose& pose);
 
-/// Where the chain believes that it is: off by the calibration error, and by the way that the rig has gone
-/// since the depth was captured.
+/// Where the chain believes that it is: off by the calibration error, in an axis and a direction that the
+/// chain's seed draws, and by the way that the rig has gone since the depth was captured.
 [[nodiscard]] Eigen::Isometry3d believed_photograph_from_sensor(const SensorPose& pose,
                                                                 const DepthChain& chain);
 

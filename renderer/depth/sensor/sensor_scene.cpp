@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "registration/mesh/register_by_mesh.h"
+#include "registration/points/register_by_points.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 #include "renderer/depth/sensor/second_layer.h"
 #include "renderer/depth/sensor/sensor_pose.h"
@@ -116,6 +118,40 @@ struct Capture {
   }
 };
 
+registration::MeshRegistration mesh_registration(const DepthChain& chain, int threads) {
+  return {.jumps = chain.jumps == Jumps::stretch ? registration::Jumps::stretch : registration::Jumps::cut,
+          .jump_ratio = chain.jump_ratio,
+          .border_extrusion_px = chain.border_extrusion_px,
+          .threads = threads};
+}
+
+/// A frame where the chain believes it to be: at the sensor, or brought into the photograph's camera, which
+/// then is where it was seen from.
+struct Registered {
+  PlacedFrame placed;
+  Eigen::Isometry3d seen_from;  ///< truly
+};
+
+Registered register_frame(const sensors::DepthFrame& frame, const SensorPose& pose, const DepthChain& chain,
+                          const Camera& photograph, int threads) {
+  const Eigen::Isometry3d world = world_from_photograph(photograph);
+  const Eigen::Isometry3d believed = believed_photograph_from_sensor(pose, chain);
+  // Of more texels per degree than the sensor has, the photograph's grid would be a sieve.
+  const sensors::PinholeCamera colour = pinhole_of(photograph, frame.camera.fx_px);
+  switch (chain.registration) {
+    case Registration::none:
+      break;
+    case Registration::points:
+      return {{registration::register_by_points(frame, believed, colour, {}, threads).frame, world}, world};
+    case Registration::mesh:
+      return {
+          {registration::register_by_mesh(frame, believed, colour, mesh_registration(chain, threads)).frame,
+           world},
+          world};
+  }
+  return {{frame, world * believed}, world * photograph_from_sensor(pose)};
+}
+
 const SensorPose& pose_of(const DepthSource& source) {
   if (const auto* file = std::get_if<FileSource>(&source)) return file->pose;
   return std::get<PinholeSource>(source).pose;
@@ -146,8 +182,7 @@ MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings, c
     made.counts.holes += std::ssize(captured.frame.depth_m) - captured.measured - captured.outliers;
     made.counts.invented += repaired.count(sensors::RepairMark::invented);
 
-    PlacedFrame placed{repaired.frame, world * believed_photograph_from_sensor(pose_of(source), chain)};
-    Eigen::Isometry3d truly = world * photograph_from_sensor(pose_of(source));
+    const auto [placed, truly] = register_frame(repaired.frame, pose_of(source), chain, photograph, threads);
     const double tolerance = std::max(settings.mesh_tolerance, chain.noise_sigmas * captured.relative_sigma);
     const std::optional<double> cut_ratio =
         chain.jumps == Jumps::stretch ? std::nullopt : std::optional(chain.jump_ratio);

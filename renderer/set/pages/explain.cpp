@@ -110,6 +110,27 @@ std::string omissions_text(const ScenePlan& plan) {
   return out + "  Not left out:\n" + table(needed, 4);
 }
 
+/// Each link of the depth that a condition's meshes are made of, and what is absent.
+std::string depth_text(const StudyDefinition& study) {
+  const std::vector<ConditionDefinition> conditions = list_conditions(study);
+  const bool exact = std::none_of(conditions.begin(), conditions.end(),
+                                  [](const ConditionDefinition& one) { return one.depth.chain.has_value(); });
+  if (exact)
+    return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
+           "it "
+           "jumps.\n";
+  std::string out;
+  for (const ConditionDefinition& condition : conditions) {
+    Rows rows;
+    for (const auto& [link, what] : depth_links(condition.depth.chain, condition.depth.width_px))
+      rows.push_back({link, what});
+    rows.push_back({"level", std::string(facts(study.level.quantity).key)});
+    out += condition.name.empty() ? "Depth:\n" : fmt::format("Depth of the condition {}:\n", condition.name);
+    out += table(rows, 2);
+  }
+  return out;
+}
+
 std::string millions(double number) {
   return fmt::format("{:.2f} M", number * 1e-6);
 }
@@ -124,6 +145,7 @@ std::string explain(const StudyDefinition& study, const RenderPlan& plan) {
       settings.error ? fmt::format("estimated error below {} of the display range", *settings.error)
                      : fmt::format("{} samples a pixel", settings.spp),
       word(plan.isolation));
+  out += depth_text(study);
   for (const ScenePlan& scene : plan.scenes)
     out += fmt::format("\n{}\n", scene.scene) + light_text(scene) + choices_text(scene.choices) +
            answers_text(scene) + omissions_text(scene);
