@@ -150,6 +150,10 @@ void simplify(DepthSource& source) {
   }
 }
 
+int even(double value) {
+  return 2 * static_cast<int>(std::lround(value / 2));
+}
+
 bool is_still(const DepthChain& chain) {
   return chain.delay_ms == 0 || chain.velocity_m_s == std::array<double, 3>{0, 0, 0};
 }
@@ -317,12 +321,27 @@ sensors::PinholeCamera with_field_of_view(const sensors::PinholeCamera& camera,
   const double half_rad = horizontal_field_of_view_deg * std::numbers::pi / 360;
   const double across_px = 2 * camera.fx_px * std::tan(half_rad);
   sensors::PinholeCamera wider = camera;
-  const auto even = [](double value) { return 2 * static_cast<int>(std::lround(value / 2)); };
   wider.width_px = even(across_px);
   wider.height_px = even(across_px * camera.height_px / camera.width_px);
   wider.cx_px += 0.5 * (wider.width_px - camera.width_px);
   wider.cy_px += 0.5 * (wider.height_px - camera.height_px);
   return wider;
+}
+
+sensors::PinholeCamera resized(sensors::PinholeCamera camera, int width_px, int height_px) {
+  const double across = static_cast<double>(width_px) / camera.width_px,
+               down = static_cast<double>(height_px) / camera.height_px;
+  camera.fx_px *= across, camera.cx_px *= across, camera.skew_px *= across;
+  camera.fy_px *= down, camera.cy_px *= down;
+  camera.width_px = width_px, camera.height_px = height_px;
+  return camera;
+}
+
+sensors::PinholeCamera with_texels_per_degree(const sensors::PinholeCamera& camera,
+                                              double texels_per_degree) {
+  const double share = texels_per_degree * 180 / std::numbers::pi / camera.fx_px;
+  return resized(camera, even(camera.width_px * share),
+                 static_cast<int>(std::lround(camera.height_px * share)));
 }
 
 }  // namespace seamline::inline stimuli

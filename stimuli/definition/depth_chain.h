@@ -144,4 +144,11 @@ using DepthLinks = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] sensors::PinholeCamera with_field_of_view(const sensors::PinholeCamera& camera,
                                                         double horizontal_field_of_view_deg);
 
+/// A picture of another size that shows the same.
+[[nodiscard]] sensors::PinholeCamera resized(sensors::PinholeCamera camera, int width_px, int height_px);
+
+/// The same view with so many texels per degree on the axis; to the nearest even width and whole height.
+[[nodiscard]] sensors::PinholeCamera with_texels_per_degree(const sensors::PinholeCamera& camera,
+                                                            double texels_per_degree);
+
 }  // namespace seamline::inline stimuli

@@ -22,14 +22,23 @@ std::optional<DepthChain> chain_at(DepthChain chain, Quantity quantity, double l
     if (noise != nullptr && quantity == Quantity::depth_noise) noise->scale = level;
     if (noise != nullptr && quantity == Quantity::outlier_share)
       std::visit([&](auto& model) { model.outliers.share = level; }, noise->model);
-    if (auto* pinhole = std::get_if<PinholeSource>(&source);
-        pinhole != nullptr && quantity == Quantity::depth_field_of_view_deg)
+    auto* pinhole = std::get_if<PinholeSource>(&source);
+    if (pinhole != nullptr && quantity == Quantity::depth_field_of_view_deg)
       pinhole->camera = with_field_of_view(pinhole->camera, level);
+    if (pinhole != nullptr && quantity == Quantity::texels_per_degree)
+      pinhole->camera = with_texels_per_degree(pinhole->camera, level);
   }
   if (quantity == Quantity::calibration_error_deg) chain.calibration_error_deg = level;
   if (quantity == Quantity::calibration_error_m) chain.calibration_error_m = level;
   if (quantity == Quantity::depth_delay_ms) chain.delay_ms = level;
   return meaningful(std::move(chain));
+}
+
+DepthSettings depth_in_chain_at(DepthSettings depth, Quantity quantity, double level) {
+  if (depth.chain) depth.chain = chain_at(std::move(*depth.chain), quantity, level);
+  if (depth.chain)
+    if (const auto* camera = camera_of(depth.chain->sources.front())) depth.width_px = camera->width_px;
+  return depth;
 }
 
 DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
@@ -38,6 +47,8 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
       depth.width_px = static_cast<int>(level);
       break;
     case Quantity::texels_per_degree:
+      if (depth.chain && !is_panorama(*depth.chain))
+        return depth_in_chain_at(std::move(depth), quantity, level);
       depth.width_px = static_cast<int>(std::lround(level * 360));
       break;
     case Quantity::mesh_tolerance:
@@ -52,10 +63,7 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
     case Quantity::calibration_error_m:
     case Quantity::depth_field_of_view_deg:
     case Quantity::depth_delay_ms:
-      if (depth.chain) depth.chain = chain_at(std::move(*depth.chain), quantity, level);
-      if (depth.chain)
-        if (const auto* camera = camera_of(depth.chain->sources.front())) depth.width_px = camera->width_px;
-      break;
+      return depth_in_chain_at(std::move(depth), quantity, level);
   }
   return depth;
 }

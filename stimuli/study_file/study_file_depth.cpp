@@ -133,10 +133,11 @@ void refuse_level_of_depth(const TomlTable& table, const LevelDefinition& level)
       return refuse("delay_ms");
     case Quantity::depth_field_of_view_deg:
       return refuse("field_of_view_deg");
+    case Quantity::texels_per_degree:
+      return refuse("texels_per_degree");
     case Quantity::depth_noise:     // noise.scale: see read_noise
     case Quantity::outlier_share:   // noise.outlier_share
     case Quantity::depth_width_px:  // no key of this table
-    case Quantity::texels_per_degree:
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:
       return;
@@ -195,10 +196,23 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
         "depth", fmt::format("{}, because {} is the level", what, facts(level.quantity).key), found);
   };
   const bool sensor = chain && !is_panorama(*chain);
+  const auto require_sizes = [&](const auto& camera_at) {
+    if (!sensor || chain->sources.size() != 1 ||
+        !std::holds_alternative<PinholeSource>(chain->sources.front()))
+      throw wanted("one pinhole", sensor ? "other sources" : "a panorama");
+    for (const double value : level.values) {
+      const sensors::PinholeCamera camera = camera_at(*camera_of(chain->sources.front()), value);
+      if (camera.width_px < 2 || camera.height_px < 2 || camera.width_px > 8192 || camera.height_px > 8192)
+        throw wanted(fmt::format("a depth map of 2 to 8192 pixels at {}", level_text(level.quantity, value)),
+                     fmt::format("{} x {}", camera.width_px, camera.height_px));
+    }
+  };
   switch (level.quantity) {
     case Quantity::depth_width_px:
-    case Quantity::texels_per_degree:
       if (sensor) throw wanted("a panorama", "a " + std::string(kind_of(chain->sources.front())));
+      break;
+    case Quantity::texels_per_degree:
+      if (sensor) require_sizes(with_texels_per_degree);
       break;
     case Quantity::depth_noise:
     case Quantity::outlier_share:
@@ -213,15 +227,7 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
         throw wanted("a pinhole or a file with velocity_m_s", sensor ? "a rig at rest" : "a panorama");
       break;
     case Quantity::depth_field_of_view_deg:
-      if (!sensor || chain->sources.size() != 1 ||
-          !std::holds_alternative<PinholeSource>(chain->sources.front()))
-        throw wanted("one pinhole", sensor ? "other sources" : "a panorama");
-      for (const double deg : level.values) {
-        const sensors::PinholeCamera camera = with_field_of_view(*camera_of(chain->sources.front()), deg);
-        if (camera.width_px < 2 || camera.height_px < 2 || camera.width_px > 8192 || camera.height_px > 8192)
-          throw wanted(fmt::format("a depth map of 2 to 8192 pixels at {} degrees", deg),
-                       fmt::format("{} x {}", camera.width_px, camera.height_px));
-      }
+      require_sizes(with_field_of_view);
       break;
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:

@@ -44,15 +44,6 @@ sensors::SensorRange read_range_m(const TomlTable& table, const sensors::SensorR
   return {.nearest_m = ends[0], .farthest_m = ends[1]};
 }
 
-/// A picture of another size that shows the same.
-void resize(sensors::PinholeCamera& camera, int width_px, int height_px) {
-  const double across = static_cast<double>(width_px) / camera.width_px,
-               down = static_cast<double>(height_px) / camera.height_px;
-  camera.fx_px *= across, camera.cx_px *= across, camera.skew_px *= across;
-  camera.fy_px *= down, camera.cy_px *= down;
-  camera.width_px = width_px, camera.height_px = height_px;
-}
-
 void read_size(const TomlTable& table, bool known, sensors::PinholeCamera& camera) {
   if (!table.has("size_px")) {
     if (!known) throw table.complaint("size_px", "width and height of the depth map", "nothing");
@@ -63,7 +54,7 @@ void read_size(const TomlTable& table, bool known, sensors::PinholeCamera& camer
     throw table.complaint("size_px", "two whole numbers, the first an even one: [width, height]",
                           size.size() == 2 ? fmt::format("[{}, {}]", size[0], size[1])
                                            : fmt::format("an array of {}", size.size()));
-  resize(camera, size[0], size[1]);
+  camera = resized(camera, size[0], size[1]);
 }
 
 /// One way to say how wide the camera looks; fx = fy but where `fy` says otherwise.

@@ -200,6 +200,16 @@ TEST(StudyFileDepth, LevelsChangeTheChain) {
   EXPECT_NEAR(sensors::horizontal_field_of_view_deg(pinhole_of(fields[2]).camera), 90, 0.2);
 }
 
+TEST(StudyFileDepth, TexelsPerDegreeOfAPinholeKeepItsView) {
+  const StudyDefinition study = levels_study("texels_per_degree", "[1, 2]", plain);
+  for (const Stimulus& stimulus : list_stimuli(study)) {
+    const sensors::PinholeCamera& camera = pinhole_of(stimulus.depth).camera;
+    EXPECT_NEAR(sensors::horizontal_field_of_view_deg(camera), 60, 1e-9);
+    EXPECT_NEAR(camera.fx_px * 3.14159265 / 180, stimulus.level, 0.02);
+    EXPECT_EQ(stimulus.depth.width_px, camera.width_px);
+  }
+}
+
 TEST(StudyFileDepth, LevelsNeedSomethingToChange) {
   EXPECT_THAT(
       levels_complaint("depth_noise", "[1]", plain),
