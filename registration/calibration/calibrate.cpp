@@ -56,8 +56,8 @@ bool are_on_a_line(const std::vector<PointPair>& pairs) {
 }  // namespace
 
 Eigen::Vector3d Board::corner_m(std::size_t i) const {
-  const std::size_t width = static_cast<std::size_t>(columns);
-  return {square_m * static_cast<double>(i % width), square_m * static_cast<double>(i / width), 0};
+  const std::size_t width = static_cast<std::size_t>(columns), row = i / width, column = i % width;
+  return {square_m * static_cast<double>(column), square_m * static_cast<double>(row), 0};
 }
 
 Refined calibrate_camera(const Board& board, const BoardPictures& pictures, const std::string& what) {
@@ -101,6 +101,7 @@ Refined pose_of_pairs(const sensors::PinholeCamera& camera, const std::vector<Po
                        .wanted = "points that do not lie on one line",
                        .found = fmt::format("{} on one", pairs.size())});
   std::vector<SeenPoint> seen;
+  seen.reserve(pairs.size());
   for (const PointPair& pair : pairs) seen.push_back({0, 0, pair.point_m, pair.position_px});
   Estimate start;
   start.cameras.push_back(camera);

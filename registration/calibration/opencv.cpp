@@ -52,7 +52,10 @@ double least_distance_px(const std::vector<cv::Point2f>& corners, const Board& b
   double least_px = 1e9;
   for (int row = 0; row < board.rows; ++row)
     for (int column = 0; column < board.columns; ++column) {
-      const auto at = [&](int c, int r) { return corners[static_cast<std::size_t>(r * board.columns + c)]; };
+      const auto at = [&](int c, int r) {
+        return corners[static_cast<std::size_t>(r) * static_cast<std::size_t>(board.columns) +
+                       static_cast<std::size_t>(c)];
+      };
       if (column + 1 < board.columns)
         least_px = std::min(least_px, cv::norm(at(column + 1, row) - at(column, row)));
       if (row + 1 < board.rows)
@@ -138,7 +141,7 @@ Eigen::Isometry3d start_of_pose(const sensors::PinholeCamera& camera, const std:
     cv::Mat turn, step;
     const bool found = cv::solvePnP(points, directions, cv::Mat::eye(3, 3, CV_64F), cv::noArray(), turn, step,
                                     false, cv::SOLVEPNP_SQPNP);
-    const Eigen::Isometry3d pose = found ? pose_of_vectors(turn, step) : Eigen::Isometry3d::Identity();
+    Eigen::Isometry3d pose = found ? pose_of_vectors(turn, step) : Eigen::Isometry3d::Identity();
     if (!found || !pose.matrix().allFinite())
       throw input_error(
           {.field = what, .wanted = "pairs that some pose brings together", .found = "none that does"});

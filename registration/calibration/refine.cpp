@@ -83,15 +83,15 @@ Estimate stepped(const Problem& problem, const Estimate& estimate, const VectorX
   Estimate next = estimate;
   if (problem.unknowns.cameras)
     for (std::size_t i = 0; i < next.cameras.size(); ++i)
-      next.cameras[i] =
-          changed(next.cameras[i], step.segment<camera_parameters>(static_cast<int>(i) * camera_parameters));
+      next.cameras[i] = changed(
+          next.cameras[i], step.segment<camera_parameters>(static_cast<Eigen::Index>(i) * camera_parameters));
   if (problem.unknowns.second_from_first)
     next.second_from_first =
         changed(next.second_from_first, step.segment<pose_parameters>(problem.layout.second));
   for (std::size_t i = 0; i < next.first_from_view.size(); ++i)
-    next.first_from_view[i] =
-        changed(next.first_from_view[i],
-                step.segment<pose_parameters>(problem.layout.views + static_cast<int>(i) * pose_parameters));
+    next.first_from_view[i] = changed(
+        next.first_from_view[i],
+        step.segment<pose_parameters>(problem.layout.views + static_cast<Eigen::Index>(i) * pose_parameters));
   return next;
 }
 

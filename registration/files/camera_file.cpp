@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 #include "sensors/noise/measurement.h"
 #include "sensors/rig/presets.h"
@@ -117,10 +118,8 @@ Eigen::Isometry3d read_pose(const TomlTable& table) {
   return pose;
 }
 
-std::string numbers_text(const double* values, int count, int stride) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += fmt::format("{}{}", i == 0 ? "" : ", ", values[i * stride]);
-  return "[" + text + "]";
+std::string numbers_text(std::span<const double> values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
 std::string camera_text(const char* name, const PinholeCamera& camera) {
@@ -135,8 +134,8 @@ std::string camera_text(const char* name, const PinholeCamera& camera) {
 std::string pose_text(const char* name, const Eigen::Isometry3d& pose) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = pose.linear();
   const Eigen::Vector3d place = pose.translation();
-  return fmt::format("\n[{}]\ntranslation_m = {}\nrotation = {}\n", name, numbers_text(place.data(), 3, 1),
-                     numbers_text(rotation.data(), 9, 1));
+  return fmt::format("\n[{}]\ntranslation_m = {}\nrotation = {}\n", name, numbers_text({place.data(), 3}),
+                     numbers_text({rotation.data(), 9}));
 }
 
 CameraFile camera_file_of(const TomlTable& table, const std::string& file) {
@@ -198,7 +197,7 @@ CameraFile camera_file_of_preset(const std::string& key, const std::string& fiel
 }
 
 CameraFile parse_camera_file(const std::string& text, const std::filesystem::path& path) {
-  const CameraFile cameras = camera_file_of(TomlTable::parse(text, path), path.string());
+  CameraFile cameras = camera_file_of(TomlTable::parse(text, path), path.string());
   const std::string where = path.string() + ": ";
   if (cameras.depth) sensors::require_valid(*cameras.depth, where + "depth.");
   if (cameras.colour) sensors::require_valid(*cameras.colour, where + "colour.");

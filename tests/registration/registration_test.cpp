@@ -259,6 +259,18 @@ TEST(Mesh, TheBorderIsExtrudedMarkedAndNeverBeforeWhatIsMeasured) {
     EXPECT_TRUE(plain.filled[i] == 0 || plain.frame.depth_m[i] == extruded.frame.depth_m[i]);
     EXPECT_NEAR(extruded.frame.depth_m[i], 2.0F, 2e-6F);  // a wall that is parallel to the camera goes on
   }
+  // A near border, seen from beside: what is extruded from it would hide the wall, which was measured.
+  DepthFrame bordered = depth_of(plane({0, 0, 0.5}), depth, DepthConvention::planar);
+  for (int row = 0; row < 30; ++row) bordered.depth_m[bordered.index(0, row)] = 0.5F;
+  Isometry3d beside = Isometry3d::Identity();
+  beside.translation().x() = 0.3;
+  const RegisteredFrame seen = register_by_mesh(bordered, beside, colour, {.jumps = Jumps::cut});
+  const RegisteredFrame hidden =
+      register_by_mesh(bordered, beside, colour, {.jumps = Jumps::cut, .border_extrusion_px = 20});
+  EXPECT_GT(count_of(hidden.extruded), 0);
+  for (std::size_t i = 0; i < seen.filled.size(); ++i) {
+    EXPECT_TRUE(seen.filled[i] == 0 || seen.frame.depth_m[i] == hidden.frame.depth_m[i]) << i;
+  }
   // Holes that reach farther in than the extrusion reaches out stay.
   for (int row = 0; row < 30; ++row)
     for (int column = 0; column < 40; ++column)
