@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/log_analysis/analysis.h"
@@ -9,6 +10,7 @@
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/json/thresholds_json.h"
 #include "analysis/report/page/methods_text.h"
+#include "analysis/report/tables/noticeability_tables.h"
 #include "tests/analysis/condition_people.h"
 
 namespace seamline::analysis {
@@ -65,6 +67,25 @@ TEST(Conditions, AMirroredAxisGivesMirroredThresholds) {
                      other = range_at(turned.data.axis, b[i].here.ci95);
     expect_mirrored(one.low, other.high);
     expect_mirrored(one.high, other.low);
+  }
+}
+
+TEST(Conditions, EstimatesOfTexelsPerDegreeStandInTheirColumn) {
+  study::LogContents log = test::simulate_log(12, 3);
+  log.quantity = Quantity::texels_per_degree;
+  for (study::Answer& answer : log.answers) answer.level /= 360;
+  const Analysis analysis = analysed(std::move(log), 50);
+  const CsvTable table = noticeability_tables(analysis).at(2);
+  EXPECT_EQ(table.name, "thresholds");
+  EXPECT_EQ(table.columns[3].name, "estimate_texels_per_degree");
+  EXPECT_EQ(std::count_if(table.columns.begin(), table.columns.end(),
+                          [](const auto& column) { return column.name == "estimate_texels_per_degree"; }),
+            1);
+  const auto rows = threshold_rows(analysis);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto level = level_of(rows[i].here, analysis.data.axis);
+    if (!level) continue;
+    EXPECT_NEAR(std::get<double>(table.rows[i][3]), *level, 1e-5 * *level);
   }
 }
 

@@ -62,6 +62,22 @@ TEST_F(ManifestFile, RoundTripKeepsEveryByte) {
   EXPECT_EQ(set_hash(folder_.path()).size(), 64U);
 }
 
+TEST_F(ManifestFile, WhatASensorMeasuredIsKept) {
+  ManifestStimulus record = example().stimuli[0];
+  record.stimulus.depth.chain = DepthChain();
+  record.stimulus.depth.chain->jumps = Jumps::cut;
+  record.mesh.sensor = {.measured = 5, .holes = 4, .invented = 3, .outliers = 2};
+  const std::string text = stimulus_record_text(record);
+  EXPECT_NE(text.find("jumps cut 1.1"), std::string::npos) << text;
+  const ManifestStimulus back = stimulus_record_from_text(text, "record");
+  ASSERT_TRUE(back.mesh.sensor.has_value());
+  EXPECT_EQ(back.mesh.sensor->measured, 5);
+  EXPECT_EQ(back.mesh.sensor->holes, 4);
+  EXPECT_EQ(back.mesh.sensor->invented, 3);
+  EXPECT_EQ(back.mesh.sensor->outliers, 2);
+  EXPECT_FALSE(stimulus_record_from_text(stimulus_record_text(example().stimuli[0]), "record").mesh.sensor);
+}
+
 TEST_F(ManifestFile, EveryMissingFieldAndEveryCutIsTheUsersInput) {
   write_manifest(folder_.path(), example());
   const std::string bytes = read_file(folder_ / "manifest.json");

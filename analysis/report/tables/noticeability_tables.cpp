@@ -74,6 +74,8 @@ CsvTable thresholds_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
   std::vector<std::string> conditions;
+  // Where the level itself is texels per degree, the estimate has that name.
+  const std::string per_degree = of_depth_widths(axis) ? "estimate_texels_per_degree" : "of no width";
   CsvTable table{
       .name = "thresholds",
       .columns =
@@ -86,7 +88,7 @@ CsvTable thresholds_table(const Analysis& analysis) {
            {"ci95_high" + suffix, unit, "upper end of the 95 % interval; empty when open, see ci95_text"},
            {"ci95_text", "text", "the interval in words"},
            {"reason", "text", "why there is no estimate"},
-           {"estimate_texels_per_degree", "1/degree", "W / 360"},
+           {per_degree, "1/degree", "W / 360"},
            {"paper_px", "px", "published value (Table 1 of the paper); empty where it has a dash"},
            {"planted" + suffix, unit, "what simulated observers were made of; not the paper's"},
            source_column},
@@ -102,7 +104,7 @@ CsvTable thresholds_table(const Analysis& analysis) {
                           number(row.planted, axis), source_text(analysis)});
     conditions.push_back(row.condition);
   }
-  if (!of_depth_widths(axis)) drop_column(table, "estimate_texels_per_degree");
+  if (!of_depth_widths(axis)) drop_column(table, per_degree);
   if (!beside_the_paper(analysis)) drop_column(table, "paper_px");
   add_conditions(table, has_conditions(analysis.data), conditions);
   return table;

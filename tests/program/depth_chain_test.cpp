@@ -1,0 +1,88 @@
+// Studies that say how depth is captured, as people run them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+using test::fresh_folder;
+using test::Outcome;
+using test::read_text;
+using test::run_seamline;
+using test::studies;
+using test::write_text;
+using testing::HasSubstr;
+
+/// The shipped study of noise with other levels and another table `depth`.
+std::string study_text(const std::string& level_and_depth) {
+  const std::string text = read_text(studies() / "sensor_noise.toml");
+  const std::size_t first = text.find("[level]"), last = text.find("# Pictures of half");
+  return text.substr(0, first) + level_and_depth + "\n" + text.substr(last);
+}
+
+nlohmann::json manifest_of(const std::filesystem::path& set) {
+  return nlohmann::json::parse(read_text(set / "manifest.json"));
+}
+
+TEST(DepthChain, ASetOfNoisyDepthIsRenderedCountedVerifiedAndKept) {
+  const auto folder = fresh_folder("depth_chain");
+  const std::string set = (folder / "set").string();
+  const std::string command = "render " + (studies() / "sensor_noise.toml").string() +
+                              " --only 'bedroom-receiver-statue-*' --spp 2 --explain --out " + set;
+  const Outcome outcome = run_seamline(command);
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  for (const char* part : {"pinhole 320 x 288 px", "time_of_flight, scale 1", "registration       none"})
+    EXPECT_THAT(outcome.output, HasSubstr(part));
+  const nlohmann::json manifest = manifest_of(set);
+  EXPECT_EQ(manifest["version"], 2);
+  for (const nlohmann::json& stimulus : manifest["stimuli"]) {
+    const bool none = stimulus["level"]["value"] == 0;
+    const nlohmann::json& counts = stimulus["mesh"]["sensor"];
+    EXPECT_EQ(counts["measured"].get<int>() + counts["holes"].get<int>() + counts["outliers"].get<int>(),
+              320 * 288);
+    const std::string depth = stimulus["condition"]["depth"];
+    EXPECT_EQ(depth.find("noise") == std::string::npos, none) << depth;
+  }
+  EXPECT_EQ(run_seamline("verify " + set).status, 0);
+  EXPECT_THAT(run_seamline(command).output, HasSubstr("0 stimuli rendered, 5 kept"));
+  EXPECT_EQ(manifest_of(set), manifest);
+  EXPECT_EQ(run_seamline(command + " --true-error 'bedroom-receiver-statue-0004*' --true-error-spp 2").status,
+            0);
+}
+
+TEST(DepthChain, ADepthMapInAFileIsASourceAndAnotherFileIsAnotherPicture) {
+  const auto folder = fresh_folder("depth_file_source");
+  write_text(
+      folder / "study.toml",
+      study_text(
+          "[level]\nquantity = \"calibration_error_m\"\nvalues = [0]\n"
+          "[depth]\nsource = \"file\"\nfile = \"wall.pgm\"\nsize_px = [64, 48]\nfield_of_view_deg = 60\n"
+          "convention = \"planar\"\nmetres_per_step = 0.001\n"));
+  const auto write_wall = [&](char high_byte) {
+    std::string bytes = "P5\n64 48\n65535\n";
+    for (int i = 0; i < 64 * 48; ++i) bytes += {high_byte, '\0'};
+    write_text(folder / "wall.pgm", bytes);
+  };
+  write_wall('\x0f');  // 3.84 m
+  const std::string command = "render " + (folder / "study.toml").string() +
+                              " --only 'bedroom-receiver-statue-*' --spp 2 --out " +
+                              (folder / "set").string();
+  const Outcome outcome = run_seamline(command);
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const nlohmann::json mesh = manifest_of(folder / "set")["stimuli"][0]["mesh"];
+  EXPECT_EQ(mesh["sensor"]["measured"], 64 * 48);
+  EXPECT_LT(mesh["triangles"], 600);  // a wall, and the picture's edges
+  write_wall('\x10');
+  EXPECT_THAT(run_seamline(command).output, HasSubstr("1 stimuli rendered, 0 kept"));
+  write_text(folder / "wall.pgm", "P5\n32 48\n65535\n");
+  const Outcome damaged = run_seamline(command);
+  EXPECT_EQ(damaged.status, 1);
+  EXPECT_THAT(damaged.output, HasSubstr("wall.pgm"));
+}
+
+}  // namespace
+}  // namespace seamline
