@@ -2,8 +2,10 @@
 
 #include "renderer/commands/bench_command.h"
 #include "renderer/commands/check_command.h"
+#include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
 #include "renderer/commands/render_command.h"
+#include "renderer/commands/sense_command.h"
 #include "renderer/commands/workbench_command.h"
 
 namespace seamline::renderer {
@@ -13,6 +15,8 @@ void add_renderer_commands(CLI::App& app) {
   add_check_command(app);
   add_convergence_command(app);
   add_workbench_commands(app);
+  add_composite_command(app);
+  add_sense_command(app);
   add_bench_command(app);
 }
 

@@ -144,7 +144,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
-    {"register", ""},       {"calibrate", ""}};
+    {"register", ""},       {"calibrate", ""},    {"sense", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -208,6 +208,8 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
     arguments.insert(arguments.end(), 200, at.photograph.string());
     return arguments;
   }
+  if (command == "sense")
+    return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};
 }

@@ -1,0 +1,51 @@
+#pragma once
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "renderer/depth/depth_mesh.h"
+#include "support/text/number_option.h"
+
+namespace seamline::renderer {
+
+// What `mesh` and `composite` ask about a panoramic depth map.
+
+inline constexpr NumberRange any_yaw_texels{-16384, 16384, "texels"};
+
+struct MeshCommandOptions {
+  std::string depth, out, density = "adaptive";
+  double tolerance = 1e-4;
+  double yaw_texels = 0;
+};
+
+inline void add_mesh_options(CLI::App& command, MeshCommandOptions& options) {
+  command.add_option("--mesh", options.density, "adaptive or full")
+      ->check(CLI::IsMember({"adaptive", "full"}));
+  add_number(command, "--tolerance", options.tolerance, {1e-9, 1}, "relative error of the adaptive mesh");
+}
+
+/// By which the panorama was turned.
+inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& options) {
+  return add_number(command, "--yaw", options.yaw_texels, any_yaw_texels, "by which the map was turned");
+}
+
+[[nodiscard]] inline MeshDensity density_of(const MeshCommandOptions& options) {
+  return options.density == "full" ? MeshDensity::full : MeshDensity::adaptive;
+}
+
+/// The mesh of the map; texels that are no distances are said on standard error.
+[[nodiscard]] inline DepthMesh panorama_mesh_of(const MeshCommandOptions& options) {
+  const DepthMap map = read_depth_map(options.depth);
+  if (map.cleaned_texels > 0)
+    fmt::print(stderr, "{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes\n",
+               options.depth, map.cleaned_texels);
+  return build_depth_mesh(
+      map,
+      {.density = density_of(options), .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
+}
+
+/// Refuses a file name whose ending does not say what will be in the file.
+void need_extension(const std::string& file, std::initializer_list<const char*> endings);
+
+}  // namespace seamline::renderer

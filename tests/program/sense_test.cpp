@@ -1,0 +1,90 @@
+// From a sensor to a composite on files alone: sense, register, composite.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run_program.h"
+#include "support/files/image.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_seamline;
+
+/// What a time-of-flight rig delivers of the bedroom, once.
+const fs::path& sensed() {
+  static const fs::path folder = [] {
+    fs::path made = test::fresh_folder("sense");
+    const test::Outcome outcome =
+        run_seamline("sense builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out " + made.string());
+    if (outcome.status != 0) throw std::runtime_error(outcome.output);
+    return made;
+  }();
+  return folder;
+}
+
+int different_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (int y = 0; y < a.height_px; ++y)
+    for (int x = 0; x < a.width_px; ++x)
+      count += (a.rgb(x, y) - b.rgb(x, y)).abs().maxCoeff() > 0.02F ? 1 : 0;
+  return count;
+}
+
+TEST(Sense, WithoutNoiseTheDepthIsTheTruthAndWithNoiseItIsNot) {
+  const fs::path quiet = test::fresh_folder("sense-quiet");
+  ASSERT_EQ(run_seamline("sense builtin:bedroom --sensor tof_160x120 --noise 0 --spp 1 --bounces 0 --out " +
+                         quiet.string())
+                .status,
+            0);
+  EXPECT_EQ(test::read_text(quiet / "depth.exr"), test::read_text(quiet / "true_depth.exr"));
+  EXPECT_EQ(test::read_text(quiet / "true_depth.exr"), test::read_text(sensed() / "true_depth.exr"));
+  EXPECT_NE(test::read_text(sensed() / "depth.exr"), test::read_text(quiet / "depth.exr"));
+  EXPECT_FALSE(fs::exists(quiet / "amplitude.exr"));
+  EXPECT_TRUE(fs::exists(sensed() / "amplitude.exr"));
+}
+
+TEST(Sense, ItsFilesAreThoseThatRegisterAndCompositeRead) {
+  const auto in = [](const fs::path& name) { return (sensed() / name).string(); };
+  const test::Outcome registered =
+      run_seamline("register --depth " + in("depth.exr") + " --colour " + in("colour.exr") + " --camera " +
+                   in("camera.toml") + " --repair nearest --extrude 40 --out " + in("registered"));
+  ASSERT_EQ(registered.status, 0) << registered.output;
+  const std::string composite =
+      "composite --background " + in("colour.exr") + " --depth " + in("registered/registered.exr") +
+      " --camera " + in("camera.toml") +
+      " --object builtin:statue --position 0 -1.5 -3.2 --scale 0.6 --spp 1 --bounces 0 ";
+  const auto picture = [&](const std::string& occlusion) {
+    const fs::path out = sensed() / ("composite-" + occlusion + ".exr");
+    std::string options = composite + "--occlusion " + occlusion + " --out " + out.string();
+    const test::Outcome outcome = run_seamline(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return read_image(out);
+  };
+  const Image none = picture("none"), test = picture("depth_test"), buffer = picture("depth_buffer"),
+              photograph = read_image(sensed() / "colour.exr");
+  // Drawn over everything it covers the most; a depth test in metres and one in a fine buffer agree.
+  EXPECT_GE(different_pixels(none, photograph), different_pixels(test, photograph));
+  EXPECT_GT(different_pixels(test, photograph), 300);
+  EXPECT_LT(different_pixels(test, buffer), 30);
+}
+
+TEST(Sense, OptionsThatWouldBeIgnoredAreRefused) {
+  const auto refused = [](const std::string& arguments, const char* said) {
+    const test::Outcome outcome = run_seamline(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_THAT(outcome.output, testing::HasSubstr(said));
+  };
+  const std::string composite =
+      "composite --background p.png --depth d.exr --object builtin:statue --out o.png ";
+  refused(composite + "--occlusion none", "--camera");
+  refused(composite + "--camera tof_160x120 --fov 40", "--fov");
+  refused(composite + "--camera tof_160x120 --yaw 2", "--yaw");
+  refused(composite + "--camera tof_160x120 --jump-ratio 2", "--jumps cut");
+  refused(composite + "--camera tof_160x120 --depth-buffer-bits 16", "depth_buffer");
+  refused("sense builtin:bedroom --sensor scanner_360 --out o", "a scanner");
+  refused("sense builtin:bedroom --sensor tof_160x121 --out o", "did you mean tof_160x120");
+}
+
+}  // namespace
+}  // namespace seamline
