@@ -16,6 +16,7 @@ struct PredictOptions {
   std::string set_folder, none_set_folder;
   double gain = 0;  ///< 0: the study's
   bool calibrate = false;
+  double pixels_per_degree = 0;  ///< 0: the study's
   int threads = 0;
 };
 
@@ -24,8 +25,10 @@ void predict(const PredictOptions& options) {
                             .none_set_folder = options.none_set_folder,
                             .gain = std::nullopt,
                             .calibrate = options.calibrate,
+                            .pixels_per_degree = std::nullopt,
                             .threads = options.threads};
   if (options.gain > 0) request.gain = options.gain;
+  if (options.pixels_per_degree > 0) request.pixels_per_degree = options.pixels_per_degree;
   std::printf("%s", prediction_text(predict_thresholds(request)).c_str());
 }
 
@@ -44,6 +47,8 @@ void add_predict_command(CLI::App& app) {
       ->add_flag("--calibrate", options->calibrate,
                  "choose the gain that makes the receiver's perceptual threshold the paper's 426 px")
       ->excludes(gain);
+  add_number(*command, "--pixels-per-degree", options->pixels_per_degree, {1, 1000},
+             "instead of the study's observer.pixels_per_degree: the same pictures from another distance");
   add_number(*command, "--threads", options->threads, {0, 1024}, "0: as many as the machine has")
       ->capture_default_str();
   command->callback([options] { predict(*options); });

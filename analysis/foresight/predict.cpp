@@ -121,6 +121,7 @@ Prediction predict_thresholds(const PredictionRequest& request) {
                        .wanted = "one condition (predict each condition as a set of its own)",
                        .found = std::to_string(set.study.conditions.size())});
   Prediction prediction{.observer = set.study.observer, .artifacts = {}};
+  if (request.pixels_per_degree) prediction.observer.pixels_per_degree = *request.pixels_per_degree;
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);
   const VisibleDifferences differences =

@@ -17,6 +17,7 @@ struct PredictionRequest {
   std::filesystem::path none_set_folder;  ///< empty: floors come from the set's own `none` stimuli, or are 0
   std::optional<double> gain;             ///< none: the study's `observer.image_gain`
   bool calibrate = false;  ///< fixes the gain on this set; also done when neither request nor study has one
+  std::optional<double> pixels_per_degree;  ///< none: the study's `observer.pixels_per_degree`
   int threads = 0;
 };
 
