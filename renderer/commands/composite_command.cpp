@@ -183,7 +183,8 @@ PhotographedWorld world_of_frame(const CompositeOptions& options, const sensors:
        .tolerance = options.mesh.tolerance,
        .cut_ratio = options.jumps == "cut" ? std::optional(options.jump_ratio) : std::nullopt,
        .threads = default_thread_count()});
-  if (options.occlusion == "depth_buffer") require_valid(options.buffer, "--depth-buffer-range");
+  if (options.occlusion == "depth_buffer")
+    require_valid(options.buffer, "--depth-buffer-near and --depth-buffer-far");
   world.occlusion = occlusion_of(options, frame, -axes.axes.col(2));
   return world;
 }

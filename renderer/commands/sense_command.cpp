@@ -190,14 +190,20 @@ void add_sense_command(CLI::App& app) {
   look_at->needs(at);
   add_number(*command, "--noise", options->noise_scale, {0, 1e6}, "scale of the sensor's noise; 0: none")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples");
+  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples")
+      ->capture_default_str();
   add_number(*command, "--frame", options->frame, {0, 2147483647},
-             "number of the moment: another one has other noise");
+             "number of the moment: another one has other noise")
+      ->capture_default_str();
   add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
-             "environment radiance R G B of the photograph");
-  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings");
-  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photograph");
-  add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "for colour.png");
+             "environment radiance R G B of the photograph")
+      ->capture_default_str();
+  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings")
+      ->capture_default_str();
+  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photograph")
+      ->capture_default_str();
+  add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "for colour.png")
+      ->capture_default_str();
   command->callback([options, at] {
     options->has_place = at->count() > 0;
     run_sense(*options);

@@ -191,6 +191,21 @@ double mesh_tolerance(const DepthSettings& settings) {
   return std::max(settings.mesh_tolerance, settings.chain->noise_sigmas * sigma);
 }
 
+/// The lower median of the larger side of the largest jump; of all where none is by more than a tenth.
+float middle_of_larger_side(std::vector<float>& distances_m) {
+  constexpr float jump_ratio = 1.1F;
+  std::sort(distances_m.begin(), distances_m.end());
+  std::size_t first = 0, last = distances_m.size(), split = 0;
+  float largest = jump_ratio;
+  for (std::size_t i = 1; i < distances_m.size(); ++i) {
+    if (is_hole(distances_m[i - 1])) break;
+    const float ratio = distances_m[i] / distances_m[i - 1];
+    if (ratio > largest) largest = ratio, split = i;
+  }
+  if (split > 0) (2 * split >= distances_m.size() ? last : first) = split;
+  return distances_m[first + (last - first - 1) / 2];
+}
+
 }  // namespace
 
 DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int threads) {
@@ -209,6 +224,8 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
             return *std::min_element(under.begin(), under.end());
           case Reduction::maximum:
             return *std::max_element(under.begin(), under.end());
+          case Reduction::edge_aware:
+            return middle_of_larger_side(under);
           case Reduction::median:
           case Reduction::sample:  // has a factor of 1
             std::nth_element(under.begin(), middle, under.end());

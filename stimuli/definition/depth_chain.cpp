@@ -170,6 +170,8 @@ std::string_view word(Reduction reduction) {
       return "maximum";
     case Reduction::median:
       return "median";
+    case Reduction::edge_aware:
+      return "edge_aware";
   }
   return {};
 }

@@ -35,8 +35,10 @@ struct SensorPose {
 };
 
 /// How a texel stands for the texels of a finer map under it: the one ray through its centre, or the nearest,
-/// the farthest or the middle one of them (lower median). Holes are farther than anything.
-enum class Reduction { sample, minimum, maximum, median };
+/// the farthest or the middle one of them (lower median); or, where they part into near and far at a jump by
+/// more than a tenth, the middle one of the larger side (of equal sides the near one), so that no texel
+/// stands for a distance between two things. Holes are farther than anything.
+enum class Reduction { sample, minimum, maximum, median, edge_aware };
 
 /// A panorama from the photograph's own position, radial; its width is that of the depth settings.
 struct PanoramaSource {

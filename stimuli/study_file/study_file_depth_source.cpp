@@ -184,7 +184,8 @@ PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
                                        {{"sample", Reduction::sample},
                                         {"minimum", Reduction::minimum},
                                         {"maximum", Reduction::maximum},
-                                        {"median", Reduction::median}});
+                                        {"median", Reduction::median},
+                                        {"edge_aware", Reduction::edge_aware}});
   if (source.reduction == Reduction::sample) {
     if (table.has("reduction_factor"))
       throw table.complaint("reduction_factor", "a reduction from a finer map", "reduction = \"sample\"");

@@ -427,6 +427,26 @@ TEST(PanoramaChain, ReductionsAreWhatTheyAreCalled) {
   EXPECT_EQ(reduced(finer, Reduction::minimum, 4, 1).width_px, 2);
 }
 
+/// Each texel's distance is one of the larger surface's under it, never of the gap between two.
+TEST(PanoramaChain, AnEdgeAwareReductionKeepsToTheLargerSide) {
+  const auto one = [](std::vector<float> distances_m) {
+    const DepthMap finer{
+        .width_px = 4, .height_px = 4, .distance_m = std::move(distances_m), .cleaned_texels = 0};
+    return reduced(finer, Reduction::edge_aware, 4, 1).distance_m.at(0);
+  };
+  const float hole = sensors::hole;
+  EXPECT_EQ(one({2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 5, 5, 5, 5, 5, 5}), 2);
+  EXPECT_EQ(one({2, 2, 2, 2, 2, 2, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5}), 5);
+  EXPECT_EQ(one({5, 5, 5, 5, 5, 5, 5, 5, 2, 2, 2, 2, 2, 2, 2, 2}), 2);  // of equal sides the near one
+  EXPECT_EQ(one({9, 2, hole, hole, hole, hole, hole, hole, hole, hole, hole, hole, 2, 2, 2, 2}), hole);
+  EXPECT_EQ(one({hole, hole, hole, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}), 2);
+  EXPECT_EQ(one(std::vector<float>(16, hole)), hole);
+  // A slope without a jump: the lower median, as `median` has it.
+  EXPECT_EQ(one({1.00F, 1.01F, 1.02F, 1.03F, 1.04F, 1.05F, 1.06F, 1.07F, 1.08F, 1.09F, 1.10F, 1.11F, 1.12F,
+                 1.13F, 1.14F, 1.15F}),
+            1.07F);
+}
+
 TEST(PanoramaChain, ACutMeshHasNoSheets) {
   const Geometry truth = furnished_truth();
   DepthChain chain;
