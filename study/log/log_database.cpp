@@ -225,6 +225,8 @@ bool is_trouble_outside(const SQLite::Exception& error) {
     case SQLITE_PROTOCOL:
     case SQLITE_NOTADB:
       return true;
+    case SQLITE_ERROR:  // mistakes in our own SQL, but for a file whose header names a schema of the future
+      return std::string_view(error.what()) == "unsupported file format";
     default:
       return false;
   }

@@ -93,5 +93,14 @@ TEST_F(LogSchema, AValueLargerThanALogsIsRefusedInASentence) {
   EXPECT_THAT(complaint_of([&] { (void)read_log(path); }), HasSubstr("wanted an undamaged log"));
 }
 
+/// The header's byte 47 says which schema format a file has; SQLite knows 1 to 4, and its complaint at
+/// another is the same as at a mistake in our SQL.
+TEST_F(LogSchema, AFormatOfTheFutureIsADamagedLogAndNotABug) {
+  std::string bytes = read_file(path);
+  bytes[47] = 13;
+  write_file_atomically(path, bytes);
+  EXPECT_THAT(complaint_of([&] { (void)read_log(path); }), HasSubstr("wanted an undamaged log"));
+}
+
 }  // namespace
 }  // namespace seamline::study
