@@ -10,6 +10,7 @@
 #include "renderer/common/parallel.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/gltf_write.h"
+#include "renderer/scene/truth_scene.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
