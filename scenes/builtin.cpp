@@ -30,9 +30,9 @@ SceneContents builtin_scene(std::string_view name) {
   if (name == "bedroom") return make_bedroom();
   if (name == "gazebo") return make_gazebo();
   if (name == "atrium") return make_atrium();
-  if (name == "bedroom_v1") return make_bedroom_v1();
-  if (name == "gazebo_v1") return make_gazebo_v1();
-  if (name == "atrium_v1") return make_atrium_v1();
+  if (name == "bedroom_v1") return make_bedroom(RoomVersion::first);
+  if (name == "gazebo_v1") return make_gazebo(RoomVersion::first);
+  if (name == "atrium_v1") return make_atrium(RoomVersion::first);
   if (name == "furnished_room") return make_furnished_room();
   throw unknown(name);
 }

@@ -23,7 +23,10 @@ constexpr double openwork_from_m = 0.3;  ///< the column's axis to the end of th
 constexpr double rail_m = 1.95;          ///< height of its middle
 constexpr double first_x_m = -12.0;
 constexpr double arcade_z_m = -7.5;  ///< the plane of the columns' axes
-const Vector3d eye_m(2.4, 1.75, 0.9);
+/// The camera's place, from which what backs columns must not be seen.
+Vector3d eye_of(RoomVersion version) {
+  return {version == RoomVersion::first ? 2.2 : 2.4, 1.75, 0.9};
+}
 
 void add(SceneContents& court, const std::string& name, const TriangleMesh& mesh,
          const Vector3d& shift = Vector3d::Zero()) {
@@ -170,7 +173,7 @@ TriangleMesh make_openwork(int beads) {
 /// that would pass behind it; this stops it here too. One in the middle rather than one on each side: those
 /// would seal what lies between them, and leave it black where a coarse depth map lets it show over the
 /// column.
-TriangleMesh make_screen(const Vector3d& axis, double low_m, double high_m) {
+TriangleMesh make_screen(const Vector3d& eye_m, const Vector3d& axis, double low_m, double high_m) {
   const Vector3d sight = (axis - Vector3d(eye_m.x(), 0, eye_m.z())).normalized();
   const Vector3d end = axis + sight * ((arcade_z_m - aisle_m - axis.z()) / sight.z());
   const Vector3d middle(0, (low_m + high_m) / 2, 0);
@@ -178,7 +181,7 @@ TriangleMesh make_screen(const Vector3d& axis, double low_m, double high_m) {
 }
 
 /// The same behind the rail of the openwork of the bay that begins at `axis`: a lying sheet.
-TriangleMesh make_rail_screen(const Vector3d& axis) {
+TriangleMesh make_rail_screen(const Vector3d& eye_m, const Vector3d& axis) {
   const auto behind = [&](const Vector3d& front) -> Vector3d {
     const Vector3d sight = front - eye_m;
     return eye_m + sight * ((arcade_z_m - aisle_m - eye_m.z()) / sight.z());
@@ -200,7 +203,9 @@ TriangleMesh make_plinths() {
   return mesh;
 }
 
-void add_arcade(SceneContents& court) {
+void add_arcade(SceneContents& court, RoomVersion version) {
+  const Vector3d eye_m = eye_of(version);
+  const bool has_openwork = version == RoomVersion::today;
   TriangleMesh columns, arches, upper, balustrade, screens, ornament, panels, openwork;
   for (int i = 0; i <= bays; ++i) {
     const Vector3d axis(first_x_m + i * bay_m, 0, arcade_z_m);
@@ -208,12 +213,14 @@ void add_arcade(SceneContents& court) {
     append(columns, transformed(make_column(spring_m, shaft_m), there));
     const Eigen::Affine3d above{Eigen::Translation3d(axis + Vector3d(0, storey_m, 0))};
     append(upper, transformed(make_column(2.3, 0.2), above));
-    append(screens, make_screen(axis, 0, spring_m));
+    append(screens, make_screen(eye_m, axis, 0, spring_m));
     if (i == bays) continue;
-    append(screens, make_rail_screen(axis));
-    for (int k = 0; k < balusters; ++k)
-      append(screens, make_screen(axis + Vector3d(baluster_x_m(k), 0, 0), 0.5, rail_m));
-    append(openwork, transformed(make_openwork(2 + i % 3), there));
+    if (has_openwork) {
+      append(screens, make_rail_screen(eye_m, axis));
+      for (int k = 0; k < balusters; ++k)
+        append(screens, make_screen(eye_m, axis + Vector3d(baluster_x_m(k), 0, 0), 0.5, rail_m));
+      append(openwork, transformed(make_openwork(2 + i % 3), there));
+    }
     append(arches, transformed(make_arch(spring_m, storey_m - 0.2), there));
     append(upper, transformed(make_arch(2.3, 3.8), above));
     append(ornament, transformed(make_ornament(spring_m), there));
@@ -224,7 +231,7 @@ void add_arcade(SceneContents& court) {
   }
   add(court, "plinths", make_plinths());
   add(court, "columns", columns);
-  add(court, "openwork", openwork);
+  if (has_openwork) add(court, "openwork", openwork);
   add(court, "arches", arches);
   add(court, "gallery_arcade", upper);
   add(court, "balustrade", balustrade);
@@ -235,7 +242,7 @@ void add_arcade(SceneContents& court) {
 
 }  // namespace
 
-SceneContents make_atrium() {
+SceneContents make_atrium(RoomVersion version) {
   SceneContents court;
   const double low_x = first_x_m - 0.5;
   const double high_x = first_x_m + bays * bay_m + 0.5;
@@ -256,8 +263,13 @@ SceneContents make_atrium() {
            box({x, storey_m - 0.32, arcade_z_m + 0.3}, {x + 0.15, storey_m - 0.22, arcade_z_m + 0.4}));
   }
   add(court, "cornice", cornice);
-  add_arcade(court);
-  court.camera = SceneCamera{.position_m = eye_m, .look_at_m = {1.6, 1.95, -7.5}, .vertical_fov_rad = 0.66};
+  add_arcade(court, version);
+  court.camera = version == RoomVersion::first ? SceneCamera{.position_m = eye_of(version),
+                                                             .look_at_m = {0.15, 2.45, -7.5},
+                                                             .vertical_fov_rad = 0.74}
+                                               : SceneCamera{.position_m = eye_of(version),
+                                                             .look_at_m = {1.6, 1.95, -7.5},
+                                                             .vertical_fov_rad = 0.66};
   return court;
 }
 

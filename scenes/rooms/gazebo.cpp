@@ -13,7 +13,9 @@ using std::numbers::pi;
 
 constexpr double deck_height_m = 0.45;
 constexpr double eaves_m = 3.4;
-const Vector3d centre_m(-3.45, 0, -16.85);
+Vector3d centre_m(RoomVersion version) {
+  return version == RoomVersion::first ? Vector3d(-3.2, 0, -12.2) : Vector3d(-3.45, 0, -16.85);
+}
 constexpr double yaw_rad = 0.065;  ///< its left comes a little nearer
 
 /// The pavilion's plan: a rectangle with cut corners, the eaves' overhang included.
@@ -26,12 +28,6 @@ constexpr double picket_pitch_m = 0.41;
 
 void add(SceneContents& garden, const std::string& name, const TriangleMesh& mesh) {
   garden.parts.push_back({name, mesh});
-}
-
-/// A part of the pavilion, built around the origin, put in its place.
-void add_placed(SceneContents& garden, const std::string& name, const TriangleMesh& mesh) {
-  add(garden, name,
-      transformed(mesh, Eigen::Translation3d(centre_m) * Eigen::AngleAxisd(yaw_rad, Vector3d::UnitY())));
 }
 
 /// The plan's corner number `i` (0 to 7, counter-clockwise from above, from the front's right end), shrunk by
@@ -115,14 +111,23 @@ TriangleMesh make_railing() {
   return mesh;
 }
 
-TriangleMesh make_roof() {
+/// Flat; of the first version a hipped roof with a lantern.
+TriangleMesh make_roof(RoomVersion version) {
   TriangleMesh mesh;
   TriangleMesh soffit;
   add_lid(soffit, 0, 0);
   append(mesh,
          transformed(soffit, Eigen::Translation3d(0, eaves_m, 0) * Eigen::AngleAxisd(pi, Vector3d::UnitZ())));
   add_band(mesh, 0, eaves_m, 0, eaves_m + 0.14);
-  add_lid(mesh, 0, eaves_m + 0.14);
+  if (version == RoomVersion::today) {
+    add_lid(mesh, 0, eaves_m + 0.14);
+    return mesh;
+  }
+  add_band(mesh, 0, eaves_m + 0.14, 2.4, eaves_m + 1.5);
+  add_band(mesh, 2.4, eaves_m + 1.5, 2.4, eaves_m + 1.9);
+  add_band(mesh, 2.2, eaves_m + 1.9, 3.0, eaves_m + 2.6);
+  add_lid(mesh, 2.2, eaves_m + 1.9);
+  add_lid(mesh, 3.0, eaves_m + 2.6);
   return mesh;
 }
 
@@ -149,7 +154,7 @@ TriangleMesh make_crest() {
 
 }  // namespace
 
-SceneContents make_gazebo() {
+SceneContents make_gazebo(RoomVersion version) {
   SceneContents garden;
   const Eigen::Affine3d lawn_centre(Eigen::Translation3d(0, 0, -8));
   add(garden, "ground", transformed(turned({{40, -0.2}, {40, 0}}, 96), lawn_centre));
@@ -157,13 +162,24 @@ SceneContents make_gazebo() {
       {{23.3, 0}, {23.8, 0}, {23.8, 0.9}, {23.9, 0.9}, {23.9, 1.0}, {23.2, 1.0}, {23.2, 0.9}, {23.3, 0.9}},
       96);
   add(garden, "garden_wall", transformed(wall, lawn_centre));
-  add_placed(garden, "steps", make_steps());
-  add_placed(garden, "posts", make_posts());
-  add_placed(garden, "railing", make_railing());
-  add_placed(garden, "roof", make_roof());
-  add_placed(garden, "crest", make_crest());
-  garden.camera =
-      SceneCamera{.position_m = {0, 2.6, 2.0}, .look_at_m = {0, 1.1, -7}, .vertical_fov_rad = 0.51};
+  // The pavilion's parts are built around the origin.
+  const auto add_placed = [&](const std::string& name, const TriangleMesh& mesh) {
+    add(garden, name,
+        transformed(mesh,
+                    Eigen::Translation3d(centre_m(version)) * Eigen::AngleAxisd(yaw_rad, Vector3d::UnitY())));
+  };
+  add_placed("steps", make_steps());
+  add_placed("posts", make_posts());
+  add_placed("railing", make_railing());
+  add_placed("roof", make_roof(version));
+  const Vector3d eye_m(0, 2.6, 2.0), looked_at_m(0, 1.1, -7);
+  if (version == RoomVersion::first) {
+    garden.camera = SceneCamera{.position_m = eye_m, .look_at_m = looked_at_m, .vertical_fov_rad = 0.53};
+    garden.sun = SceneSun{.to_sun = Vector3d(-0.66, 0.62, -0.36).normalized(), .irradiance_w_m2 = 4.0};
+    return garden;
+  }
+  add_placed("crest", make_crest());
+  garden.camera = SceneCamera{.position_m = eye_m, .look_at_m = looked_at_m, .vertical_fov_rad = 0.51};
   garden.sun = SceneSun{.to_sun = Vector3d(-0.332, 0.462, -0.822).normalized(), .irradiance_w_m2 = 5.2};
   return garden;
 }
