@@ -1,8 +1,9 @@
-// The build tool that writes the built-in scenes and objects: generate_scenes OUTDIR
+// The build tool that writes the built-in scenes, objects and environment maps: generate_scenes OUTDIR
 #include <exception>
 #include <iostream>
 
 #include "scenes/builtin.h"
+#include "scenes/skies/skies.h"
 #include "support/files/atomic_file.h"
 #include "support/running/parallel.h"
 
@@ -18,6 +19,8 @@ int main(int argc, char** argv) {
     prepare_output_folder(folder);
     for (const std::string_view name : builtin_scene_names)
       write_glb(folder / (std::string(name) + ".glb"), builtin_scene(name));
+    for (const std::string_view name : builtin_sky_names)
+      write_exr(folder / (std::string(name) + ".exr"), builtin_sky(name));
     // One object a thread: decimation does not divide.
     run_parallel(static_cast<int>(builtin_object_names.size()), 0, [&](int index) {
       const std::string name(builtin_object_names[static_cast<std::size_t>(index)]);

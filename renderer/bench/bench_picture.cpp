@@ -113,8 +113,8 @@ struct GivenTruth {
                  .threads = subject.threads,
                  .who_is_in_front = subject.recipe.answers.occlusion == Who::depth},
                 scene_sums);
-    truth = truth_sums(scene_sums, scene.camera, scene.light.environment_radiance,
-                       subject.stimulus.object_index, {.filter = {}, .threads = subject.threads});
+    truth = truth_sums(scene_sums, scene.camera, scene.light, subject.stimulus.object_index,
+                       {.filter = {}, .threads = subject.threads});
     for (auto& half : truth.halves)
       for (std::size_t i = 0; i < half.size(); ++i)
         half[i].without_object = {given.radiance(i) * half[i].uncovered_surfaces, Rgb::Zero()};

@@ -234,8 +234,9 @@ void run_composite(const CompositeOptions& options, const GivenOptions& given) {
                            progress.advance(share - last, "");
                            last = share;
                          }};
-  write_composite(options, render_onto_photograph(photograph, depth, object, world.camera,
-                                                  scene_light(scene, object_file), pass, world.occlusion));
+  write_composite(options,
+                  render_onto_photograph(photograph, depth, object, world.camera,
+                                         scene_light(scene, object_file, centre_m), pass, world.occlusion));
 }
 
 void add_place_options(CLI::App& command, CompositeOptions& options) {

@@ -102,13 +102,6 @@ Image plane_of(const sensors::PinholeCamera& camera, const std::vector<float>& v
   return image;
 }
 
-SensorSight sight_of(const sensors::Rig& rig) {
-  SensorSight sight{.surfaces = true, .projector_m = rig.projector_m};
-  const auto* flight = std::get_if<sensors::TimeOfFlightNoise>(&rig.noise);
-  if (flight != nullptr && flight->mixes) sight.sub_rays_across = 3;
-  return sight;
-}
-
 void print_states(const sensors::Measurement& measured) {
   for (int i = 0; i < sensors::pixel_state_count; ++i) {
     const auto state = static_cast<sensors::PixelState>(i);
@@ -130,14 +123,16 @@ void run_sense(const SenseOptions& options) {
                        .found = "neither"});
   Eigen::Vector3d centre_m;
   const Camera axes = scene_camera(scene, file, rig.colour.width_px, rig.colour.height_px, centre_m);
-  const Light light = scene_light(scene, file);
   const int threads = default_thread_count();
   prepare_output_folder(folder);
 
-  const Geometry truth(place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0));
+  const auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0);
+  const Geometry truth(meshes);
+  Light light = scene_light(scene, file, centre_m);
+  add_glowing(meshes, light);
   const Eigen::Isometry3d world_from_colour = world_from_photograph(axes);
-  const sensors::SeenFrame seen =
-      see_truth(truth, rig.depth, world_from_colour * rig.colour_from_depth, sight_of(rig), threads);
+  const sensors::SeenFrame seen = see_truth(truth, rig.depth, world_from_colour * rig.colour_from_depth,
+                                            sight_for(rig.noise, rig.projector_m), threads);
   const sensors::NoiseKey key{static_cast<std::uint64_t>(options.seed),
                               static_cast<std::uint64_t>(options.frame)};
   const sensors::Measurement measured = sensors::measure(seen, rig.noise, key, options.noise_scale, threads);

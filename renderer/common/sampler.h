@@ -45,6 +45,19 @@ inline constexpr int pixel = 0;
 [[nodiscard]] inline constexpr int sun(int vertex) {
   return 2 + 2 * vertex;
 }
+// A path has at most 1025 surfaces.
+[[nodiscard]] inline constexpr int lamp(int vertex) {
+  return 4096 + 4 * vertex;
+}
+[[nodiscard]] inline constexpr int glow_choice(int vertex) {
+  return 4097 + 4 * vertex;
+}
+[[nodiscard]] inline constexpr int glow(int vertex) {
+  return 4098 + 4 * vertex;
+}
+[[nodiscard]] inline constexpr int environment(int vertex) {
+  return 4099 + 4 * vertex;
+}
 }  // namespace dimension
 
 /// The second dimension of the Sobol' sequence before scrambling (the first is the reversed index); for

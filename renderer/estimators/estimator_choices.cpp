@@ -14,9 +14,10 @@ EstimatorChoices path_choices(const LightFacts& light, const EstimateOptions& op
 }
 
 /// Sky rays a sample. Beside bounce light, which costs several rays a sample, a second one is worth its
-/// price and a third is not; where there is nothing but sky, the camera ray is what they share.
+/// price and a third is not; where there is nothing but sky, the camera ray is what they share. A map has
+/// light samples of its own.
 int sky_rays(const LightFacts& light, int bounces) {
-  if (light.sky_is_dark) return 1;
+  if (light.sky_is_dark || light.sky_is_mapped) return 1;
   return bounces > 0 ? 2 : 8;
 }
 

@@ -17,7 +17,7 @@ Image photograph_scene(const Geometry& scene, const Light& light, const sensors:
     if (!direction) return Rgb::Zero();
     const Ray ray{origin_m, (world_from_camera.linear() * *direction).normalized().cast<float>()};
     const auto point = scene.nearest(ray);
-    if (!point) return light.environment_radiance;
+    if (!point) return light.sky(ray.direction);
     return leaving_pair(scene, nullptr, *point, light, sampler).without_object.total();
   };
   parallel_for(

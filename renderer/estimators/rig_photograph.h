@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <functional>
 
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 #include "renderer/tracing/geometry.h"
 #include "sensors/camera/pinhole_camera.h"
 #include "support/files/image.h"

@@ -54,6 +54,8 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
     if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count), &work.counts_);
     for (std::size_t i = 0; i < count; ++i) {
       StimulusSample sample{.number = some[i].number,
+                            .x = some[i].x,
+                            .y = some[i].y,
                             .sampler = sampler_of(some[i]),
                             .real = real[i],
                             .object = object[i],

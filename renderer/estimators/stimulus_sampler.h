@@ -15,6 +15,7 @@ namespace seamline::renderer {
 /// What the camera ray of one sample meets.
 struct StimulusSample {
   int number = 0;  ///< of the pixel's samples
+  int x = 0, y = 0;
   Sampler sampler;
   std::optional<SurfacePoint> real;    ///< x_T
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
@@ -79,6 +80,11 @@ class StimulusSampler {
   /// Light of a covered sample's object, and of an uncovered sample's surface, as the truth answers.
   [[nodiscard]] Split object_in_truth(const StimulusSample& sample, SamplingWork& work) const;
   [[nodiscard]] RadiancePair uncovered_in_truth(const StimulusSample& sample, SamplingWork& work) const;
+
+  /// Radiance of the environment where a sample shows nothing else.
+  [[nodiscard]] Rgb sky_behind(const StimulusSample& sample) const {
+    return scene_.light.sky(camera_ray(scene_.camera, sample.x, sample.y, sample.sampler).direction);
+  }
 
   /// Whether sun and sky off the object are the truth's own.
   [[nodiscard]] bool direct_from_truth() const {

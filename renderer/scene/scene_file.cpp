@@ -17,6 +17,7 @@ namespace {
 
 constexpr double lux_per_w_m2 = 683.0;
 constexpr int most_suns = 100;  ///< each is a ray a sample, and their light is added up
+constexpr std::size_t most_lamps = 10'000;
 
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
@@ -227,18 +228,38 @@ class NodeWalker {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.lights.size())
       throw bad(field, "a light that exists", std::to_string(index));
     const tinygltf::Light& light = model_.lights[static_cast<std::size_t>(index)];
+    const std::vector<double> given = light.color.size() == 3 ? light.color : std::vector<double>{1, 1, 1};
+    const std::string where = fmt::format("KHR_lights_punctual.lights[{}]", index);
+    check_light(given, light.intensity / lux_per_w_m2, "W/m2 or W/sr (intensity / 683 times color)", where);
+    const Rgb colour(given[0], given[1], given[2]);
     if (light.type != "directional") {
-      out_.other_lights.push_back(light.type + " light \"" + light.name + "\"");
+      add_lamp(light, colour, world, where, field);
       return;
     }
-    const std::vector<double> given = light.color.size() == 3 ? light.color : std::vector<double>{1, 1, 1};
-    check_light(given, light.intensity / lux_per_w_m2, "W/m2 (intensity / 683 times color)",
-                fmt::format("KHR_lights_punctual.lights[{}]", index));
-    const Rgb colour(given[0], given[1], given[2]);
     out_.suns.push_back({direction(world.linear().col(2), field),
                          colour * static_cast<float>(light.intensity / lux_per_w_m2)});
     if (++suns_ > most_suns)
       throw bad(field, fmt::format("at most {} directional lights", most_suns), "more");
+  }
+
+  void add_lamp(const tinygltf::Light& light, const Rgb& colour, const Eigen::Affine3d& world,
+                const std::string& where, const std::string& field) {
+    FileLamp lamp{.position_m = world.translation(),
+                  .intensity_w_sr = colour * static_cast<float>(light.intensity / lux_per_w_m2)};
+    if (light.type == "spot") {
+      lamp.is_spot = true;
+      lamp.shines_along = -direction(world.linear().col(2), field);
+      lamp.inner_rad = light.spot.innerConeAngle;
+      lamp.outer_rad = light.spot.outerConeAngle;
+      if (!(lamp.inner_rad >= 0 && lamp.inner_rad <= lamp.outer_rad && lamp.outer_rad <= 1.5708))
+        throw bad(where + ".spot", "cone angles with 0 <= inner <= outer <= pi / 2",
+                  fmt::format("{:g} and {:g}", lamp.inner_rad, lamp.outer_rad));
+    } else if (light.type != "point") {
+      throw bad(where + ".type", "directional, point or spot", "\"" + light.type + "\"");
+    }
+    if (out_.lamps.size() == most_lamps)
+      throw bad(field, fmt::format("at most {} point and spot lights", most_lamps), "more");
+    out_.lamps.push_back(lamp);
   }
 
   const tinygltf::Model& model_;

@@ -35,13 +35,23 @@ struct FileSun {
   Rgb irradiance_w_m2 = Rgb::Zero();                  ///< lux / 683 times colour, on a plane facing the sun
 };
 
+/// A point or spot light of KHR_lights_punctual, in world space. Its range is not used: light falls off with
+/// the square of distance.
+struct FileLamp {
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Rgb intensity_w_sr = Rgb::Zero();  ///< candela / 683 times colour
+  bool is_spot = false;
+  Eigen::Vector3d shines_along = -Eigen::Vector3d::UnitZ();  ///< unit
+  double inner_rad = 0, outer_rad = 0.7853981633974483;
+};
+
 /// What a glTF 2.0 file holds, as far as a diffuse scene needs it. Textures are left out.
 struct SceneFile {
   std::vector<FileMesh> meshes;
   std::optional<FileCamera> camera;  ///< the first in node order
   std::vector<FileSun> suns;
-  std::vector<std::string> other_lights;  ///< names of point and spot lights, which Seamline does not render
-  std::string file = {};                  ///< its path, for complaints
+  std::vector<FileLamp> lamps;
+  std::string file = {};  ///< its path, for complaints
 };
 
 /// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an

@@ -83,7 +83,55 @@ std::vector<std::shared_ptr<const SurfaceMesh>> place_meshes(const SceneFile& fi
   return meshes;
 }
 
-Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
+namespace {
+
+Sun sun_of(const SunDefinition& sun, const std::optional<double>& radius_deg) {
+  return {sun.to_sun.cast<float>().normalized(), rgb(sun.irradiance_w_m2),
+          static_cast<float>(radius_deg.value_or(sun.angular_radius_deg) * radians_per_degree)};
+}
+
+/// The study's suns, else the file's.
+std::vector<Sun> scene_suns(const SceneDefinition& definition, const SceneFile& file) {
+  std::vector<Sun> suns;
+  if (definition.suns) {
+    for (const SunDefinition& sun : *definition.suns) suns.push_back(sun_of(sun, definition.sun_radius_deg));
+  } else if (definition.sun) {
+    suns.push_back(sun_of(*definition.sun, definition.sun_radius_deg));
+  } else {
+    for (const FileSun& sun : file.suns)
+      suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2,
+                      static_cast<float>(definition.sun_radius_deg.value_or(0) * radians_per_degree)});
+  }
+  if (definition.sun_radius_deg && suns.empty())
+    throw input_error({.file = definition.path.string(),
+                       .field = "sun_radius_deg of the scene \"" + definition.name + "\"",
+                       .wanted = "a sun in the scene file, or a [scene.sun] in the study file",
+                       .found = "none"});
+  return suns;
+}
+
+/// The study's lamps, else the file's.
+std::vector<Lamp> scene_lamps(const SceneDefinition& definition, const SceneFile& file,
+                              const Eigen::Vector3d& centre_m) {
+  std::vector<Lamp> lamps;
+  if (definition.lamps) {
+    for (const LampDefinition& lamp : *definition.lamps)
+      lamps.push_back({(lamp.position_m - centre_m).cast<float>(), rgb(lamp.intensity_w_sr), lamp.is_spot,
+                       lamp.shines_along.cast<float>(),
+                       static_cast<float>(std::cos(lamp.inner_deg * radians_per_degree)),
+                       static_cast<float>(std::cos(lamp.outer_deg * radians_per_degree))});
+    return lamps;
+  }
+  for (const FileLamp& lamp : file.lamps)
+    lamps.push_back({(lamp.position_m - centre_m).cast<float>(), lamp.intensity_w_sr, lamp.is_spot,
+                     lamp.shines_along.cast<float>(), static_cast<float>(std::cos(lamp.inner_rad)),
+                     static_cast<float>(std::cos(lamp.outer_rad))});
+  return lamps;
+}
+
+}  // namespace
+
+Light scene_light(const SceneDefinition& definition, const SceneFile& file, const Eigen::Vector3d& centre_m) {
   Light light;
   light.environment_radiance = rgb(definition.environment_radiance);
   light.bounces = definition.bounces;
@@ -93,25 +141,14 @@ Light scene_light(const SceneDefinition& definition, const SceneFile& file) {
     light.sky_distance_m = static_cast<float>(definition.ao_distance_m);
     return light;
   }
-  if (definition.sun) {
-    const double radius_deg = definition.sun_radius_deg.value_or(definition.sun->angular_radius_deg);
-    light.suns.push_back({definition.sun->to_sun.cast<float>().normalized(),
-                          rgb(definition.sun->irradiance_w_m2),
-                          static_cast<float>(radius_deg * radians_per_degree)});
-    return light;
+  if (const auto& map = definition.environment) {
+    light.environment_radiance = Rgb::Zero();
+    light.environment = std::make_shared<EnvironmentMap>(
+        read_environment_map(map->path), static_cast<float>(map->rotation_deg * radians_per_degree),
+        Rgb::Constant(static_cast<float>(map->strength)));
   }
-  if (!file.other_lights.empty())
-    throw input_error({.file = definition.path.string(),
-                       .wanted = "directional lights only (or a [scene.sun] in the study file)",
-                       .found = file.other_lights.front()});
-  for (const FileSun& sun : file.suns)
-    light.suns.push_back({sun.to_sun.cast<float>().normalized(), sun.irradiance_w_m2,
-                          static_cast<float>(definition.sun_radius_deg.value_or(0) * radians_per_degree)});
-  if (definition.sun_radius_deg && light.suns.empty())
-    throw input_error({.file = definition.path.string(),
-                       .field = "sun_radius_deg of the scene \"" + definition.name + "\"",
-                       .wanted = "a sun in the scene file, or a [scene.sun] in the study file",
-                       .found = "none"});
+  light.suns = scene_suns(definition, file);
+  light.lamps = scene_lamps(definition, file, centre_m);
   return light;
 }
 
@@ -143,6 +180,11 @@ Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, in
   return camera;
 }
 
+void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light) {
+  auto glowing = std::make_shared<GlowingSurfaces>(background);
+  if (!glowing->empty()) light.glowing = std::move(glowing);
+}
+
 TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
   TruthScene scene;
   scene.definition = definition;
@@ -151,9 +193,10 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
     throw input_error(
         {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
   scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
-  scene.light = scene_light(definition, background);
+  scene.light = scene_light(definition, background, scene.camera_position_m);
   scene.background =
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+  if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
     const SceneFile file = read_scene_file(object.path);

@@ -2,10 +2,11 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "renderer/light/light.h"
 #include "renderer/scene/camera.h"
-#include "renderer/scene/light.h"
 #include "renderer/scene/scene_file.h"
 #include "renderer/tracing/geometry.h"
 #include "stimuli/definition/study_definition.h"
@@ -34,8 +35,13 @@ struct TruthScene {
 /// rendered.
 [[nodiscard]] TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px);
 
-/// The scene's light: the study's sun, else the file's; ambient occlusion has neither sun nor bounce.
-[[nodiscard]] Light scene_light(const SceneDefinition& definition, const SceneFile& file);
+/// The scene's light from outside and from lamps: the study's suns and lamps, else the file's; ambient
+/// occlusion has neither, and no bounce. `centre_m` becomes the origin.
+[[nodiscard]] Light scene_light(const SceneDefinition& definition, const SceneFile& file,
+                                const Eigen::Vector3d& centre_m);
+
+/// Adds the surfaces of a background that glow.
+void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light);
 
 /// The camera of the study file, else the scene file's first; position in `camera_position_m`.
 [[nodiscard]] Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, int width_px,

@@ -167,7 +167,7 @@ class ScenePlanner {
     const BounceLimit limit = needed_bounces(light_, scene_.exposure_ev, settings_.error);
     std::string needed;
     if (limit.bounces == light_.bounces)
-      needed = light_.emits          ? "surfaces emit light, which bounds no bounce"
+      needed = is_unbounded(light_)  ? "light of surfaces that emit, or of lamps, bounds no bounce"
                : light_.bounces == 0 ? "there are no bounces"
                                      : fmt::format("all {} bounces may matter", light_.bounces);
     omit(choices().bounces < light_.bounces,

@@ -50,6 +50,7 @@ std::string scene_file_hash(const fs::path& path) {
 std::string scene_inputs(const SceneDefinition& scene) {
   std::string text = canonical_text(scene) + scene_file_hash(scene.path);
   for (const ObjectDefinition& object : scene.objects) text += scene_file_hash(object.path);
+  if (scene.environment) text += sha256_of_file(scene.environment->path);
   return text;
 }
 

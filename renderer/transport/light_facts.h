@@ -9,12 +9,20 @@ namespace seamline::renderer {
 /// What decides which light of a scene can matter.
 struct LightFacts {
   double brightest_albedo = 0;    ///< of background, objects and depth mesh, the largest channel
-  double brightest_radiance = 0;  ///< sum of the suns' irradiance / pi, and the sky, the largest channel
-  bool emits = false;             ///< then nothing bounds how bright a bounce is
+  double brightest_radiance = 0;  ///< sum of the suns' irradiance / pi, and the sky (of a map, all of it over
+                                  ///< pi), the largest channel
+  bool emits = false;             ///< some surface glows
   bool sky_is_dark = false;
+  bool sky_is_mapped = false;
   int bounces = 0;  ///< that the study asks for
   int suns = 0;
+  int lamps = 0;
+  std::size_t glowing_triangles = 0;  ///< of the background
 };
+/// Whether nothing bounds how bright a bounce is: near lamps and what glows.
+[[nodiscard]] inline bool is_unbounded(const LightFacts& facts) {
+  return facts.emits || facts.lamps > 0;
+}
 [[nodiscard]] LightFacts light_facts(const TruthScene& scene);
 
 /// How many bounces matter. Light of bounce k is at most a^(k+1) times the brightest radiance, a the

@@ -29,6 +29,7 @@ class LightRays {
   }
   /// What is left, in the order it was added in.
   [[nodiscard]] std::span<const Arriving> arriving() const { return arriving_; }
+  [[nodiscard]] bool empty() const { return arriving_.empty(); }
   void clear() { resize(0); }
 
  private:

@@ -1,5 +1,6 @@
 #include "renderer/transport/object_light.h"
 
+#include "renderer/light/light_sample.h"
 #include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
@@ -8,6 +9,7 @@ namespace {
 /// Adds the light of the rays that nothing blocks, and begins anew.
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, LightRays& rays,
            RayCounts* counts, std::span<Rgb> direct) {
+  if (rays.empty()) return;
   rays.drop_blocked_by_object(object, coherence, counts);
   rays.drop_blocked_by_real(real, coherence, counts);
   for (const LightRays::Arriving& light : rays.arriving()) direct[light.index] += light.radiance;
@@ -22,15 +24,20 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
   if (points.empty()) return;
   const Geometry& real = *points.front().lit_past.geometry;
   rays.clear();
-  for (const Sun& sun : light.suns)
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const SurfacePoint& point = *points[i].point;
-      const Eigen::Vector3f to_sun = direction_to_sun(sun, points[i].sampler.point(dimension::sun(0)));
-      if (const float cosine = sun_cosine(point, to_sun); cosine > 0.0F)
-        rays.add(point, points[i].lit_past, to_sun, endless,
-                 {i, point.albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)});
-    }
+  // Light samples of suns lie together, others do not.
+  const auto suns = static_cast<int>(light.suns.size());
+  const auto add_samples = [&](int from, int to) {
+    for (int number = from; number < to; ++number)
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (const auto sample = light_sample(light, number, *points[i].point, Rgb::Ones(), points[i].sampler,
+                                             0, GlowHits::unknown))
+          rays.add(*points[i].point, points[i].lit_past, sample->direction, sample->far_m,
+                   {i, sample->radiance});
+  };
+  add_samples(0, suns);
   trace(object, real, Coherence::together, rays, counts, direct);
+  add_samples(suns, light_samples(light));
+  trace(object, real, Coherence::scattered, rays, counts, direct);
   if (light.skips_sky) {
     if (counts != nullptr) counts->dark_sky_rays += static_cast<std::int64_t>(points.size());
     return;
@@ -38,11 +45,11 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& point = *points[i].point;
     const Eigen::Array2f sky_point = points[i].sampler.point(dimension::direction(0));
-    const Rgb sky = point.albedo * light.environment_radiance / static_cast<float>(light.sky_rays);
     for (int number = 0; number < light.sky_rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(point.normal, sky_point, number, light.sky_rays);
       if (above_horizon(point, direction))
-        rays.add(point, points[i].lit_past, direction, light.sky_distance_m, {i, sky});
+        rays.add(point, points[i].lit_past, direction, light.sky_distance_m,
+                 {i, point.albedo * sky_found(light, point, direction) / static_cast<float>(light.sky_rays)});
     }
   }
   trace(object, real, Coherence::scattered, rays, counts, direct);

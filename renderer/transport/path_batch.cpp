@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "renderer/light/light_sample.h"
 #include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
@@ -20,11 +21,11 @@ std::span<const PathLight> PathBatch::trace() {
   for (std::size_t path = 0; path < starts_.size(); ++path) {
     const PathStart& start = starts_[path];
     add(path, start.set, true, start.point.emission);
-    vertices_.push_back({path, start.set, start.point, start.point.albedo});
+    vertices_.push_back({path, start.set, start.point, Rgb::Ones()});
   }
   std::int64_t rays_before_tails = 0;
   for (int vertex = 0; !vertices_.empty(); ++vertex) {
-    for (const Sun& sun : light_->suns) add_sun(sun, vertex);
+    for (int number = 0; number < light_samples(*light_); ++number) add_light_sample(number, vertex);
     if (vertex == 1) {
       thin_tails();
       rays_before_tails = counts_.traced;
@@ -43,18 +44,16 @@ void PathBatch::find_points(int dimension) {
   for (const Vertex& vertex : vertices_) points_.push_back(starts_[vertex.path].sampler.point(dimension));
 }
 
-void PathBatch::add_sun(const Sun& sun, int vertex) {
-  if (sun.angular_radius_rad > 0.0F)
-    find_points(dimension::sun(vertex));
-  else
-    points_.assign(vertices_.size(), Eigen::Array2f::Zero());
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const Eigen::Vector3f to_sun = direction_to_sun(sun, points_[i]);
-    if (const float cosine = sun_cosine(vertices_[i].point, to_sun); cosine > 0.0F)
-      ask(vertices_[i], leaving_ray(vertices_[i].point, to_sun, endless),
-          vertices_[i].throughput * sun.irradiance_w_m2 * (inverse_pi * cosine), vertex == 0);
-  }
-  add_what_arrives(vertex == 0 ? Coherence::together : Coherence::scattered);
+/// One kind of light at all vertices: rays to a sun lie together.
+void PathBatch::add_light_sample(int number, int vertex) {
+  const GlowHits hits = worlds_->room->emits() ? GlowHits::found : GlowHits::unknown;
+  for (const Vertex& at : vertices_)
+    if (const auto from_light =
+            light_sample(*light_, number, at.point, at.throughput, starts_[at.path].sampler, vertex, hits))
+      ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m), from_light->radiance,
+          vertex == 0);
+  const bool together = vertex == 0 && number < static_cast<int>(light_->suns.size());
+  add_what_arrives(together ? Coherence::together : Coherence::scattered);
 }
 
 /// The sky that first vertices see beside the ray on which their path goes on; that one too, when there is
@@ -69,13 +68,15 @@ void PathBatch::add_sky_of_first() {
   find_points(dimension::direction(0));
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& vertex = vertices_[i];
-    const bool joins_bounce = starts_[vertex.path].rules.sky_joins_bounce;
+    const bool joins_bounce = sky_joins_bounce(vertex);
     const int rays = joins_bounce ? 1 : light_->sky_rays;
-    const Rgb sky = vertex.throughput * light_->environment_radiance / static_cast<float>(rays);
+    const Rgb throughput = vertex.throughput * vertex.point.albedo;
     for (int number = goes_on ? 1 : 0; number < rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(vertex.point.normal, points_[i], number, rays);
       if (above_horizon(vertex.point, direction))
-        ask(vertex, leaving_ray(vertex.point, direction, light_->sky_distance_m), sky, !joins_bounce);
+        ask(vertex, leaving_ray(vertex.point, direction, light_->sky_distance_m),
+            throughput * sky_found(*light_, vertex.point, direction) / static_cast<float>(rays),
+            !joins_bounce);
     }
   }
   add_what_arrives(Coherence::scattered);
@@ -107,12 +108,13 @@ void PathBatch::go_on(int vertex) {
   rays_.clear();
   vertex_of_ray_.clear();
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const Vertex& from = vertices_[i];
-    const Eigen::Vector3f direction = cosine_direction(from.point.normal, points_[i]);
-    if (!above_horizon(from.point, direction)) continue;
-    const Ray ray = leaving_ray(from.point, direction, light_->sky_distance_m);
+    Vertex& from = vertices_[i];
+    const auto next = scatter(from.point, points_[i]);
+    if (!next) continue;
+    from.throughput *= next->weight;
+    const Ray ray = leaving_ray(from.point, next->direction, light_->sky_distance_m);
     if (only_sky) {
-      ask(from, ray, from.throughput * light_->environment_radiance, false);
+      ask(from, ray, from.throughput * sky_found(*light_, from.point, next->direction), false);
     } else {
       rays_.push_back(ray);
       vertex_of_ray_.push_back(i);
@@ -128,7 +130,9 @@ void PathBatch::go_on(int vertex) {
       const Vertex& from = vertices_[vertex_of_ray_[i]];
       worlds_->nearest_past_room(
           rays_[i], hits_[i], from.set,
-          [&](WorldSet set, const std::optional<SurfacePoint>& hit) { meet(from, set, hit, vertex); },
+          [&](WorldSet set, const std::optional<SurfacePoint>& hit) {
+            meet(from, set, rays_[i].direction, hit, vertex);
+          },
           &counts_);
     }
     rays_.clear();
@@ -136,20 +140,23 @@ void PathBatch::go_on(int vertex) {
   std::swap(vertices_, next_vertices_);
 }
 
-/// What a path finds at the end of a ray that left its vertex.
-void PathBatch::meet(const Vertex& from, WorldSet set, const std::optional<SurfacePoint>& hit, int vertex) {
+/// What a path finds at the end of a ray that left its vertex, whose throughput is now the ray's.
+void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& direction,
+                     const std::optional<SurfacePoint>& hit, int vertex) {
   const PathRules& rules = starts_[from.path].rules;
   if (!hit) {
-    const bool direct = vertex == 0 && !rules.sky_joins_bounce;
+    const bool direct = vertex == 0 && !sky_joins_bounce(from);
     const float rays = direct ? static_cast<float>(light_->sky_rays) : 1.0F;
-    add(from.path, set, direct, from.throughput * light_->environment_radiance / rays);
+    add(from.path, set, direct, from.throughput * sky_found(*light_, from.point, direction) / rays);
     return;
   }
   if (vertex == 0 && (set & rules.reach_of) != 0)
     found_[from.path].reach_m = std::min(found_[from.path].reach_m, hit->distance_m);
-  if (emits_) add(from.path, set, false, from.throughput * hit->emission);
-  if (vertex < light_->bounces)
-    next_vertices_.push_back({from.path, set, *hit, from.throughput * hit->albedo});
+  if (emits_) {
+    const FoundGlow glow = glow_found(*light_, from.point, direction, *hit);
+    add(from.path, set, glow.is_lamp && vertex == 0, from.throughput * glow.radiance);
+  }
+  if (vertex < light_->bounces) next_vertices_.push_back({from.path, set, *hit, from.throughput});
 }
 
 void PathBatch::ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, bool direct) {

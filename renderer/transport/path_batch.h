@@ -12,8 +12,9 @@ namespace seamline::renderer {
 struct PathRules {
   bool has_tail = true;
   float tail_weight = 1.0F;
-  bool sky_joins_bounce = false;  ///< the sky at the first surface is added to the light that may be filtered
-  WorldSet reach_of = 0xFF;       ///< worlds by which `PathLight::reach_m` is measured
+  /// A constant sky at the first surface is added to the light that may be filtered.
+  bool sky_joins_bounce = false;
+  WorldSet reach_of = 0xFF;  ///< worlds by which `PathLight::reach_m` is measured
 };
 /// Every `tail_every`-th sample of each half has a tail.
 [[nodiscard]] inline PathRules path_rules(const Sampler& sampler, int tail_every,
@@ -60,7 +61,7 @@ class PathBatch {
     std::size_t path;
     WorldSet set;
     SurfacePoint point;
-    Rgb throughput;  ///< from the surface to the camera, with its albedo
+    Rgb throughput;  ///< from the surface to the camera, without its own albedo
   };
   /// Light that arrives over a ray where nothing is in the way.
   struct Arriving {
@@ -72,11 +73,16 @@ class PathBatch {
 
   [[nodiscard]] bool ends_at_sky(int vertex) const { return vertex >= light_->bounces && !emits_; }
   void find_points(int dimension);
-  void add_sun(const Sun& sun, int vertex);
+  void add_light_sample(int number, int vertex);
+  /// A map's light has edges, which no filter of bounce light may touch.
+  [[nodiscard]] bool sky_joins_bounce(const Vertex& vertex) const {
+    return starts_[vertex.path].rules.sky_joins_bounce && !light_->environment;
+  }
   void add_sky_of_first();
   void thin_tails();
   void go_on(int vertex);
-  void meet(const Vertex& from, WorldSet set, const std::optional<SurfacePoint>& hit, int vertex);
+  void meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& direction,
+            const std::optional<SurfacePoint>& hit, int vertex);
   void ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, bool direct);
   void add_what_arrives(Coherence coherence);
   void add(std::size_t path, WorldSet set, bool direct, const Rgb& radiance);

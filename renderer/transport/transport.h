@@ -1,6 +1,6 @@
 #pragma once
 #include "renderer/common/sampler.h"
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 #include "renderer/tracing/geometry.h"
 
 namespace seamline::renderer {

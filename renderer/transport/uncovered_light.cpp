@@ -1,5 +1,6 @@
 #include "renderer/transport/uncovered_light.h"
 
+#include "renderer/light/light_sample.h"
 #include "renderer/tracing/surface_point.h"
 
 namespace seamline::renderer {
@@ -8,6 +9,7 @@ namespace {
 /// Adds the light of the rays that the real world lets through, without and with the object, and begins anew.
 void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rgb Split::*part,
            LightRays& rays, RayCounts* counts, std::span<RadiancePair> pairs) {
+  if (rays.empty()) return;
   rays.drop_blocked_by_real(real, coherence, counts);
   for (const LightRays::Arriving& light : rays.arriving())
     pairs[light.index].without_object.*part += light.radiance;
@@ -15,6 +17,13 @@ void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rg
   for (const LightRays::Arriving& light : rays.arriving())
     pairs[light.index].with_object.*part += light.radiance;
   rays.clear();
+}
+
+/// The receiver, of the truth's albedo.
+SurfacePoint shaded_receiver(const UncoveredPoint& point) {
+  SurfacePoint receiver = *point.receiver;
+  receiver.albedo = point.albedo;
+  return receiver;
 }
 
 }  // namespace
@@ -28,27 +37,33 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
   if (points.empty()) return;
   const Geometry& real = *points.front().lit.geometry;
   rays.clear();
-  for (const Sun& sun : light.suns)
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const SurfacePoint& receiver = *points[i].receiver;
-      const Eigen::Vector3f to_sun = direction_to_sun(sun, points[i].sampler.point(dimension::sun(0)));
-      if (const float cosine = sun_cosine(receiver, to_sun); cosine > 0.0F)
-        rays.add(receiver, points[i].lit, to_sun, endless,
-                 {i, points[i].albedo * sun.irradiance_w_m2 * (inverse_pi * cosine)});
-    }
+  const auto add_samples = [&](int from, int to) {
+    for (int number = from; number < to; ++number)
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const SurfacePoint receiver = shaded_receiver(points[i]);
+        if (const auto sample =
+                light_sample(light, number, receiver, Rgb::Ones(), points[i].sampler, 0, GlowHits::unknown))
+          rays.add(receiver, points[i].lit, sample->direction, sample->far_m, {i, sample->radiance});
+      }
+  };
+  const auto suns = static_cast<int>(light.suns.size());  // whose rays lie together
+  add_samples(0, suns);
   trace(object, real, Coherence::together, &Split::direct, rays, counts, pairs);
+  add_samples(suns, light_samples(light));
+  trace(object, real, Coherence::scattered, &Split::direct, rays, counts, pairs);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const SurfacePoint& receiver = *points[i].receiver;
-    const Eigen::Vector3f direction =
-        cosine_direction(receiver.normal, points[i].sampler.point(dimension::direction(0)));
-    if (!above_horizon(receiver, direction)) continue;
+    const SurfacePoint receiver = shaded_receiver(points[i]);
+    const auto next = scatter(receiver, points[i].sampler.point(dimension::direction(0)));
+    if (!next) continue;
     if (!light.skips_sky)
-      rays.add(receiver, points[i].lit, direction, light.sky_distance_m,
-               {i, points[i].albedo * light.environment_radiance});
+      rays.add(receiver, points[i].lit, next->direction, light.sky_distance_m,
+               {i, next->weight * sky_found(light, receiver, next->direction)});
     else if (counts != nullptr)
       ++counts->dark_sky_rays;
   }
-  trace(object, real, Coherence::scattered, &Split::bounce, rays, counts, pairs);
+  // A map's light has edges, which no filter of bounce light may touch.
+  Rgb Split::*const part = light.environment ? &Split::direct : &Split::bounce;
+  trace(object, real, Coherence::scattered, part, rays, counts, pairs);
 }
 
 }  // namespace seamline::renderer

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/common/sampler.h"
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 #include "renderer/transport/transport.h"
 
 namespace seamline::renderer {

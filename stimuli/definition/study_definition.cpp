@@ -113,12 +113,19 @@ std::string canonical_text(const SceneDefinition& scene) {
                                 scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
                                 scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
   for (const ObjectDefinition& object : scene.objects) out += object_text(object);
-  if (scene.sun)
-    out += fmt::format("sun {} {} {}\n", text(scene.sun->to_sun), text(scene.sun->irradiance_w_m2),
-                       scene.sun->angular_radius_deg);
+  if (scene.sun) out += canonical_text(*scene.sun);
   if (scene.camera)
     out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
                        scene.camera->horizontal_fov_deg);
+  if (scene.environment) out += canonical_text(*scene.environment);
+  if (scene.suns) {
+    out += "suns\n";
+    for (const SunDefinition& sun : *scene.suns) out += canonical_text(sun);
+  }
+  if (scene.lamps) {
+    out += "lamps\n";
+    for (const LampDefinition& lamp : *scene.lamps) out += canonical_text(lamp);
+  }
   if (scene.sun_radius_deg) out += fmt::format("sun radius {}\n", *scene.sun_radius_deg);
   return out;
 }

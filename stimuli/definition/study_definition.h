@@ -16,6 +16,7 @@
 #include "stimuli/definition/form_definition.h"
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
+#include "stimuli/definition/light_definition.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "stimuli/definition/quantity.h"
 #include "stimuli/definition/session_definition.h"
@@ -49,14 +50,6 @@ struct DepthSettings {
   auto operator<=>(const DepthSettings&) const = default;
 };
 
-/// The sun, when the study file overrides what the scene file holds (KHR_lights_punctual, directional).
-struct SunDefinition {
-  Eigen::Vector3d to_sun =
-      Eigen::Vector3d::UnitY();  ///< direction from the scene towards the sun, unit length
-  std::array<double, 3> irradiance_w_m2 = {0, 0, 0};  ///< on a plane facing the sun, linear RGB
-  double angular_radius_deg = 0.0;                    ///< 0: a hard sun
-};
-
 /// A pinhole camera. Its position is also the centre of the panoramic depth maps.
 struct CameraDefinition {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
@@ -72,6 +65,9 @@ struct SceneDefinition {
   std::vector<Artifact> artifacts;
   std::vector<ObjectDefinition> objects;                   ///< left, middle, right
   std::optional<SunDefinition> sun;                        ///< none: the scene file's own
+  std::optional<std::vector<SunDefinition>> suns;          ///< several, in place of `sun`; none: likewise
+  std::optional<std::vector<LampDefinition>> lamps;        ///< none: the scene file's own
+  std::optional<EnvironmentDefinition> environment;        ///< none: constant
   std::optional<CameraDefinition> camera;                  ///< none: the scene file's own (its first camera)
   std::array<double, 3> environment_radiance = {1, 1, 1};  ///< constant environment, W/m2/sr, linear RGB
   bool ambient_occlusion = false;  ///< no sun, no bounce; visibility up to ao_distance_m

@@ -141,7 +141,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
-  study.conditions = read_conditions(table, study);
+  study.conditions = read_conditions(table, study, folders, assets);
   if (study.conditions.empty())
     require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level);
   if (assets == AssetCheck::must_exist) find_depth_files(study, folders);

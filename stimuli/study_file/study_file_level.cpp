@@ -8,7 +8,7 @@
 #include <set>
 
 #include "stimuli/study_file/study_file_depth.h"
-#include "stimuli/study_file/study_file_scene.h"
+#include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -167,7 +167,8 @@ std::string meaning(const ConditionDefinition& condition) {
   return text;
 }
 
-ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study) {
+ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study,
+                                   const AssetFolders& folders, AssetCheck assets) {
   ConditionDefinition condition{.name = read_condition_name(table),
                                 .isolation = read_isolation(table, study.isolation),
                                 .depth = study.depth,
@@ -182,7 +183,7 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
   if (condition.depth.mesh == MeshDensity::full && table.has("mesh_tolerance"))
     throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
                           "mesh = \"full\"");
-  for (SceneDefinition& scene : condition.scenes) read_light(table, scene);
+  for (SceneDefinition& scene : condition.scenes) read_light(table, folders, assets, scene);
   table.finish();
   return condition;
 }
@@ -227,12 +228,13 @@ DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, s
   return depth;
 }
 
-std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const StudyDefinition& study) {
+std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const StudyDefinition& study,
+                                                 const AssetFolders& folders, AssetCheck assets) {
   std::vector<ConditionDefinition> conditions;
   std::map<std::string, std::string> names;  // by meaning
   std::set<std::string> used;
   for (const TomlTable& one : table.tables("condition")) {
-    conditions.push_back(read_condition(one, study));
+    conditions.push_back(read_condition(one, study, folders, assets));
     const ConditionDefinition& condition = conditions.back();
     if (!used.insert(condition.name).second)
       throw one.complaint("name", "a name that no other condition has", "\"" + condition.name + "\"");

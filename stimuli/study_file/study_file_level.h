@@ -1,6 +1,8 @@
 #pragma once
 #include "stimuli/definition/study_definition.h"
+#include "stimuli/study_file/study_file.h"
 #include "stimuli/study_file/toml_table.h"
+#include "support/files/assets.h"
 
 namespace seamline::inline stimuli {
 
@@ -19,6 +21,8 @@ namespace seamline::inline stimuli {
 /// InputError where a condition sets what is the level, sets what another of its settings makes void, or is
 /// another one under a second name.
 [[nodiscard]] std::vector<ConditionDefinition> read_conditions(const TomlTable& table,
-                                                               const StudyDefinition& study);
+                                                               const StudyDefinition& study,
+                                                               const AssetFolders& folders,
+                                                               AssetCheck assets);
 
 }  // namespace seamline::inline stimuli

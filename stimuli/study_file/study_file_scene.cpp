@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "stimuli/study_file/study_file_light.h"
 #include "support/text/limits.h"
 
 namespace seamline::inline stimuli {
@@ -27,12 +28,6 @@ std::string read_name(const TomlTable& table) {
   return name;
 }
 
-std::filesystem::path find_asset(const TomlTable& table, const std::string& file, const AssetFolders& folders,
-                                 AssetCheck assets) {
-  return assets == AssetCheck::must_exist ? resolve_asset(file, folders, table.field("file"))
-                                          : std::filesystem::path{};
-}
-
 ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   ObjectDefinition object;
   object.name = read_name(table);
@@ -42,19 +37,8 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   object.scale = table.number("scale", 1.0, {1e-9, unlimited});
   object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
   table.finish();
-  object.path = find_asset(table, object.file, folders, assets);
+  object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
-}
-
-SunDefinition read_sun(const TomlTable& table) {
-  SunDefinition sun;
-  sun.to_sun = vector(table.triple("to_sun", {0, 1, 0}, {-unlimited, unlimited}));
-  if (!(sun.to_sun.norm() > 0)) throw table.complaint("to_sun", "a direction that is not zero", "[0, 0, 0]");
-  sun.to_sun.normalize();
-  sun.irradiance_w_m2 = table.triple("irradiance_w_m2", {0, 0, 0}, {0, limits::strongest_light, "W/m2"});
-  sun.angular_radius_deg = table.number("angular_radius_deg", 0.0, {0, 45, "degrees"});
-  table.finish();
-  return sun;
 }
 
 CameraDefinition read_camera(const TomlTable& table) {
@@ -86,29 +70,14 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 
 }  // namespace
 
-void read_light(const TomlTable& table, SceneDefinition& scene) {
-  scene.environment_radiance = table.triple("environment_radiance", scene.environment_radiance,
-                                            {0, limits::strongest_light, "W/m2/sr"});
-  scene.ambient_occlusion = table.boolean("ambient_occlusion", scene.ambient_occlusion);
-  scene.ao_distance_m = table.number("ao_distance_m", scene.ao_distance_m, {1e-9, unlimited, "m"});
-  scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
-  scene.albedo = table.number("albedo", scene.albedo, {0, 1});
-  scene.exposure_ev = table.number("exposure_ev", scene.exposure_ev, {-60, 60, "stops"});
-  if (table.has("sun_radius_deg")) {
-    scene.sun_radius_deg = table.number("sun_radius_deg", 0, {0, 45, "degrees"});
-    if (scene.ambient_occlusion)
-      throw table.complaint("sun_radius_deg", "a sun: the scene \"" + scene.name + "\" has ambient_occlusion",
-                            "a radius of none");
-  }
-}
-
 SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   SceneDefinition scene;
   scene.name = read_name(table);
   scene.file = table.text("file");
   scene.artifacts = read_artifacts(table);
-  read_light(table, scene);
+  read_light(table, folders, assets, scene);
   if (const auto sun = table.table("sun")) {
+    if (scene.suns) throw table.complaint("suns", "one of sun and suns", "both");
     if (scene.sun_radius_deg && sun->has("angular_radius_deg"))
       throw table.complaint("sun_radius_deg", "one radius of the sun", "sun.angular_radius_deg beside it");
     scene.sun = read_sun(*sun);
@@ -125,7 +94,7 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
   if (scene.objects.size() != 3)
     throw table.complaint("object", "three objects: left, middle, right",
                           std::to_string(scene.objects.size()));
-  scene.path = find_asset(table, scene.file, folders, assets);
+  scene.path = find_asset(table, "file", scene.file, folders, assets);
   return scene;
 }
 

@@ -10,8 +10,4 @@ namespace seamline::inline stimuli {
 [[nodiscard]] SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders,
                                          AssetCheck assets);
 
-/// The keys that a scene and a condition share: light, bounces, exposure, albedo. What the table does not say
-/// stays as `scene` has it.
-void read_light(const TomlTable& table, SceneDefinition& scene);
-
 }  // namespace seamline::inline stimuli

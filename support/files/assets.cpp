@@ -37,24 +37,28 @@ fs::path builtin_folder() {
   return fs::is_directory(beside, error) ? beside : fs::path(SEAMLINE_BUILTIN_DIR);
 }
 
-std::vector<std::string> builtin_names(const fs::path& folder) {
+std::string extension_of(BuiltinKind kind) {
+  return kind == BuiltinKind::scene ? ".glb" : ".exr";
+}
+
+std::vector<std::string> builtin_names(const fs::path& folder, BuiltinKind kind) {
   std::vector<std::string> names;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".glb") names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == extension_of(kind)) names.push_back(entry.path().stem().string());
   return names;
 }
 
-fs::path find_builtin(const std::string& name, const Complaint& where) {
+fs::path find_builtin(const std::string& name, BuiltinKind kind, const Complaint& where) {
   const std::string wanted = name.substr(builtin_prefix.size());
-  const fs::path path = builtin_folder() / (wanted + ".glb");
+  const fs::path path = builtin_folder() / (wanted + extension_of(kind));
   const bool is_name = wanted.find('/') == std::string::npos;
   if (is_name && fs::exists(path)) return path;
-  const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder()));
+  const std::string nearest = nearest_word(wanted, builtin_names(builtin_folder(), kind));
   throw input_error(
       {.file = where.file,
        .field = where.field,
-       .wanted = "a built-in scene or object",
+       .wanted = kind == BuiltinKind::scene ? "a built-in scene or object" : "a built-in environment map",
        .found = "\"" + name + "\"" + (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
 }
 
@@ -73,9 +77,10 @@ fs::path builtin_study(const std::string& name) {
   return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / file;
 }
 
-fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field) {
+fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field,
+                       BuiltinKind kind) {
   const std::string study_file = folders.study_file.string();
-  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = study_file, .field = field});
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, kind, {.file = study_file, .field = field});
   const fs::path own_folder = folders.study_file.parent_path();
   std::error_code error;
   fs::path path = own_folder / name;
@@ -93,8 +98,8 @@ fs::path resolve_asset(const std::string& name, const AssetFolders& folders, con
                      .found = "\"" + name + "\", which lies elsewhere"});
 }
 
-fs::path resolve_named_file(const std::string& name, const std::string& option) {
-  if (name.starts_with(builtin_prefix)) return find_builtin(name, {.file = {}, .field = option});
+fs::path resolve_named_file(const std::string& name, const std::string& option, BuiltinKind kind) {
+  if (name.starts_with(builtin_prefix)) return find_builtin(name, kind, {.file = {}, .field = option});
   std::error_code error;
   if (!fs::is_regular_file(name, error))
     throw input_error({.field = option, .wanted = "a file", .found = "no file at " + name});

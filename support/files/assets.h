@@ -18,14 +18,19 @@ struct AssetFolders {
   std::filesystem::path asset_root = {};
 };
 
-/// The file that a study names: `builtin:NAME` is NAME.glb among the built-in scenes; a relative path is
-/// looked for in the study file's folder, then in the asset root. Throws InputError (naming `field` of the
-/// study file) when there is no such file, or when it lies, links followed, outside both folders.
+/// What `builtin:NAME` stands for: NAME.glb, a scene or object, or NAME.exr, an environment map.
+enum class BuiltinKind { scene, environment };
+
+/// The file that a study names: `builtin:NAME` is among the built-in files; a relative path is looked for in
+/// the study file's folder, then in the asset root. Throws InputError (naming `field` of the study file) when
+/// there is no such file, or when it lies, links followed, outside both folders.
 [[nodiscard]] std::filesystem::path resolve_asset(const std::string& name, const AssetFolders& folders,
-                                                  const std::string& field);
+                                                  const std::string& field,
+                                                  BuiltinKind kind = BuiltinKind::scene);
 
 /// The file that a person names on the command line: any path, or `builtin:NAME`. Throws InputError naming
 /// `option` when there is none.
-[[nodiscard]] std::filesystem::path resolve_named_file(const std::string& name, const std::string& option);
+[[nodiscard]] std::filesystem::path resolve_named_file(const std::string& name, const std::string& option,
+                                                       BuiltinKind kind = BuiltinKind::scene);
 
 }  // namespace seamline

@@ -198,6 +198,7 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   std::vector<TomlTable> found;
   if (!has(key)) return found;
   const toml::node& node = *node_->table->get(key);
+  if (node.is_array() && node.as_array()->empty()) return found;
   if (!node.is_array_of_tables()) throw complaint(key, "tables [[" + field(key) + "]]", shown(node));
   for (const toml::node& item : *node.as_array())
     found.push_back(TomlTable(std::make_shared<const Node>(Node{node_->root, item.as_table()}), file_,

@@ -40,7 +40,7 @@ class TomlTable {
       const std::string& key) const;  ///< must be there and not empty
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key) const;
   [[nodiscard]] std::vector<TomlTable> tables(
-      const std::string& key) const;  ///< array of tables; may be absent
+      const std::string& key) const;  ///< array of tables; may be absent or empty
 
   /// Throws InputError when the table holds a key that nobody asked for.
   void finish() const;

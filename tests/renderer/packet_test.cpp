@@ -5,7 +5,7 @@
 #include <random>
 
 #include "renderer/depth/capture.h"
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

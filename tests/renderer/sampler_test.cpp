@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 
 namespace seamline::renderer {
 namespace {

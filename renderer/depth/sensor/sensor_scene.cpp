@@ -15,8 +15,6 @@ namespace {
 using sensors::PixelState;
 using sensors::SeenFrame;
 
-constexpr int sub_rays_across = 3;
-
 /// What one source delivers.
 struct Captured {
   sensors::DepthFrame frame;
@@ -34,14 +32,10 @@ sensors::NoiseModel model_of(const PinholeSource& source) {
 }
 
 SensorSight sight_of(const PinholeSource& source, bool guided) {
-  SensorSight sight{.surfaces = guided || source.noise.has_value()};
-  if (!source.noise) return sight;
-  const auto* flight = std::get_if<sensors::TimeOfFlightNoise>(&source.noise->model);
-  if (flight != nullptr && flight->mixes) sight.sub_rays_across = sub_rays_across;
-  if (source.projector_m)
-    sight.projector_m =
-        Eigen::Vector3d((*source.projector_m)[0], (*source.projector_m)[1], (*source.projector_m)[2]);
-  return sight;
+  if (!source.noise) return {.surfaces = guided};
+  std::optional<Eigen::Vector3d> projector_m;
+  if (const auto& p = source.projector_m) projector_m = Eigen::Vector3d((*p)[0], (*p)[1], (*p)[2]);
+  return sight_for(source.noise->model, projector_m);
 }
 
 double median_relative_sigma(const SeenFrame& seen, const sensors::NoiseModel& model, double scale) {

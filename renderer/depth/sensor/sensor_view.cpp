@@ -67,7 +67,17 @@ bool is_lit(const Geometry& truth, const SurfacePoint& point, const Eigen::Vecto
   return !truth.occluded(leaving_ray(point, direction, distance_m * (1 - 1e-4F)));
 }
 
+/// A footprint mixes the distances of so many times as many rays.
+constexpr int mixed_rays_across = 3;
+
 }  // namespace
+
+SensorSight sight_for(const sensors::NoiseModel& model, const std::optional<Eigen::Vector3d>& projector_m) {
+  const auto* flight = std::get_if<sensors::TimeOfFlightNoise>(&model);
+  return {.surfaces = true,
+          .sub_rays_across = flight != nullptr && flight->mixes ? mixed_rays_across : 0,
+          .projector_m = projector_m};
+}
 
 SeenFrame see_truth(const Geometry& truth, const sensors::PinholeCamera& camera,
                     const Eigen::Isometry3d& world_from_sensor, const SensorSight& sight, int threads) {

@@ -15,6 +15,10 @@ struct SensorSight {
   std::optional<Eigen::Vector3d> projector_m = {};  ///< in the sensor's frame: what it lights
 };
 
+/// What a noise model asks of a sensor's view; the projector is for structured light.
+[[nodiscard]] SensorSight sight_for(const sensors::NoiseModel& model,
+                                    const std::optional<Eigen::Vector3d>& projector_m);
+
 /// What of the truth a sensor sees: a ray through the centre of each pixel, and what else is wanted. A pixel
 /// through which the lens lets no direction sees nothing. The same for any number of threads.
 [[nodiscard]] sensors::SeenFrame see_truth(const Geometry& truth, const sensors::PinholeCamera& camera,

@@ -188,7 +188,7 @@ class FastEstimator : public SceneEstimator {
   }
 
   [[nodiscard]] TruthSums truth_sums_of(int object_index, const FilterStrength& strength) const {
-    return truth_sums(sums_, scene_.camera, scene_.light.environment_radiance, object_index,
+    return truth_sums(sums_, scene_.camera, scene_.light, object_index,
                       {.filter = strength, .threads = threads_});
   }
 

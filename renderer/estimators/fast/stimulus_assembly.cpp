@@ -4,6 +4,7 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/estimators/fast/filtered_bounce.h"
+#include "renderer/estimators/fast/pixel_sky.h"
 
 namespace seamline::renderer {
 namespace {
@@ -37,7 +38,7 @@ class Assembly {
   void add_uncovered(int x, int y, std::size_t half, const FilteredBounce& uncovered,
                      StimulusPixel& out) const {
     const std::size_t i = truth_.truth_sums.index(x, y);
-    add_uncovered_of(gather(x, y, half), uncovered.texel(i), uncovered.surface(i), half, out);
+    add_uncovered_of(x, y, gather(x, y, half), uncovered.texel(i), uncovered.surface(i), half, out);
   }
 
  private:
@@ -107,8 +108,8 @@ class Assembly {
     return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
   }
 
-  void add_uncovered_of(const Pixel& in, const BounceTexel* texel, const Surface* surface, std::size_t half,
-                        StimulusPixel& out) const {
+  void add_uncovered_of(int x, int y, const Pixel& in, const BounceTexel* texel, const Surface* surface,
+                        std::size_t half, StimulusPixel& out) const {
     const float stays = 1.0F - in.covers;
     const bool uncovers = recipe_.keep == Keep::everything && in.uncovers > 0.0F;
     const float behind = uncovers ? in.uncovers * in.to_sums : 0.0F;
@@ -119,7 +120,8 @@ class Assembly {
       without_object += behind * in.own.behind;
       with_object += behind * in.own.behind_with;
       uncovered_surfaces += behind * in.own.behind_surfaces;
-      out.sky += behind * (in.own.covered - in.own.behind_surfaces) * truth_.scene.light.environment_radiance;
+      if (const float behind_sky = in.own.covered - in.own.behind_surfaces; behind_sky > 0.0F)
+        out.sky += behind * behind_sky * pixel_sky(truth_.scene.light, truth_.scene.camera, x, y);
     }
     if (!asks_depth_off_object(answers_)) {
       set_uncovered(uncovered_surfaces, without_object.total(), without_object, with_object, out);

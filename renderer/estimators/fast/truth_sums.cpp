@@ -1,6 +1,7 @@
 #include "renderer/estimators/fast/truth_sums.h"
 
 #include "renderer/common/parallel.h"
+#include "renderer/estimators/fast/pixel_sky.h"
 
 namespace seamline::renderer {
 namespace {
@@ -28,9 +29,13 @@ struct PixelOfObject {
 /// Takes one object's truth from the sums of the scene.
 class TruthSumsMaker {
  public:
-  TruthSumsMaker(const SceneSums& sums, const Camera& camera, const Rgb& sky, int object,
+  TruthSumsMaker(const SceneSums& sums, const Camera& camera, const Light& light, int object,
                  const TruthSumsOptions& options)
-      : sums_(sums), camera_(camera), sky_(sky), k_(static_cast<std::size_t>(object)), options_(options) {}
+      : sums_(sums),
+        camera_(camera),
+        light_(light),
+        k_(static_cast<std::size_t>(object)),
+        options_(options) {}
 
   TruthSums make() {
     const std::size_t pixels = sums_.halves[0].size();
@@ -104,6 +109,8 @@ class TruthSumsMaker {
       const ObjectPixel& own = pixel.own;
       TruthPixel& out = truth_.halves[half][i];
       const float behind_sky = own.covered - own.behind_surfaces;
+      const float seen_sky = half_samples - own.covered - pixel.uncovered_surfaces;
+      const Rgb sky = behind_sky > 0.0F || seen_sky > 0.0F ? pixel_sky(light_, camera_, x, y) : Rgb::Zero();
       const Rgb filtered_without =
           mean(texels_[i].without_object(half), texels_[i].without_samples(half)) * surfaces_[i].albedo;
       if (options_.filter.levels > 0) {
@@ -116,8 +123,8 @@ class TruthSumsMaker {
           options_.filter.levels > 0 ? Rgb(filtered_without * own.behind_surfaces) : own.behind.bounce;
       out.without_object = to_sums * pixel.without_object;
       out.with_object = to_sums * pixel.with_object;
-      out.sky = to_sums * (half_samples - own.covered - pixel.uncovered_surfaces) * sky_;
-      out.behind = to_sums * (own.behind.direct + behind_bounce + behind_sky * sky_);
+      out.sky = to_sums * seen_sky * sky;
+      out.behind = to_sums * (own.behind.direct + behind_bounce + behind_sky * sky);
       out.covered = to_sums * own.covered;
       out.uncovered_surfaces = to_sums * pixel.uncovered_surfaces;
     }
@@ -157,7 +164,7 @@ class TruthSumsMaker {
 
   const SceneSums& sums_;
   const Camera& camera_;
-  const Rgb& sky_;
+  const Light& light_;
   const std::size_t k_;
   const TruthSumsOptions& options_;
   TruthSums truth_;
@@ -167,9 +174,9 @@ class TruthSumsMaker {
 
 }  // namespace
 
-TruthSums truth_sums(const SceneSums& sums, const Camera& camera, const Rgb& environment_radiance, int object,
+TruthSums truth_sums(const SceneSums& sums, const Camera& camera, const Light& light, int object,
                      const TruthSumsOptions& options) {
-  return TruthSumsMaker(sums, camera, environment_radiance, object, options).make();
+  return TruthSumsMaker(sums, camera, light, object, options).make();
 }
 
 }  // namespace seamline::renderer

@@ -1,4 +1,5 @@
 #pragma once
+#include "renderer/light/light.h"
 #include "renderer/picture/bounce_filter.h"
 #include "renderer/picture/pixel_sums.h"
 #include "renderer/picture/scene_sums.h"
@@ -13,8 +14,7 @@ struct TruthSumsOptions {
 
 /// The truth of one object (1 to 3), taken from the sums of the truth pass, its bounce light filtered.
 /// Scaled as if every tile had the most samples that one has.
-[[nodiscard]] TruthSums truth_sums(const SceneSums& sums, const Camera& camera,
-                                   const Rgb& environment_radiance, int object,
-                                   const TruthSumsOptions& options);
+[[nodiscard]] TruthSums truth_sums(const SceneSums& sums, const Camera& camera, const Light& light,
+                                   int object, const TruthSumsOptions& options);
 
 }  // namespace seamline::renderer

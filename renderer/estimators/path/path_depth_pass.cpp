@@ -115,14 +115,14 @@ class PixelRenderer {
       }
       case StimulusSample::Shows::sky:
         out.sky += sample.real ? sampler_.uncovered_in_truth(sample, work_).without_object.total()
-                               : sampler_.scene().light.environment_radiance;
+                               : sampler_.sky_behind(sample);
         return;
       case StimulusSample::Shows::from_reference:
         if (sample.covered_in_truth)
           out.from_reference += sampler_.object_in_truth(sample, work_).total();
         else
           out.from_reference += sample.real ? sampler_.uncovered_in_truth(sample, work_).with_object.total()
-                                            : sampler_.scene().light.environment_radiance;
+                                            : sampler_.sky_behind(sample);
         return;
     }
   }

@@ -19,7 +19,7 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
     sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler, &counts);
     sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
                               .without_object.total()
-                        : scene.light.environment_radiance;
+                        : scene.light.sky(ray.direction);
   } else if (real) {
     const RadiancePair pair =
         leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler, &counts);
@@ -27,7 +27,7 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
     sums.without_object += pair.without_object;
     sums.with_object += pair.with_object;
   } else {
-    sums.sky += scene.light.environment_radiance;
+    sums.sky += scene.light.sky(ray.direction);
   }
 }
 
@@ -81,11 +81,11 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
       Rgb sum = Rgb::Zero();
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
-        const std::optional<SurfacePoint> point =
-            everything.nearest(camera_ray(camera, x, y, sampler), &counts);
+        const Ray ray = camera_ray(camera, x, y, sampler);
+        const std::optional<SurfacePoint> point = everything.nearest(ray, &counts);
         sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts)
                            .without_object.total()
-                     : scene.light.environment_radiance;
+                     : scene.light.sky(ray.direction);
       }
       reference.radiance.set_rgb(x, y, sum / static_cast<float>(options.spp));
     }

@@ -55,9 +55,13 @@ std::string counted(int number, const char* one, const char* many) {
 
 std::string light_text(const ScenePlan& plan) {
   const LightFacts& light = plan.light;
-  std::string text = fmt::format(
-      "  Light: {}, {}, {}{}.", counted(light.suns, "sun", "suns"), light.sky_is_dark ? "no sky" : "sky",
-      counted(plan.choices.bounces, "bounce", "bounces"), light.emits ? ", surfaces that emit" : "");
+  const char* sky = light.sky_is_mapped ? "an environment map" : light.sky_is_dark ? "no sky" : "sky";
+  std::string text = "  Light: " + counted(light.suns, "sun", "suns") + ", ";
+  if (light.lamps > 0) text += counted(light.lamps, "lamp", "lamps") + ", ";
+  text += fmt::format("{}, {}{}.", sky, counted(plan.choices.bounces, "bounce", "bounces"),
+                      light.emits ? ", surfaces that emit" : "");
+  if (light.glowing_triangles > 0)
+    text += fmt::format(" {} triangles of the background are sampled as lamps.", light.glowing_triangles);
   return text + fmt::format(" Surfaces reflect at most {:.2f} of it.\n", light.brightest_albedo);
 }
 

@@ -1,4 +1,4 @@
-#include "renderer/scene/light.h"
+#include "renderer/light/light.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <vector>
 
+#include "renderer/light/environment_map.h"
+#include "renderer/light/lamps.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {
@@ -14,18 +17,26 @@ struct Sun {
   float angular_radius_rad = 0.0F;
 };
 
-/// All light that enters a scene from outside, and how far it is followed.
+/// All light of a scene, and how far it is followed. What a scene has none of is not asked for.
 struct Light {
-  std::vector<Sun> suns;
-  Rgb environment_radiance = Rgb::Zero();  ///< constant, from every direction
+  std::vector<Sun> suns = {};
+  Rgb environment_radiance = Rgb::Zero();             ///< constant, from every direction; with a map: zero
+  std::shared_ptr<const EnvironmentMap> environment = {};  ///< null: `environment_radiance` everywhere
+  std::vector<Lamp> lamps = {};
+  std::shared_ptr<const GlowingSurfaces> glowing = {};  ///< null: no surface of the background glows
   /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.
   float sky_distance_m = std::numeric_limits<float>::infinity();
-  int bounces = 4;                 ///< further diffuse scatterings after the first
+  int bounces = 4;                 ///< further scatterings after the first
   bool ambient_occlusion = false;  ///< no sun, no bounce
   bool skips_sky = false;          ///< no ray is traced only for the environment, whose radiance is 0
   /// Rays a sample for what the environment sends straight to the surface that the camera sees; by the fast
   /// estimator only (`PathBatch`, `leaving_object`, `direct_on_object`).
   int sky_rays = 1;
+
+  /// Radiance of the environment from a unit direction.
+  [[nodiscard]] Rgb sky(const Eigen::Vector3f& direction) const {
+    return environment ? environment->radiance(direction) : environment_radiance;
+  }
 };
 
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.

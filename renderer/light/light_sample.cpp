@@ -1,0 +1,120 @@
+#include "renderer/light/light_sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamline::renderer {
+namespace {
+
+/// Rays to a lamp end before it by this share of their way.
+constexpr float before_lamp = 1.0F - 1e-4F;
+
+/// The power heuristic's weight of a density beside another.
+float power_weight(float own, float other) {
+  if (!(own > 0.0F)) return 0.0F;
+  const float ratio = other / own;
+  return 1.0F / (1.0F + ratio * ratio);
+}
+
+/// What a point sends on of radiance from a direction, per cosine and steradian that the density leaves.
+std::optional<Rgb> sent_on(const SurfacePoint& point, const Rgb& throughput, const Rgb& light,
+                           const Eigen::Vector3f& direction) {
+  const float cosine = sun_cosine(point, direction);
+  if (cosine <= 0.0F) return std::nullopt;
+  return Rgb(throughput * point.albedo * light * (inverse_pi * cosine));
+}
+
+std::optional<LightSample> sun_sample(const Sun& sun, const SurfacePoint& point, const Rgb& throughput,
+                                      const Sampler& sampler, int vertex) {
+  const Eigen::Array2f on_disc =
+      sun.angular_radius_rad > 0.0F ? sampler.point(dimension::sun(vertex)) : Eigen::Array2f::Zero();
+  const Eigen::Vector3f to_sun = direction_to_sun(sun, on_disc);
+  const auto sent = sent_on(point, throughput, sun.irradiance_w_m2, to_sun);
+  if (!sent) return std::nullopt;
+  return LightSample{to_sun, endless, *sent};
+}
+
+std::optional<LightSample> lamp_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
+                                       const Sampler& sampler, int vertex) {
+  const auto chosen = choose_lamp(light.lamps, point, sampler.point(dimension::lamp(vertex))[0]);
+  if (!chosen) return std::nullopt;
+  const Eigen::Vector3f to_lamp = chosen->lamp->position_m - point.position_m;
+  const float distance_m = to_lamp.norm();
+  if (!(distance_m > 0.0F)) return std::nullopt;
+  const Eigen::Vector3f direction = to_lamp / distance_m;
+  const Rgb irradiance =
+      intensity_towards(*chosen->lamp, -direction) / (distance_m * distance_m * chosen->probability);
+  const auto sent = sent_on(point, throughput, irradiance, direction);
+  if (!sent || !sent->allFinite()) return std::nullopt;
+  return LightSample{direction, distance_m * before_lamp, *sent};
+}
+
+std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
+                                       const Sampler& sampler, int vertex, GlowHits hits) {
+  const GlowingSurfaces::Place place = light.glowing->sample(sampler.point(dimension::glow_choice(vertex))[0],
+                                                             sampler.point(dimension::glow(vertex)));
+  const Eigen::Vector3f to_place = place.position_m - point.position_m;
+  const float distance_m = to_place.norm();
+  if (!(distance_m > 0.0F)) return std::nullopt;
+  const Eigen::Vector3f direction = to_place / distance_m;
+  const float facing = std::abs(place.normal.dot(direction));
+  if (!(facing > 0.0F)) return std::nullopt;
+  const float density_sr = place.density_m2 * distance_m * distance_m / facing;
+  if (!(density_sr > 0.0F)) return std::nullopt;
+  const float weight =
+      hits == GlowHits::found ? power_weight(density_sr, scatter_density_sr(point, direction)) : 1.0F;
+  const auto sent = sent_on(point, throughput, place.radiance * (weight / density_sr), direction);
+  if (!sent || !sent->allFinite()) return std::nullopt;
+  return LightSample{direction, distance_m * before_lamp, *sent};
+}
+
+std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
+                                      const Sampler& sampler, int vertex) {
+  const EnvironmentMap& map = *light.environment;
+  const auto [direction, density_sr] = map.sample(sampler.point(dimension::environment(vertex)));
+  if (!(density_sr > 0.0F)) return std::nullopt;
+  const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
+  const auto sent = sent_on(point, throughput, map.radiance(direction) * (weight / density_sr), direction);
+  if (!sent) return std::nullopt;
+  return LightSample{direction, light.sky_distance_m, *sent};
+}
+
+}  // namespace
+
+std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point) {
+  const Eigen::Vector3f direction = cosine_direction(from.normal, point);
+  if (!above_horizon(from, direction)) return std::nullopt;
+  return Scattered{direction, from.albedo};
+}
+
+float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  return inverse_pi * std::max(0.0F, from.normal.dot(direction));
+}
+
+std::optional<LightSample> light_sample(const Light& light, int number, const SurfacePoint& point,
+                                        const Rgb& throughput, const Sampler& sampler, int vertex,
+                                        GlowHits hits) {
+  const auto suns = static_cast<int>(light.suns.size());
+  if (number < suns)
+    return sun_sample(light.suns[static_cast<std::size_t>(number)], point, throughput, sampler, vertex);
+  number -= suns;
+  if (!light.lamps.empty() && number-- == 0) return lamp_sample(light, point, throughput, sampler, vertex);
+  if (light.glowing && number-- == 0) return glow_sample(light, point, throughput, sampler, vertex, hits);
+  return map_sample(light, point, throughput, sampler, vertex);
+}
+
+Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  return map.radiance(direction) *
+         power_weight(scatter_density_sr(from, direction), map.density_sr(direction));
+}
+
+FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction,
+                     const SurfacePoint& hit) {
+  const float density_m2 = light.glowing ? light.glowing->density_m2(hit) : 0.0F;
+  if (!(density_m2 > 0.0F)) return {hit.emission, false};
+  const float facing = std::max(1e-12F, std::abs(hit.geometric_normal.dot(direction)));
+  const float density_sr = density_m2 * hit.distance_m * hit.distance_m / facing;
+  return {hit.emission * power_weight(scatter_density_sr(from, direction), density_sr), true};
+}
+
+}  // namespace seamline::renderer

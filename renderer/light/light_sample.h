@@ -1,0 +1,69 @@
+#pragma once
+#include <optional>
+
+#include "renderer/common/sampler.h"
+#include "renderer/light/light.h"
+#include "renderer/tracing/surface_point.h"
+
+namespace seamline::renderer {
+
+/// How a surface sends on what reaches it: one place for what all estimators know of it.
+struct Scattered {
+  Eigen::Vector3f direction;  ///< unit, where the path goes on
+  Rgb weight;                 ///< scattered share times cosine, over the density
+};
+/// The direction in which a path leaves a point, for a point of [0, 1)^2; none below the surface's horizon.
+[[nodiscard]] std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point);
+
+/// Per steradian, with which `scatter` chooses a direction.
+[[nodiscard]] float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction);
+
+/// Light that reaches a point from one direction if nothing is in the way.
+struct LightSample {
+  Eigen::Vector3f direction;  ///< unit, towards the light
+  float far_m;                ///< where the ray that asks ends, before the lamp
+  Rgb radiance;               ///< that goes on to the viewer: times the throughput, over the density
+};
+
+/// Questions that every surface asks of its light: one of each sun, one of all lamps without size, one of the
+/// glowing surfaces, one of the environment's map. A scene that has none of a kind asks none of it.
+[[nodiscard]] inline int light_samples(const Light& light) {
+  return static_cast<int>(light.suns.size()) + (light.lamps.empty() ? 0 : 1) + (light.glowing ? 1 : 0) +
+         (light.environment ? 1 : 0);
+}
+
+/// Whether the rays on which paths go on find the surfaces that glow: in the truth, and not in the depth
+/// mesh, which knows nothing of them.
+enum class GlowHits { found, unknown };
+
+/// Question `number` of those. `throughput`: from the point to the camera, without the point's own albedo.
+/// Light that the paths that go on may find as well (the environment's map always, glowing surfaces with
+/// `GlowHits::found`) is weighted by the power heuristic (Veach and Guibas, SIGGRAPH 1995). None when no
+/// light comes from there.
+[[nodiscard]] std::optional<LightSample> light_sample(const Light& light, int number,
+                                                      const SurfacePoint& point, const Rgb& throughput,
+                                                      const Sampler& sampler, int vertex, GlowHits hits);
+
+/// The environment as found by a path that left `from` in a direction of `scatter`: its radiance, less what
+/// `light_sample` counts of it.
+[[nodiscard]] inline Rgb sky_found(const Light& light, const SurfacePoint& from,
+                                   const Eigen::Vector3f& direction);
+
+/// What a surface that such a path met glows, less what `light_sample` counts of it. `is_lamp`: whether it is
+/// one of those that `light_sample` knows.
+struct FoundGlow {
+  Rgb radiance;
+  bool is_lamp;
+};
+[[nodiscard]] FoundGlow glow_found(const Light& light, const SurfacePoint& from,
+                                   const Eigen::Vector3f& direction, const SurfacePoint& hit);
+
+[[nodiscard]] Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from,
+                                   const Eigen::Vector3f& direction);
+
+inline Rgb sky_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  return light.environment ? mapped_sky_found(*light.environment, from, direction)
+                           : light.environment_radiance;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,87 @@
+// What a study file says of light: environment maps, suns and lamps.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/text/error.h"
+#include "tests/complaint.h"
+
+namespace seamline {
+namespace {
+
+using testing::HasSubstr;
+
+StudyDefinition lit_study(const std::string& light, const std::string& tables = "") {
+  std::string text =
+      "format = \"seamline study 1\"\nname = \"small\"\ndepth_width_px = [64, 512]\n" + tables +
+      "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n" + light;
+  for (const char* object : {"a", "b", "c"})
+    text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
+  return read_study_text(text, "study.toml");
+}
+
+std::string light_complaint(const std::string& light, const std::string& tables = "") {
+  return test::complaint_of([&] { (void)lit_study(light, tables); });
+}
+
+TEST(StudyFileLight, WhatIsNotNamedLeavesTheHashAsItIs) {
+  const std::string text = canonical_text(lit_study("").scenes[0]);
+  for (const char* word : {"map", "suns", "lamp"}) EXPECT_EQ(text.find(word), std::string::npos) << text;
+  EXPECT_NE(study_hash(lit_study("environment = \"sky.hdr\"")), study_hash(lit_study("")));
+  EXPECT_NE(study_hash(lit_study("lamps = []")), study_hash(lit_study("")))
+      << "no lamps are fewer than the file's own";
+}
+
+TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
+  const SceneDefinition scene =
+      lit_study(
+          "environment = \"sky.hdr\"\nenvironment_rotation_deg = 90\nenvironment_strength = 0.5\n"
+          "suns = [{to_sun = [0, 2, 0], irradiance_w_m2 = [1, 2, 3]}, {to_sun = [1, 0, 0]}]\n"
+          "lamps = [{position_m = [1, 2, 3], intensity_w_sr = [4, 5, 6]}, {position_m = [0, 3, 0], "
+          "intensity_w_sr = [1, 1, 1], shines_along = [0, -2, 0], inner_deg = 10, outer_deg = 20}]")
+          .scenes[0];
+  EXPECT_EQ(scene.environment->file, "sky.hdr");
+  EXPECT_EQ(scene.environment->rotation_deg, 90);
+  EXPECT_EQ(scene.environment->strength, 0.5);
+  ASSERT_EQ(scene.suns->size(), 2U);
+  EXPECT_EQ((*scene.suns)[0].to_sun.y(), 1);
+  ASSERT_EQ(scene.lamps->size(), 2U);
+  EXPECT_FALSE((*scene.lamps)[0].is_spot);
+  EXPECT_TRUE((*scene.lamps)[1].is_spot);
+  EXPECT_EQ((*scene.lamps)[1].shines_along.y(), -1);
+  EXPECT_EQ((*scene.lamps)[1].outer_deg, 20);
+}
+
+TEST(StudyFileLight, ConditionsChangeTheLightAndHaveTruthsOfTheirOwn) {
+  const StudyDefinition study =
+      lit_study("environment = \"sky.hdr\"",
+                 "[[condition]]\nname = \"sky\"\n[[condition]]\nname = \"constant\"\n"
+                 "environment_radiance = [1, 1, 1]\n[[condition]]\nname = \"turned\"\n"
+                 "environment_rotation_deg = 45\n[[condition]]\nname = \"two\"\n"
+                 "suns = [{to_sun = [0, 1, 0]}, {to_sun = [1, 1, 0]}]\n");
+  EXPECT_EQ(list_truths(study).size(), 4U);
+  EXPECT_TRUE(study.conditions[0].scenes[0].environment);
+  EXPECT_FALSE(study.conditions[1].scenes[0].environment);
+  EXPECT_EQ(study.conditions[2].scenes[0].environment->rotation_deg, 45);
+  EXPECT_EQ(study.conditions[3].scenes[0].suns->size(), 2U);
+}
+
+TEST(StudyFileLight, WhatWouldBeIgnoredIsRefused) {
+  EXPECT_THAT(light_complaint("environment = \"sky.hdr\"\nenvironment_radiance = [1, 1, 1]"),
+              HasSubstr("not both"));
+  EXPECT_THAT(light_complaint("environment_strength = 2"), HasSubstr("an environment map to change"));
+  EXPECT_THAT(light_complaint("suns = [{to_sun = [0, 1, 0]}]\n[scene.sun]\nto_sun = [0, 1, 0]\n"),
+              HasSubstr("one of sun and suns"));
+  EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0]}]"), HasSubstr("intensity_w_sr"));
+  EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], outer_deg = 20}]"),
+              HasSubstr("outer_deg"));
+  EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], shines_along = [0, "
+                        "-1, 0], inner_deg = 30, outer_deg = 20}]"),
+              HasSubstr("inner_deg"));
+  EXPECT_THAT(light_complaint("ambient_occlusion = true\nenvironment = \"sky.hdr\""),
+              HasSubstr("ambient_occlusion"));
+}
+
+}  // namespace
+}  // namespace seamline
