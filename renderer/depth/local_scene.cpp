@@ -3,34 +3,75 @@
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/panorama_chain.h"
+#include "renderer/depth/sensor/sensor_pose.h"
 
 namespace seamline::renderer {
 namespace {
 
+/// A mesh, and what it was built from as far as the chain's test of who is in front looks at it.
+struct Rebuilt {
+  DepthMesh mesh;
+  std::optional<SensorCounts> counts = {};
+  std::optional<ModelRecord> model = {};
+  std::vector<DepthSight> sights = {};
+};
+
 /// The paper's: an exact panorama, and nothing done to it.
-MeasuredMesh exact_mesh(const Geometry& truth, const DepthSettings& settings, int threads) {
-  return {build_depth_mesh(capture_depth(truth, settings.width_px, settings.yaw_texels, threads),
-                           {.density = settings.mesh,
-                            .tolerance = settings.mesh_tolerance,
-                            .yaw_texels = settings.yaw_texels,
-                            .threads = threads}),
-          {}};
+Rebuilt from_exact_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
+  return {.mesh = build_depth_mesh(capture_depth(truth, settings.width_px, settings.yaw_texels, threads),
+                                   {.density = settings.mesh,
+                                    .tolerance = settings.mesh_tolerance,
+                                    .yaw_texels = settings.yaw_texels,
+                                    .threads = threads})};
+}
+
+Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
+  MeasuredPanorama made = panorama_mesh(truth, settings, threads);
+  Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts, .model = made.model};
+  if (tests_pixels(settings.chain->occlusion))
+    out.sights.emplace_back(PanoramaSight{std::move(made.map), settings.yaw_texels});
+  return out;
+}
+
+Rebuilt from_sensors(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
+  MeasuredMesh made = sensor_mesh(truth, settings, {use.photograph, use.picture}, use.threads);
+  Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts};
+  if (tests_pixels(settings.chain->occlusion))
+    for (const PlacedFrame& placed : made.frames)
+      out.sights.emplace_back(
+          FrameSight{sensors::in_convention(placed.frame, sensors::DepthConvention::planar),
+                     placed.world_from_frame.linear().transpose()});
+  return out;
+}
+
+Rebuilt rebuilt(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
+  if (!settings.chain) return from_exact_panorama(truth, settings, use.threads);
+  return is_panorama(*settings.chain) ? from_panorama(truth, settings, use.threads)
+                                      : from_sensors(truth, settings, use);
+}
+
+std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const Camera& photograph,
+                                            std::vector<DepthSight> sights) {
+  if (sights.empty()) return std::nullopt;
+  OcclusionTest test{.sights = std::move(sights), .forward = -photograph.axes.col(2)};
+  if (const auto* buffer = std::get_if<sensors::DepthBuffer>(&settings.chain->occlusion))
+    test.buffer = *buffer;
+  return test;
 }
 
 }  // namespace
 
 LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
-  const bool has_sensor = settings.chain && !is_panorama(*settings.chain);
-  const MeasuredMesh made = !settings.chain ? exact_mesh(truth, settings, use.threads)
-                            : has_sensor    ? sensor_mesh(truth, settings, use.photograph, use.threads)
-                                            : panorama_mesh(truth, settings, use.threads);
+  Rebuilt made = rebuilt(truth, settings, use);
   const bool in_place = !settings.chain || is_seen_from_its_place(*settings.chain);
   return {Geometry(made.mesh, Rgb::Constant(static_cast<float>(use.albedo)),
                    use.traces_rays || !in_place ? TreeQuality::for_light : TreeQuality::for_few_rays,
                    in_place ? CentreRays::by_table : CentreRays::by_tree),
           {.triangles = static_cast<std::int64_t>(made.mesh.triangles.size()),
            .max_relative_error = made.mesh.max_relative_error,
-           .sensor = settings.chain ? std::optional(made.counts) : std::nullopt}};
+           .sensor = made.counts,
+           .model = made.model},
+          occlusion_test(settings, use.photograph, std::move(made.sights))};
 }
 
 }  // namespace seamline::renderer

@@ -1,8 +1,12 @@
 #pragma once
+#include <optional>
+
+#include "renderer/depth/occlusion_test.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/set/manifest.h"
+#include "support/files/image.h"
 
 namespace seamline::renderer {
 
@@ -10,6 +14,9 @@ namespace seamline::renderer {
 struct LocalScene {
   Geometry geometry;
   MeshRecord mesh;
+  std::optional<OcclusionTest> occlusion = {};  ///< who is in front, where not the mesh decides
+
+  [[nodiscard]] DepthWorld world() const { return {&geometry, occlusion ? &*occlusion : nullptr}; }
 };
 
 /// What a local scene is made for.
@@ -18,6 +25,8 @@ struct LocalSceneUse {
   bool traces_rays = true;  ///< false: only from the panorama's centre, which needs no good tree
   int threads = 1;
   Camera photograph = {};  ///< in whose frame sensors are; panoramas do not look at it
+  /// What it shows without the object, linear, where a chain is guided by it; null elsewhere.
+  const Image* picture = nullptr;
 };
 
 /// Captures depth of `truth` as the settings say and rebuilds the scene from it: a panorama from the

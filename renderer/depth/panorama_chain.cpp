@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "renderer/depth/capture.h"
+#include "renderer/depth/coarse_model.h"
 #include "renderer/depth/dense_sphere.h"
 #include "renderer/depth/depth_mesh.h"
+#include "renderer/depth/sensor/pixel_mesh.h"
 #include "support/running/parallel.h"
 
 namespace seamline::renderer {
@@ -36,8 +38,8 @@ void blind(DepthMap& map, const PanoramaSource& source) {
   }
 }
 
-void add_noise(DepthMap& map, const SourceNoise& noise, const sensors::SensorRange& range, std::uint64_t seed,
-               SensorCounts& counts) {
+void add_noise(DepthMap& map, const SourceNoise& noise, const sensors::SensorRange& range,
+               const sensors::NoiseKey& key, SensorCounts& counts) {
   sensors::GenericNoise model = std::get<sensors::GenericNoise>(noise.model);
   model.convention = sensors::DepthConvention::radial;
   model.range = range;
@@ -46,7 +48,7 @@ void add_noise(DepthMap& map, const SourceNoise& noise, const sensors::SensorRan
     sensors::SeenPixel seen;
     seen.centre.radial_m = static_cast<double>(map.distance_m[i]);
     const sensors::MeasuredPixel pixel =
-        sensors::measure_pixel(model, seen, sensors::NoiseStream({.seed = seed, .frame = 0}, i), noise.scale);
+        sensors::measure_pixel(model, seen, sensors::NoiseStream(key, i), noise.scale);
     map.distance_m[i] = pixel.depth_m;
     counts.measured += pixel.state == sensors::PixelState::measured ? 1 : 0;
     counts.outliers += pixel.state == sensors::PixelState::outlier ? 1 : 0;
@@ -114,12 +116,15 @@ MeasuredMap capture_panorama(const Geometry& truth, const DepthSettings& setting
   const auto& source = std::get<PanoramaSource>(chain.sources.front());
   const int factor = source.reduction_factor;
   MeasuredMap made;
-  made.map = capture_depth(truth, settings.width_px * factor, settings.yaw_texels * factor, threads);
-  if (factor > 1) made.map = reduced(made.map, source.reduction, factor, threads);
+  const bool merges = factor > 1 && source.reduction != Reduction::boxes;
+  const int finer = merges ? factor : 1;
+  made.map = capture_depth(truth, settings.width_px * finer, settings.yaw_texels * finer, threads);
+  if (merges) made.map = reduced(made.map, source.reduction, factor, threads);
   blind(made.map, source);
   made.counts.measured = std::count_if(made.map.distance_m.begin(), made.map.distance_m.end(),
                                        [](float distance_m) { return !is_hole(distance_m); });
-  if (source.noise) add_noise(made.map, *source.noise, source.range, chain.seed, made.counts);
+  if (source.noise)
+    add_noise(made.map, *source.noise, source.range, {.seed = chain.seed, .frame = 0}, made.counts);
   made.counts.holes = std::ssize(made.map.distance_m) - made.counts.measured - made.counts.outliers;
   if (!std::holds_alternative<sensors::NoRepair>(chain.repair))
     made.counts.invented = mend(truth, settings, threads, made.map);
@@ -184,11 +189,74 @@ DepthMesh without_jumps(const DepthMesh& mesh, const TexelJumps& jumps) {
   return kept;
 }
 
-double mesh_tolerance(const DepthSettings& settings) {
+double relative_sigma(const DepthSettings& settings) {
   const SourceNoise* noise = noise_of(settings.chain->sources.front());
-  if (noise == nullptr) return settings.mesh_tolerance;
-  const double sigma = noise->scale * std::get<sensors::GenericNoise>(noise->model).relative_sigma;
-  return std::max(settings.mesh_tolerance, settings.chain->noise_sigmas * sigma);
+  if (noise == nullptr) return 0;
+  return noise->scale * std::get<sensors::GenericNoise>(noise->model).relative_sigma;
+}
+
+double mesh_tolerance(const DepthSettings& settings) {
+  return std::max(settings.mesh_tolerance, settings.chain->noise_sigmas * relative_sigma(settings));
+}
+
+/// The model of a map so many times as wide.
+struct FittedModel {
+  CoarseModel model;
+  ModelRecord record;
+};
+
+FittedModel fitted_model(const Geometry& truth, const DepthSettings& settings, int threads) {
+  const auto& source = std::get<PanoramaSource>(settings.chain->sources.front());
+  const int factor = source.reduction_factor;
+  const double yaw_texels = settings.yaw_texels * factor;
+  DepthMap finer = capture_depth(truth, settings.width_px * factor, yaw_texels, threads);
+  blind(finer, source);
+  SensorCounts unused;
+  if (source.noise)  // of another moment than the texels'
+    add_noise(finer, *source.noise, source.range, {.seed = settings.chain->seed, .frame = 1}, unused);
+  PlaneSearch search;
+  search.tolerance = std::max(search.tolerance, 3 * relative_sigma(settings));
+  FittedModel fitted{.model = fit_coarse_model(finer, yaw_texels, search), .record = {}};
+  fitted.record = judge(fitted.model, finer, yaw_texels, threads);
+  return fitted;
+}
+
+/// Texels that a model leaves unexplained, and their neighbours, so that their mesh meets the model; all
+/// others become holes, and in `map` the model's distances.
+DepthMap left_over(DepthMap& map, double yaw_texels, const CoarseModel& model, int threads) {
+  const auto at = [&](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
+           static_cast<std::size_t>((column + map.width_px) % map.width_px);
+  };
+  DepthMap rest = map;
+  std::vector<char> explained(map.distance_m.size(), 0);
+  run_parallel(map.height_px, threads, [&](int row) {
+    for (int column = 0; column < map.width_px; ++column) {
+      const Eigen::Vector3d direction =
+          panorama_direction(column + yaw_texels + 0.5, row + 0.5, map.width_px, map.height_px);
+      const std::size_t i = at(row, column);
+      if (!explains(model, direction, map.distance_m[i])) continue;
+      explained[i] = 1;
+      map.distance_m[i] = static_cast<float>(distance_m(model, direction));
+    }
+  });
+  for (int row = 0; row < map.height_px; ++row)
+    for (int column = 0; column < map.width_px; ++column) {
+      bool alone = true;
+      for (int y = std::max(0, row - 1); y <= std::min(map.height_px - 1, row + 1); ++y)
+        for (int x = column - 1; x <= column + 1; ++x) alone = alone && explained[at(y, x)] != 0;
+      if (alone) rest.distance_m[at(row, column)] = sensors::hole;
+    }
+  return rest;
+}
+
+DepthMesh map_mesh(const DepthMap& map, const DepthSettings& settings, int threads) {
+  DepthMesh mesh = build_depth_mesh(map, {.density = settings.mesh,
+                                          .tolerance = mesh_tolerance(settings),
+                                          .yaw_texels = settings.yaw_texels,
+                                          .threads = threads});
+  if (settings.chain->jumps != Jumps::cut) return mesh;
+  return without_jumps(mesh, TexelJumps(map, settings.yaw_texels, settings.chain->jump_ratio));
 }
 
 /// The lower median of the larger side of the largest jump; of all where none is by more than a tenth.
@@ -228,6 +296,7 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
             return middle_of_larger_side(under);
           case Reduction::median:
           case Reduction::sample:  // has a factor of 1
+          case Reduction::boxes:   // reduces no texels
             std::nth_element(under.begin(), middle, under.end());
             return *middle;
         }
@@ -240,15 +309,20 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
   return map;
 }
 
-MeasuredMesh panorama_mesh(const Geometry& truth, const DepthSettings& settings, int threads) {
-  const MeasuredMap made = capture_panorama(truth, settings, threads);
-  DepthMesh mesh = build_depth_mesh(made.map, {.density = settings.mesh,
-                                               .tolerance = mesh_tolerance(settings),
-                                               .yaw_texels = settings.yaw_texels,
-                                               .threads = threads});
-  if (settings.chain->jumps == Jumps::cut)
-    mesh = without_jumps(mesh, TexelJumps(made.map, settings.yaw_texels, settings.chain->jump_ratio));
-  return {std::move(mesh), made.counts};
+MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings, int threads) {
+  MeasuredMap captured = capture_panorama(truth, settings, threads);
+  MeasuredPanorama made{.map = std::move(captured.map), .mesh = {}, .counts = captured.counts};
+  if (!has_boxes(*settings.chain)) {
+    made.mesh = map_mesh(made.map, settings, threads);
+    return made;
+  }
+  const FittedModel fitted = fitted_model(truth, settings, threads);
+  const DepthMap rest = left_over(made.map, settings.yaw_texels, fitted.model, threads);
+  if (!std::all_of(rest.distance_m.begin(), rest.distance_m.end(), is_hole))
+    made.mesh = map_mesh(rest, settings, threads);
+  append(made.mesh, model_mesh(fitted.model));
+  made.model = fitted.record;
+  return made;
 }
 
 }  // namespace seamline::renderer

@@ -4,9 +4,20 @@
 
 namespace seamline::renderer {
 
+/// A panorama as it was captured and mended, and the mesh of it.
+struct MeasuredPanorama {
+  DepthMap map;
+  DepthMesh mesh;
+  SensorCounts counts;
+  std::optional<ModelRecord> model = {};
+};
+
 /// source -> repair -> mesh of a chain that is a panorama: reduced from a finer map, with generic noise,
-/// repaired as a picture whose left and right edges are neighbours, cut where texels jump.
-[[nodiscard]] MeasuredMesh panorama_mesh(const Geometry& truth, const DepthSettings& settings, int threads);
+/// repaired as a picture whose left and right edges are neighbours, cut where texels jump. With boxes: the
+/// model of a finer map, which has noise of its own, and a mesh of the texels that it does not explain and
+/// of their neighbours; the map then shows both.
+[[nodiscard]] MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings,
+                                             int threads);
 
 /// A map of a `factor`-th of the size, whose texels stand for factor x factor of the finer one's. Exposed for
 /// tests.

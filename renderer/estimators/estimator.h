@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/depth/occlusion_test.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/picture/composite.h"
 #include "renderer/transport/omissions.h"
@@ -55,8 +56,8 @@ class SceneEstimator {
   virtual void take_object(int object_index, const ReportProgress& progress) = 0;
   [[nodiscard]] virtual const ObjectGeometry& geometry() const = 0;
   [[nodiscard]] virtual const TruthSums& truth() const = 0;
-  /// A stimulus of the object taken. `depth` may be null when the recipe asks nothing of the depth mesh.
-  [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
+  /// A stimulus of the object taken. The mesh of `depth` may be null when the recipe asks nothing of it.
+  [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                                                    const ReportProgress& progress) = 0;
   /// What was left out so far; nothing by an estimator that leaves nothing out.
   [[nodiscard]] virtual Savings savings() const { return {}; }

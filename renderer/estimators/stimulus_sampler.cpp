@@ -20,18 +20,25 @@ void add_uncovered(const RadiancePair& pair, bool direct, bool bounce, DepthLigh
   }
 }
 
-bool covers(const StimulusSample& sample, const std::optional<SurfacePoint>& real) {
-  return sample.object && (!real || sample.object->distance_m < real->distance_m);
+bool is_nearer(const SurfacePoint& object, const std::optional<SurfacePoint>& other) {
+  return !other || object.distance_m < other->distance_m;
 }
 
 }  // namespace
 
+bool is_in_front(const DepthWorld& depth, const Ray& ray, const SurfacePoint& object,
+                 const std::optional<SurfacePoint>& on_mesh) {
+  if (depth.occlusion == nullptr) return is_nearer(object, on_mesh);
+  return !hides(*depth.occlusion, ray.direction, object.distance_m);
+}
+
 StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry,
-                                 const Geometry* depth, const Recipe& recipe, std::uint64_t seed,
+                                 const DepthWorld& depth, const Recipe& recipe, std::uint64_t seed,
                                  const LightSampling& sampling)
     : scene_(scene),
       geometry_(geometry),
-      depth_(recipe.answers.needs_depth() ? depth : nullptr),
+      depth_(needs_mesh(recipe.answers, depth) ? depth.mesh : nullptr),
+      occlusion_(depth.occlusion),
       recipe_(recipe),
       answers_(recipe.answers),
       depth_worlds_{depth_, &geometry.object, {}, 1},
@@ -60,7 +67,9 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
                             .real = real[i],
                             .object = object[i],
                             .depth = depth[i]};
-      sample.covered_in_truth = covers(sample, sample.real);
+      sample.covered_in_truth = sample.object && is_nearer(*sample.object, sample.real);
+      sample.covered_in_depth = answers_.occlusion == Who::depth && sample.object &&
+                                is_in_front({depth_, occlusion_}, rays[i], *sample.object, sample.depth);
       sample.shows = shown(sample);
       out.push_back(sample);
     }
@@ -69,7 +78,7 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
 
 StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const {
   using Shows = StimulusSample::Shows;
-  const bool covered = covers(sample, answers_.occlusion == Who::depth ? sample.depth : sample.real);
+  const bool covered = answers_.occlusion == Who::depth ? sample.covered_in_depth : sample.covered_in_truth;
   // Where the truth shows sky, or the depth mesh does and has to answer off the object, nothing is
   // multiplied.
   const Shows uncovered =

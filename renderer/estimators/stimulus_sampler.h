@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/depth/occlusion_test.h"
 #include "renderer/picture/pixel_sums.h"
 #include "renderer/transport/answers.h"
 #include "renderer/transport/object_light.h"
@@ -21,7 +22,8 @@ struct StimulusSample {
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
   std::optional<SurfacePoint> depth;   ///< x_D
   bool covered_in_truth = false;
-  bool beside_truth = false;  ///< see DepthLight::object_in_truth
+  bool covered_in_depth = false;  ///< where the recipe asks depth who is in front
+  bool beside_truth = false;      ///< see DepthLight::object_in_truth
   enum class Shows { object, uncovered, sky, from_reference } shows = Shows::uncovered;
 };
 
@@ -44,6 +46,15 @@ struct DepthLight {
   float reach_m = std::numeric_limits<float>::infinity();
 };
 
+/// Whether the depth mesh itself has to answer anything.
+[[nodiscard]] inline bool needs_mesh(const Answers& answers, const DepthWorld& depth) {
+  return depth.occlusion == nullptr ? answers.needs_depth() : answers.asks_depth_for_light();
+}
+
+/// Whether an object that a ray from the camera meets is seen in the world of depth.
+[[nodiscard]] bool is_in_front(const DepthWorld& depth, const Ray& ray, const SurfacePoint& object,
+                               const std::optional<SurfacePoint>& on_mesh);
+
 /// What one worker needs to look at samples: its counts, and memory that is used again and again.
 class SamplingWork {
  public:
@@ -65,8 +76,8 @@ class SamplingWork {
 /// estimators.
 class StimulusSampler {
  public:
-  /// `depth` may be null when the recipe asks nothing of the depth mesh.
-  StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+  /// The mesh of `depth` may be null when the recipe asks nothing of it.
+  StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry, const DepthWorld& depth,
                   const Recipe& recipe, std::uint64_t seed, const LightSampling& sampling = {});
 
   /// What the camera rays of samples meet; `out` is as long as `ids`.
@@ -121,7 +132,8 @@ class StimulusSampler {
 
   const TruthScene& scene_;
   const ObjectGeometry& geometry_;
-  const Geometry* depth_;
+  const Geometry* depth_;           ///< the mesh; null where nothing is asked of it
+  const OcclusionTest* occlusion_;  ///< null: the mesh decides
   const Recipe& recipe_;
   const Answers& answers_;
   Worlds depth_worlds_;

@@ -167,12 +167,16 @@ class SetRenderer {
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
     const Answers asked = asked_of_depth(study_, scene.definition);
+    std::optional<Image> picture;
+    if (settings.chain && guided_by_photograph(*settings.chain))
+      picture = background_image(estimator.truth());
     if (needed)
       depth.emplace(make_local_scene(estimator.geometry().truth, settings,
                                      {.albedo = scene.definition.albedo,
                                       .traces_rays = asked.traces_depth(),
                                       .threads = threads_,
-                                      .photograph = scene.camera}));
+                                      .photograph = scene.camera,
+                                      .picture = picture ? &*picture : nullptr}));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              settings.width_px),
@@ -189,7 +193,8 @@ class SetRenderer {
     const std::string id = stimulus_id(work.stimulus);
     const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
     const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
-    const EstimatedStimulus made = estimator.stimulus(how, geometry, report(weights_.stimulus, id));
+    const EstimatedStimulus made = estimator.stimulus(
+        how, depth != nullptr ? depth->world() : DepthWorld(nullptr), report(weights_.stimulus, id));
     const Composite composite = compose(made.sums, Compositing::ratio, threads_);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});

@@ -108,12 +108,18 @@ class Measuring {
     std::optional<LocalScene> depth;
     for (const ManifestStimulus& record : records) {
       const Recipe how = recipe(record.stimulus.artifact, record.stimulus.isolation);
-      if (how.answers.needs_depth() && !depth)
-        depth.emplace(make_local_scene(
-            estimator.geometry().truth, settings,
-            {.albedo = scene.definition.albedo, .threads = threads_, .photograph = scene.camera}));
+      if (how.answers.needs_depth() && !depth) {
+        std::optional<Image> picture;
+        if (settings.chain && guided_by_photograph(*settings.chain))
+          picture = background_image(estimator.truth());
+        depth.emplace(make_local_scene(estimator.geometry().truth, settings,
+                                       {.albedo = scene.definition.albedo,
+                                        .threads = threads_,
+                                        .photograph = scene.camera,
+                                        .picture = picture ? &*picture : nullptr}));
+      }
       const EstimatedStimulus made =
-          estimator.stimulus(how, depth ? &depth->geometry : nullptr, report(1, record.id));
+          estimator.stimulus(how, depth ? depth->world() : DepthWorld(nullptr), report(1, record.id));
       measure(record, scene.definition.exposure_ev, made.sums);
     }
   }

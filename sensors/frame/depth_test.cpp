@@ -52,4 +52,17 @@ bool hides_in_buffer(const DepthFrame& planar, double x_px, double y_px, double 
   return depth_buffer_step(buffer, static_cast<double>(real_m)) < depth_buffer_step(buffer, virtual_planar_m);
 }
 
+bool hides(double real_planar_m, double virtual_planar_m, const DepthBuffer* buffer) {
+  if (buffer == nullptr || !std::isfinite(real_planar_m)) return real_planar_m < virtual_planar_m;
+  return depth_buffer_step(*buffer, real_planar_m) < depth_buffer_step(*buffer, virtual_planar_m);
+}
+
+float depth_between(const DepthFrame& frame, double x_px, double y_px) {
+  const int last_column = frame.camera.width_px - 1, last_row = frame.camera.height_px - 1;
+  return linear_between(std::clamp(x_px - 0.5, 0.0, static_cast<double>(last_column)),
+                        std::clamp(y_px - 0.5, 0.0, static_cast<double>(last_row)), [&](int column, int row) {
+                          return frame.at(std::clamp(column, 0, last_column), std::clamp(row, 0, last_row));
+                        });
+}
+
 }  // namespace seamline::sensors

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -116,13 +117,38 @@ std::string text(const sensors::RepairMethod& repair) {
                     repair);
 }
 
+std::string text(const OcclusionMethod& occlusion) {
+  std::string out(stimuli::word(occlusion));
+  if (const auto* buffer = std::get_if<sensors::DepthBuffer>(&occlusion))
+    out += fmt::format(" {} {} {}", buffer->bits, buffer->nearest_m, buffer->farthest_m);
+  return out;
+}
+
+/// The same for people.
+std::string described(const OcclusionMethod& occlusion) {
+  return std::visit(
+      Match{[](const MeshOcclusion&) -> std::string { return "by the mesh"; },
+            [](const DepthTestOcclusion&) -> std::string {
+              return "depth test a pixel, in metres, linear between pixels";
+            },
+            [](const sensors::DepthBuffer& buffer) {
+              return fmt::format(
+                  "depth test a pixel, in a buffer of {} bits between {} and {} m, linear between pixels",
+                  buffer.bits, buffer.nearest_m, buffer.farthest_m);
+            }},
+      occlusion);
+}
+
 /// A source for people.
 std::string described(const DepthSource& source, int panorama_width_px) {
   if (const auto* panorama = std::get_if<PanoramaSource>(&source)) {
     std::string out = panorama_width_px == 0
                           ? "panorama, whose width is the level"
                           : fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);
-    if (panorama->reduction != Reduction::sample)
+    if (panorama->reduction == Reduction::boxes)
+      out += fmt::format(", planes and boxes fitted to one {} times as wide in place of what they explain",
+                         panorama->reduction_factor);
+    else if (panorama->reduction != Reduction::sample)
       out += fmt::format(", {} of {} x {} texels each", word(panorama->reduction), panorama->reduction_factor,
                          panorama->reduction_factor);
     return out;
@@ -172,6 +198,18 @@ std::string_view word(Reduction reduction) {
       return "median";
     case Reduction::edge_aware:
       return "edge_aware";
+    case Reduction::boxes:
+      return "boxes";
+  }
+  return {};
+}
+
+std::string_view word(RepairGuide guide) {
+  switch (guide) {
+    case RepairGuide::own_light:
+      return "own_light";
+    case RepairGuide::photograph:
+      return "photograph";
   }
   return {};
 }
@@ -198,6 +236,17 @@ std::string_view word(Jumps jumps) {
       return "layer";
   }
   return {};
+}
+
+std::string_view word(const OcclusionMethod& occlusion) {
+  return std::visit(Match{[](const MeshOcclusion&) { return "mesh"; },
+                          [](const DepthTestOcclusion&) { return "depth_test"; },
+                          [](const sensors::DepthBuffer&) { return "depth_buffer"; }},
+                    occlusion);
+}
+
+bool tests_pixels(const OcclusionMethod& occlusion) {
+  return !std::holds_alternative<MeshOcclusion>(occlusion);
 }
 
 std::string_view kind_of(const DepthSource& source) {
@@ -227,6 +276,18 @@ bool is_panorama(const DepthChain& chain) {
   return std::holds_alternative<PanoramaSource>(chain.sources.front());
 }
 
+bool is_in_photographs_place(const DepthChain& chain) {
+  if (is_panorama(chain) || chain.registration != Registration::none) return true;
+  if (chain.calibration_error_m != 0 || chain.delay_ms != 0) return false;
+  const auto pose_of = [](const DepthSource& source) -> const SensorPose& {
+    const auto* file = std::get_if<FileSource>(&source);
+    return file != nullptr ? file->pose : std::get<PinholeSource>(source).pose;
+  };
+  return std::all_of(chain.sources.begin(), chain.sources.end(), [&](const DepthSource& source) {
+    return pose_of(source).position_m == std::array<double, 3>{0, 0, 0};
+  });
+}
+
 const sensors::PinholeCamera* camera_of(const DepthSource& source) {
   using Found = const sensors::PinholeCamera*;
   return std::visit(Match{[](const PanoramaSource&) -> Found { return nullptr; },
@@ -250,10 +311,23 @@ bool has_noise(const DepthChain& chain) {
   return false;
 }
 
+bool guided_by_photograph(const DepthChain& chain) {
+  return chain.guide == RepairGuide::photograph &&
+         std::holds_alternative<sensors::JointBilateralRepair>(chain.repair);
+}
+
+bool has_boxes(const DepthChain& chain) {
+  const auto* panorama = std::get_if<PanoramaSource>(&chain.sources.front());
+  return panorama != nullptr && panorama->reduction == Reduction::boxes;
+}
+
 std::optional<DepthChain> meaningful(DepthChain chain) {
   const DepthChain usual;
   for (DepthSource& source : chain.sources) simplify(source);
   const bool exact_pose = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
+  if (!std::holds_alternative<sensors::JointBilateralRepair>(chain.repair)) chain.guide = usual.guide;
+  if (std::holds_alternative<sensors::NoRepair>(chain.repair) || chain.registration == Registration::none)
+    chain.repair_after = usual.repair_after;
   if (!has_noise(chain)) chain.noise_sigmas = usual.noise_sigmas;
   if (!has_noise(chain) && exact_pose) chain.seed = usual.seed;
   if (chain.registration != Registration::mesh) chain.border_extrusion_px = usual.border_extrusion_px;
@@ -277,6 +351,9 @@ std::string canonical_text(const std::optional<DepthChain>& chain) {
   out += fmt::format("; calibration error {} {}; delay {} {}; sigmas {} seed {}",
                      chain->calibration_error_deg, chain->calibration_error_m, chain->delay_ms,
                      text(chain->velocity_m_s), chain->noise_sigmas, chain->seed);
+  if (guided_by_photograph(*chain)) out += "; guide photograph";
+  if (chain->repair_after) out += "; repair after registration";
+  if (tests_pixels(chain->occlusion)) out += "; occlusion " + text(chain->occlusion);
   return out;
 }
 
@@ -290,6 +367,8 @@ DepthLinks depth_links(const std::optional<DepthChain>& given, int panorama_widt
         "noise", noise == nullptr ? "none" : fmt::format("{}, scale {}", word(noise->model), noise->scale));
   }
   links.emplace_back("repair", text(chain.repair));
+  if (guided_by_photograph(chain)) links.back().second += ", guided by the photograph";
+  if (chain.repair_after) links.back().second += ", after the registration";
   links.emplace_back("registration", chain.registration == Registration::none
                                          ? "none"
                                          : "by " + std::string(word(chain.registration)));
@@ -308,6 +387,7 @@ DepthLinks depth_links(const std::optional<DepthChain>& given, int panorama_widt
                                      chain.jump_ratio, chain.layer_px));
       break;
   }
+  links.emplace_back("occlusion", described(chain.occlusion));
   const bool exact = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
   links.emplace_back("calibration error", exact ? "none"
                                                 : fmt::format("{} degrees, {} m", chain.calibration_error_deg,

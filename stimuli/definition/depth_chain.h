@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sensors/files/depth_file.h"
+#include "sensors/frame/depth_test.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/repair/repair.h"
 
@@ -37,8 +38,9 @@ struct SensorPose {
 /// How a texel stands for the texels of a finer map under it: the one ray through its centre, or the nearest,
 /// the farthest or the middle one of them (lower median); or, where they part into near and far at a jump by
 /// more than a tenth, the middle one of the larger side (of equal sides the near one), so that no texel
-/// stands for a distance between two things. Holes are farther than anything.
-enum class Reduction { sample, minimum, maximum, median, edge_aware };
+/// stands for a distance between two things. Holes are farther than anything. `boxes`: planes and boxes are
+/// fitted to the finer map, and texels stand only for what they do not explain.
+enum class Reduction { sample, minimum, maximum, median, edge_aware, boxes };
 
 /// A panorama from the photograph's own position, radial; its width is that of the depth settings.
 struct PanoramaSource {
@@ -84,20 +86,37 @@ using DepthSource = std::variant<PanoramaSource, PinholeSource, FileSource>;
 /// point, or as a mesh that is looked at from there.
 enum class Registration { none, points, mesh };
 
+/// What guides a joint bilateral repair: albedo times cosine as the sensor sees it, a picture in its own
+/// light; or the photograph, in the sensor's pixels, as `seamline register` takes it.
+enum class RepairGuide { own_light, photograph };
+
 /// What the mesh does between neighbouring pixels whose distances differ by more than a ratio: a sheet, as in
 /// the paper; nothing; or nothing, with a second surface behind it, which the truth gives.
 enum class Jumps { stretch, cut, layer };
+
+/// Who is in front: the mesh, as everywhere else; a test a pixel of the depth in the photograph's camera, in
+/// metres (002 section 5); or the same test in the steps of a depth buffer (001 section 5.1).
+struct MeshOcclusion {
+  auto operator<=>(const MeshOcclusion&) const = default;
+};
+struct DepthTestOcclusion {
+  auto operator<=>(const DepthTestOcclusion&) const = default;
+};
+using OcclusionMethod = std::variant<MeshOcclusion, DepthTestOcclusion, sensors::DepthBuffer>;
 
 /// How depth is captured and what becomes of it: source -> repair -> registration -> local scene. Values that
 /// mean nothing beside the others have their defaults (`meaningful`), so that equal means the same.
 struct DepthChain {
   std::vector<DepthSource> sources = {PanoramaSource{}};  ///< one at least; a panorama is the only one
   sensors::RepairMethod repair = sensors::NoRepair{};
+  RepairGuide guide = RepairGuide::own_light;  ///< of a joint bilateral repair
+  bool repair_after = false;                   ///< the registered picture is repaired (002), not the sensor's
   Registration registration = Registration::none;
   int border_extrusion_px = 0;  ///< of registration by mesh
   Jumps jumps = Jumps::stretch;
   double jump_ratio = 1.1;  ///< above 1
   int layer_px = 16;        ///< how far behind an edge the second surface reaches, in pixels
+  OcclusionMethod occlusion = MeshOcclusion{};
   /// The sensor is believed to be where it is not: turned by this angle and moved by this distance, about an
   /// axis and in a direction that the seed draws (registration/pose/pose.h).
   double calibration_error_deg = 0;
@@ -112,6 +131,7 @@ struct DepthChain {
 };
 
 [[nodiscard]] std::string_view word(Reduction reduction);
+[[nodiscard]] std::string_view word(RepairGuide guide);
 [[nodiscard]] std::string_view word(Registration registration);
 [[nodiscard]] std::string_view word(Jumps jumps);
 /// "panorama", "pinhole", "file".
@@ -121,12 +141,24 @@ struct DepthChain {
 /// "generic", "time_of_flight", "structured_light".
 [[nodiscard]] std::string_view word(const sensors::NoiseModel& model);
 
+/// "mesh", "depth_test", "depth_buffer".
+[[nodiscard]] std::string_view word(const OcclusionMethod& occlusion);
+/// Whether pixels of the depth decide who is in front, and not the mesh.
+[[nodiscard]] bool tests_pixels(const OcclusionMethod& occlusion);
+
 [[nodiscard]] bool is_panorama(const DepthChain& chain);
+/// Whether all depth is that of the photograph's own place, so that its pixels can be compared with the
+/// photograph's: registered, or captured from there by a sensor that is believed to be there.
+[[nodiscard]] bool is_in_photographs_place(const DepthChain& chain);
 /// Camera of a pinhole or file; null of a panorama.
 [[nodiscard]] const sensors::PinholeCamera* camera_of(const DepthSource& source);
 /// Noise of a source, null where it has none.
 [[nodiscard]] const SourceNoise* noise_of(const DepthSource& source);
 [[nodiscard]] bool has_noise(const DepthChain& chain);
+/// Whether the photograph guides a repair.
+[[nodiscard]] bool guided_by_photograph(const DepthChain& chain);
+/// Whether planes and boxes stand for a panorama.
+[[nodiscard]] bool has_boxes(const DepthChain& chain);
 
 /// The same with defaults wherever a value has no meaning (a noise of scale 0 is none, a ratio of jumps
 /// beside sheets); nothing when that is the paper's exact panorama.

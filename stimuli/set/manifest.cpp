@@ -61,6 +61,11 @@ Json to_json(const ManifestStimulus& record) {
                               {"holes", sensor->holes},
                               {"invented", sensor->invented},
                               {"outliers", sensor->outliers}};
+  if (const auto& model = record.mesh.model)
+    json["mesh"]["model"] = {{"planes", model->planes},
+                             {"boxes", model->boxes},
+                             {"explained_share", model->explained_share},
+                             {"relative_residual", model->relative_residual}};
   json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
                                {"clamped_pixels", record.tiny_denominators.clamped_pixels},
                                {"sealed_pixels", record.tiny_denominators.sealed_pixels},
@@ -168,6 +173,13 @@ ManifestStimulus read_record(const JsonFields& fields) {
                           .holes = sensor.get<std::int64_t>("holes"),
                           .invented = sensor.get<std::int64_t>("invented"),
                           .outliers = sensor.get<std::int64_t>("outliers")};
+  }
+  if (mesh.has("model")) {
+    const JsonFields model = mesh.object("model");
+    record.mesh.model = {.planes = model.get<int>("planes"),
+                         .boxes = model.get<int>("boxes"),
+                         .explained_share = model.get<double>("explained_share"),
+                         .relative_residual = model.get<double>("relative_residual")};
   }
   const JsonFields tiny = fields.object("tiny_denominators");
   record.tiny_denominators = {

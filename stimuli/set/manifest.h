@@ -32,10 +32,19 @@ struct SensorCounts {
   std::int64_t outliers = 0;
 };
 
+/// Planes and boxes that stand for a finer map, where a study reduces depth to them.
+struct ModelRecord {
+  int planes = 0;
+  int boxes = 0;
+  double explained_share = 0;    ///< of the solid angle in which there is depth; the rest follows the samples
+  double relative_residual = 0;  ///< root mean square of (measured / model - 1) where it is explained
+};
+
 struct MeshRecord {
   std::int64_t triangles = 0;
   double max_relative_error = 0;  ///< against what was captured, along its rays; 0 for the full mesh
   std::optional<SensorCounts> sensor = {};  ///< none of exact panoramas
+  std::optional<ModelRecord> model = {};
 };
 
 /// One rendered stimulus as the manifest records it. Paths are relative to the set's folder.

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "stimuli/study_file/study_file_depth_source.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -47,6 +49,24 @@ sensors::RepairMethod read_repair(const TomlTable& table, const sensors::RepairM
   return method;
 }
 
+/// What says how a repair is done, beside its method.
+void read_repair_order(const TomlTable& table, DepthChain& chain) {
+  const bool guided = std::holds_alternative<sensors::JointBilateralRepair>(chain.repair);
+  if (table.has("repair_guide") && !guided)
+    throw table.complaint("repair_guide", "repair = \"joint_bilateral\"",
+                          fmt::format("repair = \"{}\"", word(chain.repair)));
+  chain.guide =
+      one_of<RepairGuide>(table, "repair_guide", chain.guide,
+                          {{"own_light", RepairGuide::own_light}, {"photograph", RepairGuide::photograph}});
+  chain.repair_after = table.boolean("repair_after", chain.repair_after);
+  if (!table.has("repair_after") || !chain.repair_after) return;
+  if (std::holds_alternative<sensors::NoRepair>(chain.repair))
+    throw table.complaint("repair_after", "a repair beside it", "repair = \"none\"");
+  if (chain.registration == Registration::none)
+    throw table.complaint("repair_after", "registration = \"points\" or \"mesh\", whose picture is repaired",
+                          "registration = \"none\"");
+}
+
 void read_jumps(const TomlTable& table, DepthChain& chain) {
   chain.jumps = one_of<Jumps>(table, "jumps", chain.jumps,
                               {{"stretch", Jumps::stretch}, {"cut", Jumps::cut}, {"layer", Jumps::layer}});
@@ -73,6 +93,43 @@ void read_registration(const TomlTable& table, DepthChain& chain) {
   chain.border_extrusion_px = table.integer("border_extrusion_px", chain.border_extrusion_px, {0, 64, "px"});
 }
 
+constexpr std::array buffer_keys = {"buffer_bits", "buffer_near_m", "buffer_far_m"};
+
+void read_occlusion(const TomlTable& table, DepthChain& chain) {
+  const auto* usual = std::get_if<sensors::DepthBuffer>(&chain.occlusion);
+  const sensors::DepthBuffer usual_buffer = usual != nullptr ? *usual : sensors::DepthBuffer{};
+  chain.occlusion = one_of<OcclusionMethod>(
+      table, "occlusion", chain.occlusion,
+      {{"mesh", MeshOcclusion{}}, {"depth_test", DepthTestOcclusion{}}, {"depth_buffer", usual_buffer}});
+  auto* buffer = std::get_if<sensors::DepthBuffer>(&chain.occlusion);
+  if (buffer == nullptr) {
+    for (const char* key : buffer_keys)
+      if (table.has(key))
+        throw table.complaint(key, "occlusion = \"depth_buffer\"",
+                              fmt::format("occlusion = \"{}\"", word(chain.occlusion)));
+    return;
+  }
+  buffer->bits = table.integer("buffer_bits", buffer->bits, {8, 32, "bits"});
+  buffer->nearest_m = table.number("buffer_near_m", buffer->nearest_m, {1e-6, 1e9, "m"});
+  buffer->farthest_m = table.number("buffer_far_m", buffer->farthest_m, {1e-6, 1e9, "m"});
+  if (!(buffer->nearest_m < buffer->farthest_m))
+    throw table.complaint("buffer_far_m", fmt::format("a plane beyond buffer_near_m = {}", buffer->nearest_m),
+                          fmt::format("{}", buffer->farthest_m));
+}
+
+/// A test a pixel needs depth in the photograph's pixels.
+void require_pixels_to_test(const TomlTable& table, const DepthChain& chain, const LevelDefinition& level) {
+  if (!tests_pixels(chain.occlusion)) return;
+  const bool level_moves =
+      chain.registration == Registration::none &&
+      (level.quantity == Quantity::calibration_error_m || level.quantity == Quantity::depth_delay_ms);
+  if (is_in_photographs_place(chain) && !level_moves) return;
+  throw table.complaint(
+      "occlusion",
+      "\"mesh\", or registration = \"points\" or \"mesh\": a pixel's depth is compared in the photograph",
+      fmt::format("\"{}\" with a sensor elsewhere and no registration", word(chain.occlusion)));
+}
+
 void read_displacement(const TomlTable& table, DepthChain& chain) {
   chain.calibration_error_deg =
       table.number("calibration_error_deg", chain.calibration_error_deg, {0, 45, "degrees"});
@@ -95,6 +152,10 @@ void keep_panorama_links(const TomlTable& table, DepthChain& chain) {
   if (chain.jumps == Jumps::layer) {
     left_out("jumps", "a pinhole or a file for \"layer\"");
     chain.jumps = Jumps::cut;
+  }
+  if (chain.guide == RepairGuide::photograph) {
+    left_out("repair_guide", "a pinhole or a file: no photograph shows all of a panorama");
+    chain.guide = usual.guide;
   }
   if (std::holds_alternative<sensors::PlaneRepair>(chain.repair)) {
     left_out("repair", "a pinhole or a file for \"planes\", which are flat in its picture only");
@@ -172,12 +233,15 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
   chain.sources = read_sources(*table, chain.sources);
   chain.repair = read_repair(*table, chain.repair);
   read_registration(*table, chain);
+  read_repair_order(*table, chain);
   read_jumps(*table, chain);
+  read_occlusion(*table, chain);
   read_displacement(*table, chain);
   chain.noise_sigmas = table->number("noise_sigmas", chain.noise_sigmas, {0, 100});
   chain.seed = seed;
   if (is_panorama(chain)) keep_panorama_links(*table, chain);
   refuse_idle(*table, chain, level);
+  require_pixels_to_test(*table, chain, level);
   table->finish();
   // What is the level needs what `meaningful` drops beside a delay or an error of 0.
   const std::array<double, 3> velocity_m_s = chain.velocity_m_s;

@@ -185,7 +185,8 @@ PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
                                         {"minimum", Reduction::minimum},
                                         {"maximum", Reduction::maximum},
                                         {"median", Reduction::median},
-                                        {"edge_aware", Reduction::edge_aware}});
+                                        {"edge_aware", Reduction::edge_aware},
+                                        {"boxes", Reduction::boxes}});
   if (source.reduction == Reduction::sample) {
     if (table.has("reduction_factor"))
       throw table.complaint("reduction_factor", "a reduction from a finer map", "reduction = \"sample\"");

@@ -416,6 +416,68 @@ TEST(SensorScene, RegisteredDepthIsTheSceneSeenFromThePhotograph) {
   }
 }
 
+/// Registered point by point into a picture of as many texels per degree, depth has holes where no point
+/// lands; filled after it, the picture has none within the sensor's view (002, section 4).
+TEST(SensorScene, ARepairAfterRegistrationFillsThePhotographsPicture) {
+  const Geometry truth = furnished_truth();
+  PinholeSource source = pinhole(200, 150, 70);
+  source.pose.position_m = {0.1, 0.03, 0};
+  DepthChain chain = chain_of(source);
+  chain.registration = Registration::points;
+  Camera photograph;
+  photograph.width_px = 160;
+  photograph.height_px = 90;
+  const auto holes = [&] {
+    const MeasuredMesh made = sensor_mesh(truth, settings_of(chain), photograph, 2);
+    const std::vector<float>& depth_m = made.frames.at(0).frame.depth_m;
+    const auto empty = std::count(depth_m.begin(), depth_m.end(), sensors::hole);
+    EXPECT_EQ(made.counts.invented > 0, chain.repair_after);
+    return empty;
+  };
+  EXPECT_GT(holes(), 100);
+  chain.repair = sensors::NearestRepair{};
+  EXPECT_GT(holes(), 100);  // the sensor's own picture has none to fill
+  chain.repair_after = true;
+  EXPECT_EQ(holes(), 0);
+}
+
+/// A photograph that shows where depth jumps keeps the jump; a blank one blurs it.
+TEST(SensorScene, APhotographGuidesAJointBilateralRepair) {
+  const Geometry truth = furnished_truth();
+  Camera camera;
+  camera.width_px = 120;
+  camera.height_px = 90;
+  PinholeSource source;
+  source.camera = sensors::pinhole_of_field_of_view(
+      120, 90, 2 * std::atan(static_cast<double>(camera.tan_half_horizontal)) * 180 / std::numbers::pi);
+  source.noise = generic_noise(0.01);
+  DepthChain chain = chain_of(source);
+  chain.repair = sensors::JointBilateralRepair{};
+  chain.guide = RepairGuide::photograph;
+  Image blank(120, 90, 3), shows(120, 90, 3);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x)
+      if (const auto hit = truth.nearest(centre_ray(camera, x, y))) shows.set_rgb(x, y, hit->albedo);
+  const auto wrong = [&](const SeenPhotograph& photograph, bool after) {
+    chain.repair_after = after;
+    chain.registration = after ? Registration::mesh : Registration::none;
+    const MeasuredMesh made = sensor_mesh(truth, settings_of(chain), photograph, 2);
+    int count = 0;
+    for (int y = 0; y < 90; ++y)
+      for (int x = 0; x < 120; ++x) {
+        const Ray ray = centre_ray(camera, x, y);
+        const auto hit = truth.nearest(ray);
+        const float planar_m = hit ? -hit->distance_m * ray.direction.z() : 0;
+        count += hit && std::abs(made.frames.at(0).frame.at(x, y) - planar_m) > 0.05F * planar_m ? 1 : 0;
+      }
+    return count;
+  };
+  for (const bool after : {false, true}) {
+    EXPECT_LT(2 * wrong({camera, &shows}, after), wrong({camera, &blank}, after)) << after;
+    EXPECT_GT(wrong({camera, &blank}, after), 50) << after;
+  }
+}
+
 TEST(PanoramaChain, ReductionsAreWhatTheyAreCalled) {
   DepthMap finer{.width_px = 8, .height_px = 4, .distance_m = {}, .cleaned_texels = 0};
   for (int i = 0; i < 32; ++i) finer.distance_m.push_back(static_cast<float>(1 + i));

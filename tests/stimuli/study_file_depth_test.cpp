@@ -56,7 +56,7 @@ TEST(StudyFileDepth, NamingTheUsualPanoramaChangesNothing) {
   EXPECT_FALSE(usual.depth.chain.has_value());
   for (const char* text :
        {"[depth]", "[depth]\nsource = \"panorama\"", "[depth]\njumps = \"stretch\"\nrepair = \"none\"",
-        "[depth]\nreduction = \"sample\"\nregistration = \"none\"",
+        "[depth]\nreduction = \"sample\"\nregistration = \"none\"", "[depth]\nocclusion = \"mesh\"",
         "[depth]\nnoise = { model = \"generic\", relative_sigma = 0.1, scale = 0 }"}) {
     const StudyDefinition same = study_of_depth(text);
     EXPECT_FALSE(same.depth.chain.has_value()) << text;
@@ -283,6 +283,80 @@ TEST(StudyFileDepth, WhatNothingWouldLookAtIsRefused) {
               HasSubstr("depth.reduction_factor: wanted a finer map of at most 16384 px, found 64 x 512 px"));
 }
 
+TEST(StudyFileDepth, WhoIsInFrontIsTheMeshOrATestAPixel) {
+  const StudyDefinition study = study_of_depth(
+      "[depth]\nocclusion = \"depth_buffer\"\nbuffer_bits = 16\nbuffer_near_m = 0.01\n"
+      "[[condition]]\nname = \"mesh\"\ndepth.occlusion = \"mesh\"\n"
+      "[[condition]]\nname = \"test\"\ndepth.occlusion = \"depth_test\"\n"
+      "[[condition]]\nname = \"coarse\"\n"
+      "[[condition]]\nname = \"fine\"\ndepth.buffer_bits = 24\n");
+  EXPECT_FALSE(study.conditions[0].depth.chain.has_value());
+  EXPECT_EQ(word(study.conditions[1].depth.chain.value().occlusion), "depth_test");
+  EXPECT_EQ(std::get<sensors::DepthBuffer>(study.conditions[2].depth.chain.value().occlusion),
+            (sensors::DepthBuffer{.nearest_m = 0.01, .farthest_m = 100, .bits = 16}));
+  EXPECT_EQ(std::get<sensors::DepthBuffer>(study.conditions[3].depth.chain.value().occlusion).bits, 24);
+  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"shader\""),
+              HasSubstr("depth.occlusion: wanted \"mesh\" or \"depth_test\" or \"depth_buffer\""));
+  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"depth_test\"\nbuffer_bits = 16"),
+              HasSubstr("depth.buffer_bits: wanted occlusion = \"depth_buffer\", found occlusion = "
+                        "\"depth_test\""));
+  EXPECT_THAT(depth_complaint(std::string(plain) + "buffer_far_m = 16"),
+              HasSubstr("depth.buffer_far_m: wanted occlusion = \"depth_buffer\""));
+  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"depth_buffer\"\nbuffer_bits = 7"),
+              HasSubstr("depth.buffer_bits: wanted a whole number from 8 to 32"));
+  EXPECT_THAT(depth_complaint(std::string(plain) +
+                              "occlusion = \"depth_buffer\"\nbuffer_near_m = 2\nbuffer_far_m = 2"),
+              HasSubstr("depth.buffer_far_m: wanted a plane beyond buffer_near_m = 2, found 2"));
+}
+
+TEST(StudyFileDepth, TheOrderAndTheGuideOfARepairNeedWhatTheyOrder) {
+  const std::string pinhole = plain;
+  const StudyDefinition after =
+      sensor_study(pinhole + "repair = \"nearest\"\nregistration = \"points\"\nrepair_after = true",
+                   "[[condition]]\nname = \"after\"\n"
+                   "[[condition]]\nname = \"before\"\ndepth.repair_after = false\n"
+                   "[[condition]]\nname = \"unregistered\"\ndepth.registration = \"none\"\n");
+  EXPECT_TRUE(after.conditions[0].depth.chain->repair_after);
+  EXPECT_FALSE(after.conditions[1].depth.chain->repair_after);
+  EXPECT_FALSE(after.conditions[2].depth.chain->repair_after);  // inherited where it means nothing
+  EXPECT_THAT(depth_complaint(pinhole + "repair_after = true\nregistration = \"mesh\""),
+              HasSubstr("depth.repair_after: wanted a repair beside it, found repair = \"none\""));
+  EXPECT_THAT(depth_complaint(pinhole + "repair = \"nearest\"\nrepair_after = true"),
+              HasSubstr("depth.repair_after: wanted registration = \"points\" or \"mesh\""));
+  EXPECT_THAT(
+      depth_complaint(pinhole + "repair = \"median\"\nrepair_guide = \"photograph\""),
+      HasSubstr("depth.repair_guide: wanted repair = \"joint_bilateral\", found repair = \"median\""));
+  EXPECT_THAT(test::complaint_of([] {
+                (void)study_of_depth("[depth]\nrepair = \"joint_bilateral\"\nrepair_guide = \"photograph\"");
+              }),
+              HasSubstr("depth.repair_guide: wanted a pinhole or a file"));
+}
+
+TEST(StudyFileDepth, BoxesAreAReductionOfAPanorama) {
+  const StudyDefinition study = study_of_depth("[depth]\nreduction = \"boxes\"\n");
+  EXPECT_TRUE(has_boxes(study.depth.chain.value()));
+  EXPECT_EQ(std::get<PanoramaSource>(study.depth.chain->sources.front()).reduction_factor, 4);
+  EXPECT_NE(study_hash(study), study_hash(study_of_depth("[depth]\nreduction = \"median\"\n")));
+  EXPECT_THAT(depth_complaint(std::string(plain) + "reduction = \"boxes\""),
+              HasSubstr("depth.reduction: wanted a panorama"));
+}
+
+TEST(StudyFileDepth, ATestAPixelNeedsDepthOfThePhotographsPlace) {
+  const std::string aside = std::string(plain) + "pose = { position_m = [0.1, 0, 0] }\n";
+  const std::string test = "occlusion = \"depth_test\"\n";
+  for (const std::string& depth : {plain + test, plain + test + "pose = { rotation_deg = [5, 0, 0] }",
+                                   aside + test + "registration = \"points\"",
+                                   aside + test + "registration = \"mesh\"\ncalibration_error_m = 1"})
+    EXPECT_TRUE(is_in_photographs_place(sensor_study(depth).depth.chain.value())) << depth;
+  for (const std::string& depth : {aside + test, plain + test + "calibration_error_m = 1",
+                                   plain + test + "delay_ms = 10\nvelocity_m_s = [1, 0, 0]"})
+    EXPECT_THAT(depth_complaint(depth),
+                HasSubstr("depth.occlusion: wanted \"mesh\", or registration = \"points\" or \"mesh\""))
+        << depth;
+  EXPECT_THAT(levels_complaint("calibration_error_m", "[0, 0.1]", plain + test),
+              HasSubstr("depth.occlusion: wanted \"mesh\", or registration"));
+}
+
 TEST(StudyFileDepth, TheTextOfAChainTellsDifferentOnesApart) {
   std::set<std::string> texts;
   int chains = 0;
@@ -295,12 +369,21 @@ TEST(StudyFileDepth, TheTextOfAChainTellsDifferentOnesApart) {
                            "repair = \"nearest\"",
                            "repair = \"median\"",
                            "repair = { method = \"median\", fills = true }",
+                           "repair = \"joint_bilateral\"",
+                           "repair = \"joint_bilateral\"\nrepair_guide = \"photograph\"",
+                           "repair = \"nearest\"\nregistration = \"points\"",
+                           "repair = \"nearest\"\nregistration = \"points\"\nrepair_after = true",
                            "registration = \"points\"",
                            "registration = \"mesh\"",
                            "registration = \"mesh\"\nborder_extrusion_px = 2",
                            "jumps = \"cut\"",
                            "jumps = \"cut\"\njump_ratio = 1.3",
                            "jumps = \"layer\"",
+                           "occlusion = \"depth_test\"",
+                           "occlusion = \"depth_buffer\"",
+                           "occlusion = \"depth_buffer\"\nbuffer_bits = 16",
+                           "occlusion = \"depth_buffer\"\nbuffer_near_m = 0.2",
+                           "occlusion = \"depth_buffer\"\nbuffer_far_m = 20",
                            "calibration_error_deg = 1",
                            "calibration_error_m = 1",
                            "delay_ms = 1\nvelocity_m_s = [1, 0, 0]",

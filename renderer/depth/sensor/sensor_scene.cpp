@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "registration/mesh/register_by_mesh.h"
+#include "registration/pictures/photograph.h"
 #include "registration/points/register_by_points.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 #include "renderer/depth/sensor/second_layer.h"
@@ -59,6 +60,10 @@ std::int64_t count_depths(const sensors::DepthFrame& frame) {
                        [](float depth_m) { return !sensors::DepthFrame::is_hole(depth_m); });
 }
 
+bool is_guided(const DepthChain& chain) {
+  return std::holds_alternative<sensors::JointBilateralRepair>(chain.repair);
+}
+
 /// Asked for one source of a chain; `frame` tells the noises of several apart.
 struct Capture {
   const Geometry& truth;
@@ -67,9 +72,8 @@ struct Capture {
   std::uint64_t frame;
   int threads;
 
-  [[nodiscard]] bool guided() const {
-    return std::holds_alternative<sensors::JointBilateralRepair>(chain.repair);
-  }
+  /// By what the sensor itself sees.
+  [[nodiscard]] bool guided() const { return is_guided(chain) && !guided_by_photograph(chain); }
 
   Captured operator()(const PanoramaSource&) const { return {}; }  // made by capture_panorama
 
@@ -153,30 +157,66 @@ const SensorPose& pose_of(const DepthSource& source) {
 
 }  // namespace
 
+namespace {
+
+/// What the photograph shows in the sensor's pixels, as far as the chain believes to know; nothing where the
+/// repair is not guided by it.
+std::optional<Image> photograph_guide(const sensors::DepthFrame& frame, const SensorPose& pose,
+                                      const DepthChain& chain, const SeenPhotograph& photograph,
+                                      int threads) {
+  if (!guided_by_photograph(chain)) return std::nullopt;
+  return registration::photograph_in_depth_pixels(*photograph.picture, frame,
+                                                  believed_photograph_from_sensor(pose, chain),
+                                                  pinhole_of(photograph.camera), threads);
+}
+
+/// The same in the pixels of registered depth; in the sensor's own light it is seen from the photograph.
+std::optional<Image> guide_in_photograph(const Geometry& truth, const PlacedFrame& placed,
+                                         const DepthChain& chain, const SeenPhotograph& photograph,
+                                         int threads) {
+  if (!is_guided(chain)) return std::nullopt;
+  if (guided_by_photograph(chain))
+    return registration::photograph_in_depth_pixels(*photograph.picture, placed.frame,
+                                                    Eigen::Isometry3d::Identity(),
+                                                    pinhole_of(photograph.camera), threads);
+  return headlight_picture(
+      see_truth(truth, placed.frame.camera, placed.world_from_frame, {.surfaces = true}, threads));
+}
+
+}  // namespace
+
 bool is_seen_from_its_place(const DepthChain& chain) {
-  if (is_panorama(chain)) return true;
+  if (is_panorama(chain)) return !has_boxes(chain);
   const bool in_place = chain.registration != Registration::none ||
                         (pose_of(chain.sources.front()).position_m == std::array<double, 3>{0, 0, 0} &&
                          chain.calibration_error_m == 0 && chain.delay_ms == 0);
   return chain.sources.size() == 1 && chain.jumps != Jumps::layer && in_place;
 }
 
-MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings, const Camera& photograph,
-                         int threads) {
+MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
+                         const SeenPhotograph& photograph, int threads) {
   const DepthChain& chain = *settings.chain;
-  const Eigen::Isometry3d world = world_from_photograph(photograph);
+  const Eigen::Isometry3d world = world_from_photograph(photograph.camera);
   MeasuredMesh made;
   for (std::size_t i = 0; i < chain.sources.size(); ++i) {
     const DepthSource& source = chain.sources[i];
     const Captured captured = std::visit(Capture{truth, chain, world, i, threads}, source);
-    const sensors::Repaired repaired =
-        sensors::repair(captured.frame, chain.repair, captured.guide ? &*captured.guide : nullptr, threads);
     made.counts.measured += captured.measured;
     made.counts.outliers += captured.outliers;
     made.counts.holes += std::ssize(captured.frame.depth_m) - captured.measured - captured.outliers;
-    made.counts.invented += repaired.count(sensors::RepairMark::invented);
-
-    const auto [placed, truly] = register_frame(repaired.frame, pose_of(source), chain, photograph, threads);
+    const auto mended = [&](const sensors::DepthFrame& frame, const std::optional<Image>& guide) {
+      sensors::Repaired repaired = sensors::repair(frame, chain.repair, guide ? &*guide : nullptr, threads);
+      made.counts.invented += repaired.count(sensors::RepairMark::invented);
+      return std::move(repaired.frame);
+    };
+    sensors::DepthFrame frame = captured.frame;
+    if (!chain.repair_after)
+      frame = mended(frame, captured.guide
+                                ? captured.guide
+                                : photograph_guide(frame, pose_of(source), chain, photograph, threads));
+    auto [placed, truly] = register_frame(frame, pose_of(source), chain, photograph.camera, threads);
+    if (chain.repair_after)
+      placed.frame = mended(placed.frame, guide_in_photograph(truth, placed, chain, photograph, threads));
     const double tolerance = std::max(settings.mesh_tolerance, chain.noise_sigmas * captured.relative_sigma);
     const std::optional<double> cut_ratio =
         chain.jumps == Jumps::stretch ? std::nullopt : std::optional(chain.jump_ratio);
@@ -186,6 +226,7 @@ MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings, c
                                                                      .threads = threads}));
     if (chain.jumps == Jumps::layer)
       append(made.mesh, second_layer_mesh(placed, {truth, truly, chain.jump_ratio, chain.layer_px}, threads));
+    made.frames.push_back(std::move(placed));
   }
   return made;
 }

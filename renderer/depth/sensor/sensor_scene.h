@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "renderer/depth/sensor/pixel_grid.h"
 #include "renderer/depth/sensor/sensor_view.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/mesh.h"
@@ -7,17 +10,28 @@
 
 namespace seamline::renderer {
 
-/// A mesh rebuilt from measured depth, and what became of the pixels.
+/// A mesh rebuilt from measured depth, what became of the pixels, and the frames of all sources that it was
+/// built from: repaired, registered, where they are believed to be.
 struct MeasuredMesh {
   DepthMesh mesh;
   SensorCounts counts;
+  std::vector<PlacedFrame> frames = {};
+};
+
+/// The photograph that a virtual object is put into: its camera, and what it shows without that object, where
+/// a repair is guided by it (else null). A mere camera is one.
+struct SeenPhotograph {
+  Camera camera;
+  const Image* picture = nullptr;
+
+  SeenPhotograph(const Camera& of, const Image* shows = nullptr) : camera(of), picture(shows) {}
 };
 
 /// source -> repair -> registration -> mesh of every pinhole and file of a chain (which is no panorama), all
-/// meshes in one. `truth` is in the frame of the renderer, whose origin and axes `photograph` gives. Throws
-/// InputError as the readers of files do.
+/// meshes in one; or source -> registration -> repair. `truth` is in the frame of the renderer, whose origin
+/// and axes `photograph` gives. Throws InputError as the readers of files do.
 [[nodiscard]] MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
-                                       const Camera& photograph, int threads);
+                                       const SeenPhotograph& photograph, int threads);
 
 /// Whether the mesh is seen from its own sensors' one place, the photograph's: rays from there meet each part
 /// of it once.

@@ -149,7 +149,7 @@ namespace {
 
 /// The order in one tile.
 void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectTile& tile,
-                   const TileGrid::Rectangle& r, const Geometry& object, const Geometry& depth,
+                   const TileGrid::Rectangle& r, const Geometry& object, const DepthWorld& depth,
                    std::uint64_t seed, std::array<std::vector<OrderPixel>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
@@ -172,10 +172,11 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
         }
         const std::span<const Ray> asked(rays.data(), count);
         object.nearest_from_centre(asked, std::span(on_object.data(), count));
-        depth.nearest_from_centre(asked, std::span(on_depth.data(), count));
+        if (depth.occlusion == nullptr)
+          depth.mesh->nearest_from_centre(asked, std::span(on_depth.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
           if (!on_object[i]) continue;  // its very edge
-          const bool in_depth = !on_depth[i] || on_object[i]->distance_m < on_depth[i]->distance_m;
+          const bool in_depth = is_in_front(depth, rays[i], *on_object[i], on_depth[i]);
           OrderPixel& out = order[halves[i]][place];
           out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
           out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;
@@ -187,7 +188,7 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
 }  // namespace
 
 ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
-                      const Geometry& object, const Geometry& depth, std::uint64_t seed, int threads) {
+                      const Geometry& object, const DepthWorld& depth, std::uint64_t seed, int threads) {
   const auto& tiles = sums.objects[static_cast<std::size_t>(object_index - 1)];
   ObjectOrder order(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {

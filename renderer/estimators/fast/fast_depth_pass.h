@@ -51,11 +51,12 @@ struct OrderPixel {
   float depth_only = 0;  ///< the other way round
 };
 
-/// For the tiles an object has (null: the same order everywhere). A ray to the object and one into the depth
-/// mesh for each sample that meets the object; what the truth shows there was kept by its own pass.
+/// For the tiles an object has (null: the same order everywhere). A ray to the object, and one into the depth
+/// mesh where it decides, for each sample that meets the object; what the truth shows there was kept by its
+/// own pass.
 using ObjectOrder = std::vector<std::array<std::vector<OrderPixel>, 2>>;
 [[nodiscard]] ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
-                                    const Geometry& object, const Geometry& depth, std::uint64_t seed,
+                                    const Geometry& object, const DepthWorld& depth, std::uint64_t seed,
                                     int threads);
 
 }  // namespace seamline::renderer

@@ -59,7 +59,7 @@ class FastEstimator : public SceneEstimator {
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
   [[nodiscard]] const TruthSums& truth() const override { return truth_; }
 
-  EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
+  EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                              const ReportProgress& progress) override {
     FastStimulusOptions options{.seed = seed_, .threads = threads_, .filter = filter(), .progress = progress};
     if (choices_.error) options.target = ErrorTarget{*choices_.error};

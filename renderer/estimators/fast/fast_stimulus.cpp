@@ -30,7 +30,7 @@ void divide_alike(const std::vector<StimulusPixel>& filtered, std::vector<Stimul
 /// Renders one stimulus in rounds.
 class StimulusRounds {
  public:
-  StimulusRounds(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
+  StimulusRounds(const ObjectTruth& truth, const DepthWorld& depth, const Recipe& recipe,
                  const EstimatorChoices& choices, const FastStimulusOptions& options)
       : truth_(truth),
         recipe_(recipe),
@@ -43,7 +43,7 @@ class StimulusRounds {
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;
     if (order_differs)
-      order_ = ask_order(truth.scene, truth.scene_sums, truth.object_index, truth.geometry.object, *depth,
+      order_ = ask_order(truth.scene, truth.scene_sums, truth.object_index, truth.geometry.object, depth,
                          options.seed, options.threads);
   }
 
@@ -268,7 +268,7 @@ class StimulusRounds {
 
 }  // namespace
 
-FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth, const Recipe& recipe,
+FastStimulus render_fast_stimulus(const ObjectTruth& truth, const DepthWorld& depth, const Recipe& recipe,
                                   const EstimatorChoices& choices, const FastStimulusOptions& options) {
   return StimulusRounds(truth, depth, recipe, choices, options).run();
 }

@@ -27,7 +27,7 @@ struct FastStimulus {
 /// truth answers are shared by all widths and artifacts; the depth mesh is asked for a few samples a pixel
 /// first and for more where the picture is not good enough, because the ratio is the same light with and
 /// without the object and needs far fewer samples than the photograph.
-[[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const Geometry* depth,
+[[nodiscard]] FastStimulus render_fast_stimulus(const ObjectTruth& truth, const DepthWorld& depth,
                                                 const Recipe& recipe, const EstimatorChoices& choices,
                                                 const FastStimulusOptions& options);
 

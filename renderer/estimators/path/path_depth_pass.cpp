@@ -138,9 +138,9 @@ class PixelRenderer {
 
 }  // namespace
 
-StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry, const Geometry* depth,
+StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry, const DepthWorld& depth,
                              const TruthSums& truth, const Recipe& recipe, const PassOptions& options) {
-  assert(truth.spp == options.spp && (depth != nullptr || !recipe.answers.needs_depth()));
+  assert(truth.spp == options.spp && (depth.mesh != nullptr || !needs_mesh(recipe.answers, depth)));
   StimulusSums sums{.width_px = truth.width_px, .height_px = truth.height_px, .spp = options.spp};
   for (auto& half : sums.halves) half.resize(truth.guides.size());
   sums.guides.resize(truth.guides.size());

@@ -33,7 +33,7 @@ class PathEstimator : public SceneEstimator {
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
   [[nodiscard]] const TruthSums& truth() const override { return truth_; }
 
-  EstimatedStimulus stimulus(const Recipe& recipe, const Geometry* depth,
+  EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                              const ReportProgress& progress) override {
     EstimatedStimulus out{render_stimulus(scene_, *geometry_, depth, truth_, recipe, pass(progress)), {}, {}};
     if (out.sums.spp < 2) return out;
