@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_weighed_lamps = 16;
 
-float luminance(const Rgb& light) {
+float light_luminance(const Rgb& light) {
   return 0.2126F * light[0] + 0.7152F * light[1] + 0.0722F * light[2];
 }
 
@@ -20,7 +20,7 @@ float weight_at(const Lamp& lamp, const SurfacePoint& point) {
   if (!(squared > 0.0F)) return 0.0F;
   const Eigen::Vector3f direction = to_lamp / std::sqrt(squared);
   if (!above_horizon(point, direction)) return 0.0F;
-  return luminance(intensity_towards(lamp, -direction)) / squared;
+  return light_luminance(intensity_towards(lamp, -direction)) / squared;
 }
 
 template <class Weight>
@@ -52,7 +52,7 @@ Rgb intensity_towards(const Lamp& lamp, const Eigen::Vector3f& away) {
 
 std::optional<ChosenLamp> choose_lamp(std::span<const Lamp> lamps, const SurfacePoint& point, float choice) {
   if (lamps.size() > most_weighed_lamps)
-    return choose_by(lamps, choice, [](const Lamp& lamp) { return luminance(lamp.intensity_w_sr); });
+    return choose_by(lamps, choice, [](const Lamp& lamp) { return light_luminance(lamp.intensity_w_sr); });
   return choose_by(lamps, choice, [&](const Lamp& lamp) { return weight_at(lamp, point); });
 }
 
@@ -61,7 +61,7 @@ GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMe
   double sum = 0;
   for (std::size_t m = 0; m < meshes_.size(); ++m) {
     const SurfaceMesh& mesh = *meshes_[m];
-    const double glow = static_cast<double>(luminance(mesh.emission));
+    const double glow = static_cast<double>(light_luminance(mesh.emission));
     if (!(glow > 0)) continue;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& [a, b, c] = mesh.triangles[t];
@@ -77,7 +77,7 @@ GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMe
   for (double& share : shares_) share /= sum;
   for (std::size_t m = 0; m < meshes_.size(); ++m)
     if (sum > 0)
-      density_m2_[m] = static_cast<float>(static_cast<double>(luminance(meshes_[m]->emission)) / sum);
+      density_m2_[m] = static_cast<float>(static_cast<double>(light_luminance(meshes_[m]->emission)) / sum);
 }
 
 GlowingSurfaces::Place GlowingSurfaces::sample(float choice, const Eigen::Array2f& point) const {
