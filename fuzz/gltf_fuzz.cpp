@@ -8,9 +8,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::filesystem::path buffer = fuzz::file_of("buffer.bin", std::string(48, '\0'));
   const std::filesystem::path file = fuzz::file_of("scene.gltf", fuzz::text_of(data, size));
   return fuzz::only_input_errors([&] {
-    const SceneFile scene = read_scene_file(file);
+    const SceneFile scene =
+        read_scene_file(file, size % 2 == 0 ? MaterialModel::diffuse : MaterialModel::gltf);
     for (const FileMesh& mesh : scene.meshes) {
       if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions_m.size()) abort();
+      for (const auto& uvs : mesh.uvs)
+        if (!uvs.empty() && uvs.size() != mesh.positions_m.size()) abort();
+      if (!mesh.tangents.empty() && mesh.tangents.size() != mesh.positions_m.size()) abort();
       for (const Triangle& triangle : mesh.triangles)
         for (const std::uint32_t corner : triangle)
           if (corner >= mesh.positions_m.size()) abort();

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "renderer/commands/asset_root_option.h"
+#include "renderer/scene/truth_scene.h"
 #include "renderer/set/check.h"
 #include "renderer/set/pages/seams_page.h"
 #include "renderer/set/set_seams.h"
@@ -23,7 +24,9 @@ void check_study(const std::string& path, const std::string& asset_root) {
   int broken = 0;
   for (const SceneDefinition& scene : study.scenes) {
     stop_if_interrupted();
-    for (const RuleResult& result : check_scene(load_truth_scene(scene, study.width_px, study.height_px))) {
+    const TruthScene truth = load_truth_scene(scene, study.width_px, study.height_px);
+    if (const std::string said = left_out_sentence(truth); !said.empty()) fmt::print("note    {}\n", said);
+    for (const RuleResult& result : check_scene(truth)) {
       fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule,
                  result.found);
       broken += result.met ? 0 : 1;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "renderer/commands/asset_root_option.h"
+#include "renderer/scene/truth_scene.h"
 #include "renderer/set/pages/errors_page.h"
 #include "renderer/set/pages/explain.h"
 #include "renderer/set/render_set.h"
@@ -48,6 +49,12 @@ void print_plan(const StudyDefinition& study, const RenderRequest& request) {
   std::map<std::string, LightFacts> lights = lights_of(study);
   std::erase_if(lights, [&](const auto& light) { return !truths.contains(light.first); });
   fmt::print("{}", explain(study, render_plan(study, lights, render_settings(study, request))));
+  for (const SceneDefinition& scene : list_truths(study))
+    if (truths.contains(scene.truth))
+      if (const std::string said =
+              left_out_sentence(load_truth_scene(scene, study.width_px, study.height_px));
+          !said.empty())
+        fmt::print("{}\n", said);
   std::fflush(stdout);
 }
 

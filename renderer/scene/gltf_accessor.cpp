@@ -164,11 +164,14 @@ std::int64_t GltfReader::count(int index) const {
                                             : std::numeric_limits<std::int64_t>::max();
 }
 
-std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& field) const {
-  const std::vector<double> values = components(index, 3, field);
-  std::vector<Eigen::Vector3d> result(values.size() / 3);
+template <class Vector>
+std::vector<Vector> GltfReader::finite_vectors(int index, const std::string& field) const {
+  constexpr int size = Vector::RowsAtCompileTime;
+  const std::vector<double> values = components(index, size, field);
+  std::vector<Vector> result(values.size() / size);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    for (int c = 0; c < size; ++c)
+      result[i][c] = static_cast<typename Vector::Scalar>(values[size * i + static_cast<std::size_t>(c)]);
     if (!result[i].allFinite())
       throw input_error({.file = file_,
                          .field = field,
@@ -176,6 +179,18 @@ std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& f
                          .found = fmt::format("none at element {}", i)});
   }
   return result;
+}
+
+std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& field) const {
+  return finite_vectors<Eigen::Vector3d>(index, field);
+}
+
+std::vector<Eigen::Vector2f> GltfReader::texture_coordinates(int index, const std::string& field) const {
+  return finite_vectors<Eigen::Vector2f>(index, field);
+}
+
+std::vector<Eigen::Vector4f> GltfReader::tangents(int index, const std::string& field) const {
+  return finite_vectors<Eigen::Vector4f>(index, field);
 }
 
 std::vector<std::uint32_t> GltfReader::indices(int index, const std::string& field) const {

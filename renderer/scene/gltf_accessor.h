@@ -17,6 +17,10 @@ class GltfReader {
 
   /// Accessor `index` as 3-vectors; throws InputError unless it is VEC3 of float or normalised integers.
   [[nodiscard]] std::vector<Eigen::Vector3d> vectors(int index, const std::string& field) const;
+  /// Accessor `index` as texture coordinates; throws InputError unless it is VEC2 of finite numbers.
+  [[nodiscard]] std::vector<Eigen::Vector2f> texture_coordinates(int index, const std::string& field) const;
+  /// Accessor `index` as tangents with their sign; throws InputError unless it is VEC4 of finite numbers.
+  [[nodiscard]] std::vector<Eigen::Vector4f> tangents(int index, const std::string& field) const;
   /// Accessor `index` as unsigned scalars; throws InputError unless it is SCALAR of unsigned integers.
   [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
 
@@ -24,6 +28,8 @@ class GltfReader {
   [[nodiscard]] std::int64_t count(int index) const;
 
  private:
+  template <class Vector>
+  [[nodiscard]] std::vector<Vector> finite_vectors(int index, const std::string& field) const;
   [[nodiscard]] std::vector<double> components(int index, int wanted_components,
                                                const std::string& field) const;
   void overwrite_sparse(int index, int component_count, std::vector<double>& values,

@@ -80,14 +80,66 @@ void check_buffers(const Json& json, const fs::path& path) {
   }
 }
 
-/// What a diffuse scene needs and no more: what is not there cannot be misread.
+/// What the file says of its pictures, which the library does not see: it would decode them.
+struct PictureTables {
+  Json images, textures, samplers;
+};
+
+Json take_table(Json& json, const char* name, const fs::path& path) {
+  const auto found = json.find(name);
+  if (found == json.end()) return Json::array();
+  Json table = std::move(*found);
+  json.erase(name);
+  if (!table.is_array() || static_cast<std::int64_t>(table.size()) > limits::most_gltf_pictures)
+    throw bad(path, name, "an array of at most " + std::to_string(limits::most_gltf_pictures),
+              table.is_array() ? std::to_string(table.size()) : "something else");
+  return table;
+}
+
+/// An index or code of a table; `usual` where there is none, or none that could be one.
+int whole_number(const Json& table, const char* key, int usual) {
+  const auto found = table.is_object() ? table.find(key) : table.end();
+  if (!table.is_object() || found == table.end() || !found->is_number_integer()) return usual;
+  const auto number = found->get<std::int64_t>();
+  return std::in_range<int>(number) ? static_cast<int>(number) : usual;
+}
+
+std::string text_of(const Json& table, const char* key) {
+  const auto found = table.is_object() ? table.find(key) : table.end();
+  return table.is_object() && found != table.end() && found->is_string() ? found->get<std::string>()
+                                                                         : std::string();
+}
+
+/// Nothing here is checked against the rest of the file: whoever uses a texture does that.
+void add_pictures(const PictureTables& tables, tinygltf::Model& model) {
+  for (const Json& from : tables.images) {
+    tinygltf::Image image;
+    image.uri = text_of(from, "uri");
+    image.bufferView = whole_number(from, "bufferView", -1);
+    model.images.push_back(std::move(image));
+  }
+  for (const Json& from : tables.textures) {
+    tinygltf::Texture texture;
+    texture.source = whole_number(from, "source", -1);
+    texture.sampler = whole_number(from, "sampler", -1);
+    model.textures.push_back(std::move(texture));
+  }
+  for (const Json& from : tables.samplers) {
+    tinygltf::Sampler sampler;
+    sampler.magFilter = whole_number(from, "magFilter", -1);
+    sampler.wrapS = whole_number(from, "wrapS", TINYGLTF_TEXTURE_WRAP_REPEAT);
+    sampler.wrapT = whole_number(from, "wrapT", TINYGLTF_TEXTURE_WRAP_REPEAT);
+    model.samplers.push_back(std::move(sampler));
+  }
+}
+
+/// What a scene needs and no more: what is not there cannot be misread.
 Json needed_part(const std::string& text, const fs::path& path) {
   require_bounded_json(text, path.string());
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw bad(path, "", "a whole glTF 2.0 file", "one whose JSON is damaged");
   check_buffers(json, path);
-  for (const char* unread : {"images", "textures", "samplers", "animations", "skins", "extras"})
-    json.erase(unread);
+  for (const char* unread : {"animations", "skins", "extras"}) json.erase(unread);
   return json;
 }
 
@@ -157,13 +209,34 @@ tinygltf::Model parse(const std::string& bytes, bool binary, const fs::path& pat
 
 }  // namespace
 
+std::string file_of_uri(const std::string& uri) {
+  const auto digit = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+  };
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool coded =
+        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+    name += coded ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
+    if (coded) i += 2;
+  }
+  return name;
+}
+
 tinygltf::Model load_gltf(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) throw bad(path, "", "a .gltf or .glb file", "no such file");
   GltfText text = split(read_file(path, limits::largest_scene_file_bytes), path);
-  const Json json = needed_part(text.json, path);
+  Json json = needed_part(text.json, path);
   text.json.clear();
+  const PictureTables pictures{.images = take_table(json, "images", path),
+                               .textures = take_table(json, "textures", path),
+                               .samplers = take_table(json, "samplers", path)};
   tinygltf::Model model = parse(joined(json, text), text.binary, path);
+  add_pictures(pictures, model);
   static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
                                               "KHR_mesh_quantization", "KHR_materials_unlit",
                                               "KHR_texture_transform"};

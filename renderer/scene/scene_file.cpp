@@ -9,6 +9,8 @@
 
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_load.h"
+#include "renderer/scene/gltf_material.h"
+#include "renderer/scene/tangents.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 
@@ -22,8 +24,8 @@ constexpr std::size_t most_lamps = 10'000;
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
  public:
-  NodeWalker(const tinygltf::Model& model, const std::string& file)
-      : model_(model), file_(file), reader_(model, file) {}
+  NodeWalker(const tinygltf::Model& model, const std::string& file, MaterialModel materials)
+      : model_(model), file_(file), reader_(model, file), materials_(model, file, materials) {}
 
   SceneFile walk() {
     if (model_.scenes.empty()) {
@@ -36,6 +38,7 @@ class NodeWalker {
       for (const int node : model_.scenes[scene].nodes) visit(node, Eigen::Affine3d::Identity(), 0);
     }
     out_.file = file_;
+    out_.left_out.assign(materials_.left_out().begin(), materials_.left_out().end());
     return std::move(out_);
   }
 
@@ -136,7 +139,7 @@ class NodeWalker {
         throw bad(where + ".indices", fmt::format("indices under {}", piece.positions_m.size()),
                   std::to_string(index));
     piece.triangles = triangles_of(indices, mode);
-    if (primitive.material >= 0) read_material(primitive.material, where, piece);
+    if (primitive.material >= 0) read_material(primitive, world, where, piece);
     return piece;
   }
 
@@ -170,22 +173,50 @@ class NodeWalker {
     return triangles;
   }
 
-  void read_material(int index, const std::string& where, FileMesh& piece) {
-    if (static_cast<std::size_t>(index) >= model_.materials.size())
-      throw bad(where, "a material that exists", std::to_string(index));
-    const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(index)];
-    const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
-    if (base.size() >= 3) piece.albedo = Rgb(base[0], base[1], base[2]).max(0.0F).min(1.0F);
-    double factor = 1;
-    if (const auto strength = material.extensions.find("KHR_materials_emissive_strength");
-        strength != material.extensions.end() && strength->second.Has("emissiveStrength"))
-      factor = strength->second.Get("emissiveStrength").GetNumberAsDouble();
-    if (material.emissiveFactor.size() == 3) {
-      piece.emission =
-          Rgb(material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]);
-      piece.emission *= static_cast<float>(factor);
-      check_light(material.emissiveFactor, factor, "W/m2/sr", where + ".material.emissiveFactor");
+  void read_material(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
+                     const std::string& where, FileMesh& piece) {
+    piece.material = materials_.read(primitive.material, where);
+    const Material& material = *piece.material;
+    piece.albedo = material.base_colour;
+    piece.emission = material.emission;
+    for (const auto* texture : {&material.base_colour_texture, &material.emission_texture,
+                                &material.metallic_roughness_texture, &material.normal_texture})
+      if (*texture) read_texture_coordinates(primitive, (*texture)->uv_set, where, piece);
+    if (material.normal_texture) read_tangents(primitive, world, where, piece);
+  }
+
+  void read_texture_coordinates(const tinygltf::Primitive& primitive, int set, const std::string& where,
+                                FileMesh& piece) const {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    const auto attribute = primitive.attributes.find(name);
+    if (attribute == primitive.attributes.end())
+      throw bad(where, fmt::format("{} for the textures of its material", name), "none");
+    std::vector<Eigen::Vector2f>& uvs = piece.uvs[static_cast<std::size_t>(set)];
+    if (!uvs.empty()) return;
+    check_count(attribute->second, where + "." + name, piece);
+    uvs = reader_.texture_coordinates(attribute->second, where + "." + name);
+  }
+
+  void read_tangents(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
+                     const std::string& where, FileMesh& piece) const {
+    if (const auto tangent = primitive.attributes.find("TANGENT"); tangent != primitive.attributes.end()) {
+      check_count(tangent->second, where + ".TANGENT", piece);
+      piece.tangents = reader_.tangents(tangent->second, where + ".TANGENT");
+      for (Eigen::Vector4f& one : piece.tangents)
+        one.head<3>() = (world.linear() * one.head<3>().cast<double>()).normalized().cast<float>();
+      return;
     }
+    const Texture& texture = *piece.material->normal_texture;
+    std::vector<Eigen::Vector2f> uvs;
+    uvs.reserve(piece.positions_m.size());
+    for (const Eigen::Vector2f& uv : piece.uvs[static_cast<std::size_t>(texture.uv_set)])
+      uvs.emplace_back(texture.transform * Eigen::Vector3f(uv.x(), uv.y(), 1.0F));
+    piece.tangents = make_tangents(piece.positions_m, piece.normals, piece.triangles, uvs);
+  }
+
+  void check_count(int accessor, const std::string& field, const FileMesh& piece) const {
+    if (reader_.count(accessor) != static_cast<std::int64_t>(piece.positions_m.size()))
+      throw bad(field, "as many as positions", std::to_string(reader_.count(accessor)));
   }
 
   /// Both are the file's, and so may be anything; so may their product.
@@ -265,6 +296,7 @@ class NodeWalker {
   const tinygltf::Model& model_;
   std::string file_;
   GltfReader reader_;
+  GltfMaterials materials_;
   SceneFile out_;
   std::set<int> visited_;
   int suns_ = 0;
@@ -273,9 +305,9 @@ class NodeWalker {
 
 }  // namespace
 
-SceneFile read_scene_file(const std::filesystem::path& path) {
+SceneFile read_scene_file(const std::filesystem::path& path, MaterialModel materials) {
   const tinygltf::Model model = load_gltf(path);
-  return NodeWalker(model, path.string()).walk();
+  return NodeWalker(model, path.string(), materials).walk();
 }
 
 }  // namespace seamline::renderer

@@ -3,11 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/material/material.h"
 #include "renderer/tracing/mesh.h"
+#include "stimuli/definition/material_model.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {
@@ -18,8 +21,13 @@ struct FileMesh {
   std::vector<Eigen::Vector3d> positions_m;
   std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty
   std::vector<Triangle> triangles;
-  std::optional<Rgb> albedo;   ///< base colour factor; none when the mesh has no material
-  Rgb emission = Rgb::Zero();  ///< radiance
+  std::optional<Rgb> albedo;                      ///< base colour factor; none when the mesh has no material
+  Rgb emission = Rgb::Zero();                     ///< radiance
+  std::shared_ptr<const Material> material = {};  ///< none when the mesh has none
+  /// Of each vertex, TEXCOORD_0 and TEXCOORD_1; empty where no texture of the material asks for them.
+  std::array<std::vector<Eigen::Vector2f>, 2> uvs = {};
+  /// Of each vertex (`make_tangents`); empty without a normal texture.
+  std::vector<Eigen::Vector4f> tangents = {};
 };
 
 /// A perspective camera: axes are columns right, up, back in world space.
@@ -45,18 +53,22 @@ struct FileLamp {
   double inner_rad = 0, outer_rad = 0.7853981633974483;
 };
 
-/// What a glTF 2.0 file holds, as far as a diffuse scene needs it. Textures are left out.
+/// What a glTF 2.0 file holds, as far as a model of materials needs it.
 struct SceneFile {
   std::vector<FileMesh> meshes;
   std::optional<FileCamera> camera;  ///< the first in node order
   std::vector<FileSun> suns;
   std::vector<FileLamp> lamps;
   std::string file = {};  ///< its path, for complaints
+  /// What its materials have and the diffuse model leaves out: metals, gloss, normal maps, extensions.
+  std::vector<std::string> left_out = {};
 };
 
 /// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an
 /// accessor that points outside its buffer, an index past the vertices, a required extension that is not
-/// known, a cycle of nodes.
-[[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path);
+/// known, a cycle of nodes, a material that cannot be rendered (`GltfMaterials`), a texture without
+/// coordinates.
+[[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path,
+                                        MaterialModel materials = MaterialModel::diffuse);
 
 }  // namespace seamline::renderer

@@ -7,11 +7,28 @@
 
 #include "support/text/error.h"
 #include "support/text/limits.h"
+#include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+void set_material(const FileMesh& from, const Eigen::Matrix3f& rotation, SurfaceMesh& mesh) {
+  const MaterialValues values = largest_values(*from.material);
+  mesh.albedo = values.scatterer.albedo;
+  mesh.f0 = values.scatterer.f0;
+  mesh.alpha = values.scatterer.alpha;
+  if (from.material->is_uniform()) return;
+  mesh.material = from.material;
+  mesh.uvs = from.uvs;
+  mesh.tangents.reserve(from.tangents.size());
+  for (const Eigen::Vector4f& tangent : from.tangents) {
+    Eigen::Vector4f turned = tangent;
+    turned.head<3>() = rotation * tangent.head<3>();
+    mesh.tangents.push_back(turned);
+  }
+}
 
 Rgb rgb(const std::array<double, 3>& values) {
   return Eigen::Array3d(values[0], values[1], values[2]).cast<float>();
@@ -78,6 +95,7 @@ std::vector<std::shared_ptr<const SurfaceMesh>> place_meshes(const SceneFile& fi
     mesh->triangles = from.triangles;
     mesh->albedo = from.albedo.value_or(Rgb::Constant(static_cast<float>(default_albedo)));
     mesh->emission = from.emission;
+    if (from.material) set_material(from, rotation, *mesh);
     meshes.push_back(std::move(mesh));
   }
   return meshes;
@@ -130,6 +148,15 @@ std::vector<Lamp> scene_lamps(const SceneDefinition& definition, const SceneFile
 }
 
 }  // namespace
+
+std::string left_out_sentence(const TruthScene& scene) {
+  if (scene.left_out.empty()) return {};
+  std::string names;
+  for (const std::string& one : scene.left_out) names += (names.empty() ? "" : ", ") + printable(one);
+  return fmt::format(
+      "{}: its files have {}, which materials = \"{}\" leaves out; \"gltf\" is the other model",
+      scene.definition.name, names, word(scene.definition.materials));
+}
 
 Light scene_light(const SceneDefinition& definition, const SceneFile& file, const Eigen::Vector3d& centre_m) {
   Light light;
@@ -188,21 +215,23 @@ void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background,
 TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
   TruthScene scene;
   scene.definition = definition;
-  const SceneFile background = read_scene_file(definition.path);
+  const SceneFile background = read_scene_file(definition.path, definition.materials);
   if (background.meshes.empty())
     throw input_error(
         {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
   scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
   scene.light = scene_light(definition, background, scene.camera_position_m);
+  scene.left_out.insert(background.left_out.begin(), background.left_out.end());
   scene.background =
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
-    const SceneFile file = read_scene_file(object.path);
+    const SceneFile file = read_scene_file(object.path, definition.materials);
     if (file.meshes.empty())
       throw input_error(
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
+    scene.left_out.insert(file.left_out.begin(), file.left_out.end());
     scene.objects[i] = place_meshes(file, object_placement(object), scene.camera_position_m,
                                     definition.albedo, static_cast<int>(i) + 1);
   }

@@ -2,7 +2,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/light/light.h"
@@ -23,6 +25,7 @@ struct TruthScene {
   Light light;
   std::vector<std::shared_ptr<const SurfaceMesh>> background;
   std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
+  std::set<std::string> left_out;  ///< of the files' materials, by the diffuse model (`SceneFile`)
 
   /// Background and the objects listed (1 to 3): one Embree scene.
   [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
@@ -34,6 +37,10 @@ struct TruthScene {
 /// Reads the scene's files. Throws InputError when a file is wrong, there is no camera, or a light cannot be
 /// rendered.
 [[nodiscard]] TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px);
+
+/// One line about what the files' materials have and the scene's model of materials does not use; empty:
+/// nothing.
+[[nodiscard]] std::string left_out_sentence(const TruthScene& scene);
 
 /// The scene's light from outside and from lamps: the study's suns and lamps, else the file's; ambient
 /// occlusion has neither, and no bounce. `centre_m` becomes the origin.

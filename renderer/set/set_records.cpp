@@ -5,6 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "renderer/scene/gltf_load.h"
 #include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -31,18 +32,21 @@ Json gltf_json(const fs::path& path) {
   return Json::parse(bytes, nullptr, false);
 }
 
-/// Hash of a scene file and of the buffer files beside it that it names.
+/// Hash of a scene file and of the buffer and picture files beside it that it names.
 std::string scene_file_hash(const fs::path& path) {
   std::string hashes = sha256_of_file(path);
   const Json json = gltf_json(path);
-  if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array()) return hashes;
-  for (const Json& buffer : json["buffers"]) {
-    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
-    const std::string uri = buffer["uri"];
-    std::error_code error;
-    if (!uri.starts_with("data:") && fs::is_regular_file(path.parent_path() / uri, error) &&
-        lies_below(path.parent_path() / uri, path.parent_path()))
-      hashes += sha256_of_file(path.parent_path() / uri);
+  for (const char* table : {"buffers", "images"}) {
+    if (!json.is_object() || !json.contains(table) || !json[table].is_array()) continue;
+    for (const Json& named : json[table]) {
+      if (!named.is_object() || !named.contains("uri") || !named["uri"].is_string()) continue;
+      const std::string uri = named["uri"];
+      if (uri.starts_with("data:")) continue;
+      const fs::path file = path.parent_path() / file_of_uri(uri);
+      std::error_code error;
+      if (fs::is_regular_file(file, error) && lies_below(file, path.parent_path()))
+        hashes += sha256_of_file(file);
+    }
   }
   return hashes;
 }

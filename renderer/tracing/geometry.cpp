@@ -29,10 +29,24 @@ RTCScene as_scene(void* scene) {
   return static_cast<RTCScene>(scene);
 }
 
-/// Adds a mesh of triangles or of quads to a scene, which copies it.
+/// Called by Embree for hits of meshes with an alpha mask: those in a hole are none.
+void leave_out_holes(const RTCFilterFunctionNArguments* arguments) {
+  const auto& mesh = *static_cast<const SurfaceMesh*>(arguments->geometryUserPtr);
+  for (unsigned lane = 0; lane < arguments->N; ++lane) {
+    if (arguments->valid[lane] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
+    const float u = RTCHitN_u(arguments->hit, arguments->N, lane);
+    const float v = RTCHitN_v(arguments->hit, arguments->N, lane);
+    if (cut_away(*mesh.material, texture_coordinates(mesh, triangle, u, v))) arguments->valid[lane] = 0;
+  }
+}
+
+/// Adds a mesh of triangles or of quads to a scene, which copies it. `masked`: a mesh with holes, which stays
+/// where it is.
 template <std::size_t corners>
 void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
-            const std::vector<std::array<std::uint32_t, corners>>& faces, RTCBuildQuality quality) {
+            const std::vector<std::array<std::uint32_t, corners>>& faces, RTCBuildQuality quality,
+            const SurfaceMesh* masked = nullptr) {
   static_assert(corners == 3 || corners == 4);
   RTCGeometry geometry =
       rtcNewGeometry(embree_device(), corners == 3 ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD);
@@ -44,6 +58,11 @@ void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
   };
   copy(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
   copy(RTC_BUFFER_TYPE_INDEX, corners == 3 ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, faces);
+  if (masked != nullptr) {
+    rtcSetGeometryUserData(geometry, const_cast<SurfaceMesh*>(masked));  // NOLINT: only read
+    rtcSetGeometryIntersectFilterFunction(geometry, leave_out_holes);
+    rtcSetGeometryOccludedFilterFunction(geometry, leave_out_holes);
+  }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -102,7 +121,8 @@ Geometry::Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, E
   if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
   for (const auto& mesh : meshes_) {
-    attach(as_scene(scene_), mesh->positions_m, mesh->triangles, RTC_BUILD_QUALITY_HIGH);
+    attach(as_scene(scene_), mesh->positions_m, mesh->triangles, RTC_BUILD_QUALITY_HIGH,
+           mesh->material && mesh->material->alpha_cutoff ? mesh.get() : nullptr);
     surfaces_.push_back(surface_table(*mesh));
     emits_ = emits_ || (mesh->emission > 0.0F).any();
   }
@@ -136,7 +156,9 @@ std::int64_t Geometry::own_memory_bytes() const {
   std::size_t bytes = 0;
   for (const auto& mesh : meshes_)
     bytes += mesh->positions_m.size() * sizeof(Eigen::Vector3f) +
-             mesh->normals.size() * sizeof(Eigen::Vector3f) + mesh->triangles.size() * sizeof(Triangle);
+             mesh->normals.size() * sizeof(Eigen::Vector3f) + mesh->triangles.size() * sizeof(Triangle) +
+             (mesh->uvs[0].size() + mesh->uvs[1].size()) * sizeof(Eigen::Vector2f) +
+             mesh->tangents.size() * sizeof(Eigen::Vector4f);
   if (directions_)
     bytes += directions_->triangle_of_cell.size() * sizeof(std::uint32_t) +
              directions_->triangles.size() * sizeof(CentreTriangle);

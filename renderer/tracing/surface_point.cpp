@@ -22,6 +22,11 @@ bool is_flat_shaded(const SurfaceMesh& mesh) {
   });
 }
 
+template <class Value>
+Value mixed(const std::vector<Value>& of_vertices, const Triangle& t, float u, float v) {
+  return (1.0F - u - v) * of_vertices[t[0]] + u * of_vertices[t[1]] + v * of_vertices[t[2]];
+}
+
 Eigen::Vector3f shading_normal(const SurfaceTable& surface, const SurfaceHit& hit,
                                const Eigen::Vector3f& geometric) {
   if (surface.normals == nullptr) return geometric;
@@ -34,6 +39,43 @@ Eigen::Vector3f shading_normal(const SurfaceTable& surface, const SurfaceHit& hi
   return (mixed.dot(geometric) < 0.0F ? -mixed : mixed) / length;
 }
 
+/// The normal texture's, in the file's own frame, whose side is then the ray's.
+Eigen::Vector3f textured_normal(const SurfaceMesh& mesh, const SurfaceHit& hit, const TextureCoordinates& uv,
+                                const Eigen::Vector3f& geometric) {
+  const Triangle& t = mesh.triangles[hit.triangle];
+  const Eigen::Vector3f& corner_m = mesh.positions_m[t[0]];
+  Eigen::Vector3f outwards =
+      mesh.normals.empty()
+          ? Eigen::Vector3f((mesh.positions_m[t[1]] - corner_m).cross(mesh.positions_m[t[2]] - corner_m))
+          : mixed(mesh.normals, t, hit.u, hit.v);
+  if (!(outwards.norm() > 0.0F)) return geometric;
+  outwards.normalize();
+  const Eigen::Vector4f tangent = mixed(mesh.tangents, t, hit.u, hit.v);
+  const Eigen::Vector3f across = tangent.head<3>() - outwards.dot(tangent.head<3>()) * outwards;
+  if (!(across.norm() > 0.0F)) return outwards.dot(geometric) < 0.0F ? -outwards : outwards;
+  const Eigen::Vector3f right = across.normalized();
+  const Eigen::Vector3f up = outwards.cross(right) * (tangent[3] < 0.0F ? -1.0F : 1.0F);
+  const Eigen::Vector3f normal = mapped_normal(*mesh.material, uv, outwards, right, up);
+  return outwards.dot(geometric) < 0.0F ? -normal : normal;
+}
+
+void set_textured(const SurfaceMesh& mesh, const SurfaceHit& hit, SurfacePoint& point) {
+  const TextureCoordinates uv = texture_coordinates(mesh, hit.triangle, hit.u, hit.v);
+  const MaterialValues values = material_at(*mesh.material, uv);
+  point.albedo = values.scatterer.albedo;
+  point.f0 = values.scatterer.f0;
+  point.alpha = values.scatterer.alpha;
+  point.emission = values.emission;
+  if (!mesh.tangents.empty()) point.normal = textured_normal(mesh, hit, uv, point.geometric_normal);
+}
+
+/// See `SurfacePoint`.
+void turn_towards(const Eigen::Vector3f& to_viewer, SurfacePoint& point) {
+  constexpr float least_cosine = 0.01F;
+  const float cosine = point.normal.dot(to_viewer);
+  if (cosine < least_cosine) point.normal = (point.normal + (least_cosine - cosine) * to_viewer).normalized();
+}
+
 }  // namespace
 
 SurfaceTable surface_table(const SurfaceMesh& mesh) {
@@ -41,7 +83,17 @@ SurfaceTable surface_table(const SurfaceMesh& mesh) {
           .normals = mesh.normals.empty() || is_flat_shaded(mesh) ? nullptr : mesh.normals.data(),
           .albedo = mesh.albedo,
           .emission = mesh.emission,
-          .object_index = mesh.object_index};
+          .f0 = mesh.f0,
+          .alpha = mesh.alpha,
+          .object_index = mesh.object_index,
+          .textured = mesh.material ? &mesh : nullptr};
+}
+
+TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v) {
+  TextureCoordinates uv{Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+  for (std::size_t set = 0; set < uv.size(); ++set)
+    if (!mesh.uvs[set].empty()) uv[set] = mixed(mesh.uvs[set], mesh.triangles[triangle], u, v);
+  return uv;
 }
 
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,
@@ -57,6 +109,11 @@ void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& 
   point.emission = surface.emission;
   point.object_index = surface.object_index;
   point.mesh = hit.mesh;
+  if (surface.textured == nullptr && !(surface.f0 > 0.0F).any()) return;
+  point.f0 = surface.f0;
+  point.alpha = surface.alpha;
+  if (surface.textured != nullptr) set_textured(*surface.textured, hit, point);
+  if ((point.f0 > 0.0F).any()) turn_towards(-ray.direction, point);
 }
 
 Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "renderer/material/scattering.h"
 #include "renderer/tracing/mesh.h"
 #include "renderer/tracing/ray.h"
 #include "support/arithmetic/colour.h"
@@ -16,17 +17,26 @@ inline constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 inline constexpr float endless = std::numeric_limits<float>::infinity();
 
 /// A point on a surface as light sees it. Both normals are on the side the ray came from: surfaces are
-/// two-sided.
+/// two-sided. A glossy one shows nothing to a viewer below its shading normal's horizon, so there the normal,
+/// of vertices or of a normal texture, is turned towards the ray until it is 0.6 degrees inside; a diffuse
+/// one keeps it.
 struct SurfacePoint {
   Eigen::Vector3f position_m;
   Eigen::Vector3f normal;            ///< unit, for shading
   Eigen::Vector3f geometric_normal;  ///< unit, of the triangle
   float distance_m = 0;              ///< along the ray
-  Rgb albedo = Rgb::Zero();
+  Rgb albedo = Rgb::Zero();          ///< of the diffuse base
   Rgb emission = Rgb::Zero();
+  Rgb f0 = Rgb::Zero();  ///< of the specular layer; 0: there is none
+  float alpha = 1.0F;    ///< of the specular layer
   int object_index = 0;
   std::uint32_t mesh = 0;
 };
+
+/// What the surface does with light at a point.
+[[nodiscard]] inline Scatterer scatterer(const SurfacePoint& point) {
+  return {point.albedo, point.f0, point.alpha};
+}
 
 /// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera
 /// (documentation/ design.md, section 6), on the side that `direction` goes to.
@@ -52,8 +62,10 @@ struct SurfacePoint {
 struct SurfaceTable {
   const Triangle* triangles = nullptr;
   const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
-  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
+  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero(), f0 = Rgb::Zero();
+  float alpha = 1.0F;
   int object_index = 0;
+  const SurfaceMesh* textured = nullptr;  ///< the mesh, where its material differs from point to point
 };
 
 [[nodiscard]] SurfaceTable surface_table(const SurfaceMesh& mesh);
@@ -64,6 +76,10 @@ struct SurfaceHit {
   float distance_m, u, v;
   std::uint32_t triangle, mesh;
 };
+
+/// Texture coordinates inside a triangle of a mesh, at barycentric (u, v).
+[[nodiscard]] TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u,
+                                                     float v);
 
 /// The surface that a ray hit.
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,

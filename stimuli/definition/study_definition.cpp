@@ -127,6 +127,7 @@ std::string canonical_text(const SceneDefinition& scene) {
     for (const LampDefinition& lamp : *scene.lamps) out += canonical_text(lamp);
   }
   if (scene.sun_radius_deg) out += fmt::format("sun radius {}\n", *scene.sun_radius_deg);
+  if (scene.materials != MaterialModel::diffuse) out += fmt::format("materials {}\n", word(scene.materials));
   return out;
 }
 

@@ -17,6 +17,7 @@
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/light_definition.h"
+#include "stimuli/definition/material_model.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "stimuli/definition/quantity.h"
 #include "stimuli/definition/session_definition.h"
@@ -75,6 +76,7 @@ struct SceneDefinition {
   int bounces = 4;           ///< further diffuse scatterings after the first
   double albedo = 0.5;       ///< of the depth mesh, and of meshes without a material
   double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
+  MaterialModel materials = MaterialModel::diffuse;
   /// Of every sun of the scene, in place of its own; none: its own (0 for those of a scene file).
   std::optional<double> sun_radius_deg = {};
   /// Names the scene with this light among the truths of a study (`list_truths`): the scene's name, followed

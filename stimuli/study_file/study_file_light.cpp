@@ -76,6 +76,14 @@ void read_lamps(const TomlTable& table, SceneDefinition& scene) {
   }
 }
 
+MaterialModel read_materials(const TomlTable& table, MaterialModel usual) {
+  if (!table.has("materials")) return usual;
+  const std::string text = table.text("materials");
+  for (const MaterialModel model : {MaterialModel::diffuse, MaterialModel::gltf})
+    if (text == word(model)) return model;
+  throw table.complaint("materials", "diffuse or gltf", "\"" + text + "\"");
+}
+
 }  // namespace
 
 SunDefinition read_sun(const TomlTable& table) {
@@ -106,6 +114,7 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
                               "ambient_occlusion");
   scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
   scene.albedo = table.number("albedo", scene.albedo, {0, 1});
+  scene.materials = read_materials(table, scene.materials);
   scene.exposure_ev = table.number("exposure_ev", scene.exposure_ev, {-60, 60, "stops"});
   if (table.has("sun_radius_deg")) {
     scene.sun_radius_deg = table.number("sun_radius_deg", 0, {0, 45, "degrees"});

@@ -28,17 +28,20 @@ namespace {
 
 /// The library's name of the format that a file begins like. Its other two dozen formats are never tried,
 /// whatever a file is called: each would be one more decoder that strangers' bytes reach.
-std::string format_of(const fs::path& path) {
-  std::array<char, 12> block{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(block.data(), block.size());
-  const std::string_view start(block.data(), static_cast<std::size_t>(in.gcount()));
+std::string format_of(std::string_view start, const std::string& name) {
   if (start.starts_with("\x76\x2f\x31\x01")) return "openexr";
   if (start.starts_with("\x89PNG\r\n\x1a\n")) return "png";
   if (start.starts_with("\xff\xd8\xff")) return "jpeg";
   if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return "hdr";
   throw input_error(
-      {.file = path.string(), .wanted = "an EXR, HDR, PNG or JPEG image", .found = "another kind of file"});
+      {.file = name, .wanted = "an EXR, HDR, PNG or JPEG image", .found = "another kind of file"});
+}
+
+std::string format_of(const fs::path& path) {
+  std::array<char, 12> block{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(block.data(), block.size());
+  return format_of(std::string_view(block.data(), static_cast<std::size_t>(in.gcount())), path.string());
 }
 
 /// Decoded bytes for each byte of a file, at most. What PNG files hold has been unpacked already
@@ -57,10 +60,11 @@ std::uint64_t largest_expansion(const OIIO::ImageSpec& spec, const std::string& 
 }
 
 /// Throws InputError unless what the header promises is bearable, and can be in a file of this size.
-void check_size(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& path) {
+void check_size(const OIIO::ImageSpec& spec, const std::string& format, std::uint64_t file_bytes,
+                const std::string& name) {
   using namespace limits;
   const auto refuse = [&](const std::string& wanted, const std::string& found) {
-    return input_error({.file = path.string(), .wanted = wanted, .found = found});
+    return input_error({.file = name, .wanted = wanted, .found = found});
   };
   const std::string found =
       fmt::format("{} x {} pixels with {} channels", spec.width, spec.height, spec.nchannels);
@@ -72,7 +76,6 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& format, const fs
     throw refuse(fmt::format("a picture of at most {0} x {0} pixels with {1} channels, and {2} values in all",
                              largest_picture_side_px, largest_picture_channels, largest_picture_values),
                  found);
-  const auto file_bytes = static_cast<std::uint64_t>(fs::file_size(path));
   if (std::uint64_t{spec.image_bytes(true)} / largest_expansion(spec, format) > file_bytes)
     throw refuse(fmt::format("a file that can hold {}", found), fmt::format("{} bytes", file_bytes));
 }
@@ -99,7 +102,7 @@ OpenedImage open_image(const fs::path& path, const OIIO::ImageSpec& wishes = {})
     throw input_error({.file = path.string(),
                        .wanted = "an image that can be decoded",
                        .found = input ? input->geterror() : OIIO::geterror()});
-  check_size(spec, format, path);
+  check_size(spec, format, static_cast<std::uint64_t>(fs::file_size(path)), path.string());
   return input;
 }
 
@@ -123,13 +126,43 @@ bool stop_here(void*, float) {
   return interrupted();
 }
 
-void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs::path& path) {
+void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs::path& name) {
   const bool decoded = input.read_image(0, 0, 0, input.spec().nchannels, type, values, OIIO::AutoStride,
                                         OIIO::AutoStride, OIIO::AutoStride, stop_here);
   stop_if_interrupted();
   if (!decoded || input.has_error())
     throw input_error(
-        {.file = path.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
+        {.file = name.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
+}
+
+/// By a PNG's header, which is looked at before its pixels are unpacked to see whether they are whole.
+void check_png_sides(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t first_side = 16, after_sides = 24;
+  if (bytes.size() < after_sides) return;  // `check_png` complains
+  const auto side_px = [&](std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return number;
+  };
+  const std::uint32_t width_px = side_px(first_side), height_px = side_px(first_side + 4);
+  if (std::max(width_px, height_px) > static_cast<std::uint32_t>(limits::largest_picture_side_px))
+    throw input_error({.file = name,
+                       .wanted = fmt::format("at most {0} x {0} pixels", limits::largest_picture_side_px),
+                       .found = fmt::format("{} x {}", width_px, height_px)});
+}
+
+/// Throws InputError unless a JPEG's pixels end with the mark that says so: the library fills what is missing
+/// with grey. Other pictures may lie in its header, with marks of their own.
+void check_jpeg_end(std::string_view bytes, const std::string& name) {
+  std::size_t at = 2;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<unsigned>(static_cast<unsigned char>(bytes[i]));
+  };
+  constexpr unsigned start_of_pixels = 0xda;
+  while (at + 4 <= bytes.size() && byte(at) == 0xff && byte(at + 1) != start_of_pixels)
+    at += 2 + (byte(at + 2) << 8 | byte(at + 3));
+  if (at + 4 > bytes.size() || bytes.find("\xff\xd9", at) == std::string_view::npos)
+    throw input_error({.file = name, .wanted = "a whole JPEG image", .found = "one that ends early"});
 }
 
 /// The picture is encoded in memory and then written: image libraries do not notice every write that failed,
@@ -199,6 +232,36 @@ ByteImage read_bytes_image(const fs::path& path) {
     image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
                         static_cast<std::size_t>(spec.nchannels));
     decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), path);
+    return image;
+  });
+}
+
+ByteImage decode_texture(std::string_view bytes, const std::string& name) {
+  return with_image_errors(name, [&] {
+    const std::string format = format_of(bytes, name);
+    if (format != "png" && format != "jpeg")
+      throw input_error({.file = name, .wanted = "a PNG or JPEG image", .found = "one of format " + format});
+    if (format == "png") {
+      check_png_sides(bytes, name);
+      check_png(bytes, name);
+    }
+    if (format == "jpeg") check_jpeg_end(bytes, name);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    const OpenedImage input(OIIO::ImageInput::create(format).release());
+    OIIO::ImageSpec spec, wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input || !input->set_ioproxy(&memory) || !input->open("texture." + format, spec, wishes))
+      throw input_error({.file = name,
+                         .wanted = "an image that can be decoded",
+                         .found = input ? input->geterror() : OIIO::geterror()});
+    check_size(spec, format, bytes.size(), name);
+    if (spec.nchannels > 4)
+      throw input_error(
+          {.file = name, .wanted = "1 to 4 channels", .found = fmt::format("{}", spec.nchannels)});
+    ByteImage image{spec.width, spec.height, spec.nchannels, {}};
+    image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
+                        static_cast<std::size_t>(spec.nchannels));
+    decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), name);
     return image;
   });
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/arithmetic/colour.h"
@@ -45,7 +46,8 @@ struct Image {
   }
 };
 
-/// An 8-bit picture with 1 or 3 channels: what people see (sRGB codes), or object ids.
+/// An 8-bit picture: what people see (sRGB codes, 1 or 3 channels), object ids, or a texture (1 to 4
+/// channels).
 struct ByteImage {
   int width_px = 0;
   int height_px = 0;
@@ -82,6 +84,12 @@ struct PictureShape {
 
 /// Reads an 8-bit PNG without any conversion. Throws InputError naming the file.
 [[nodiscard]] ByteImage read_bytes_image(const std::filesystem::path& path);
+
+/// Decodes a PNG or JPEG picture that was read already: 1 to 4 channels, the second or fourth being an alpha
+/// that is not multiplied into the colour; 16 bits are rounded to 8. `name` is for complaints: InputError at
+/// another kind of picture, one that is cut or damaged, or one larger than the limits, which is seen before
+/// memory is taken for it.
+[[nodiscard]] ByteImage decode_texture(std::string_view bytes, const std::string& name);
 
 /// Throws InputError unless every value of a picture is a finite number. `what` says which picture, and may
 /// be empty. Whatever is written or judged as a picture is looked at first: a pixel that is none would look

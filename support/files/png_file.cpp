@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <fstream>
 #include <new>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/text/error.h"
@@ -138,12 +140,8 @@ class Pixels {
 
 class PngFile {
  public:
-  explicit PngFile(const std::filesystem::path& path)
-      : path_(path),
-        in_(path, std::ios::binary),
-        left_(static_cast<std::uint64_t>(std::filesystem::file_size(path))),
-        size_(left_),
-        block_(block_bytes) {}
+  PngFile(std::istream& in, std::uint64_t size, std::string name)
+      : name_(std::move(name)), in_(in), left_(size), size_(size), block_(block_bytes) {}
 
   void check() {
     read(8);  // the signature, which is known
@@ -152,7 +150,7 @@ class PngFile {
     std::uint64_t raw_bytes = 0;
     for (const Pass& pass : passes) raw_bytes += pass.rows * pass.row_bytes;
     if (raw_bytes / deflate_expansion > size_)
-      throw input_error({.file = path_.string(),
+      throw input_error({.file = name_,
                          .wanted = fmt::format("a file that can hold {} x {} pixels with {} channels",
                                                header.width_px, header.height_px, header.channels()),
                          .found = fmt::format("{} bytes", size_)});
@@ -183,7 +181,7 @@ class PngFile {
 
  private:
   [[nodiscard]] InputError damaged(const std::string& found) const {
-    return input_error({.file = path_.string(), .wanted = "a whole PNG file", .found = found});
+    return input_error({.file = name_, .wanted = "a whole PNG file", .found = found});
   }
 
   /// The next bytes into the block's beginning; at most a block.
@@ -246,8 +244,8 @@ class PngFile {
     return header;
   }
 
-  std::filesystem::path path_;
-  std::ifstream in_;
+  std::string name_;
+  std::istream& in_;
   std::uint64_t left_, size_;
   std::vector<unsigned char> block_;
   std::string kind_, before_;
@@ -258,7 +256,13 @@ class PngFile {
 }  // namespace
 
 void check_png(const std::filesystem::path& path) {
-  PngFile(path).check();
+  std::ifstream in(path, std::ios::binary);
+  PngFile(in, static_cast<std::uint64_t>(std::filesystem::file_size(path)), path.string()).check();
+}
+
+void check_png(std::string_view bytes, const std::string& name) {
+  std::istringstream in{std::string(bytes)};
+  PngFile(in, bytes.size(), name).check();
 }
 
 }  // namespace seamline

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace seamline {
 
@@ -9,5 +11,8 @@ namespace seamline {
 /// about damage and leaves its callers no way to be silent, and takes the memory of all pixels before it
 /// looks for the first.
 void check_png(const std::filesystem::path& path);
+
+/// The same for one that was read already; `name` is for the complaint.
+void check_png(std::string_view bytes, const std::string& name);
 
 }  // namespace seamline

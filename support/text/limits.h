@@ -52,6 +52,9 @@ inline constexpr double strongest_light =
 
 // glTF.
 inline constexpr std::int64_t largest_gltf_buffers = 1024;
+inline constexpr std::int64_t most_gltf_pictures = 4096;  ///< and as many textures and samplers
+inline constexpr std::int64_t largest_texture_file_bytes = 1024 * mebibyte;
+inline constexpr std::int64_t largest_texture_bytes = 8192 * mebibyte / fuzz_divisor;  ///< of a file, decoded
 /// Of a whole file, each mesh counted as often as nodes place it. W = 8192 at full density has 33,546,242.
 inline constexpr std::int64_t largest_scene_vertices = 40'000'000 / fuzz_divisor;
 inline constexpr std::int64_t largest_scene_triangles = 80'000'000 / fuzz_divisor;

@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/light/light.h"
 #include "renderer/material/microfacets.h"
 #include "renderer/material/reflectance_table.h"
-#include "renderer/scene/light.h"
 #include "support/arithmetic/random.h"
 #include "tests/sensors/distributions.h"
 

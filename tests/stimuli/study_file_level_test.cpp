@@ -112,11 +112,24 @@ TEST(StudyFileLevel, EverySettingOfAConditionChangesTheStudysHash) {
   for (const char* setting :
        {"isolation = \"mask\"", "mesh = \"full\"", "mesh_tolerance = 1e-3", "yaw_texels = 1",
         "sun_radius_deg = 1", "albedo = 0.4", "bounces = 2", "environment_radiance = [1, 2, 3]",
-        "exposure_ev = 1", "ambient_occlusion = true", "ao_distance_m = 3"}) {
+        "exposure_ev = 1", "ambient_occlusion = true", "ao_distance_m = 3", "materials = \"gltf\""}) {
     hashes.insert(study_hash(study_with(base + setting)));
     ++tried;
   }
   EXPECT_EQ(hashes.size(), tried);
+}
+
+TEST(StudyFileLevel, AModelOfMaterialsIsAnotherTruthAndTheUsualOneIsNotSaid) {
+  const std::string base =
+      "depth_width_px = [64, 512]\n[[condition]]\nname = \"plain\"\n[[condition]]\nname = \"x\"\n";
+  const StudyDefinition study = study_with(base + "materials = \"gltf\"");
+  ASSERT_EQ(list_truths(study).size(), 2U);
+  EXPECT_EQ(list_truths(study)[1].materials, MaterialModel::gltf);
+  const std::string turned = base + "yaw_texels = 3\n";
+  EXPECT_EQ(study_hash(study_with(turned + "materials = \"diffuse\"")), study_hash(study_with(turned)));
+  EXPECT_EQ(canonical_text(study_with(turned)).find("materials"), std::string::npos);
+  EXPECT_THAT(complaint(base + "materials = \"glossy\""),
+              HasSubstr("materials: wanted diffuse or gltf, found \"glossy\""));
 }
 
 TEST(StudyFileLevel, AnObserverMayHaveMidpointsInACondition) {
