@@ -89,8 +89,8 @@ GlowingSurfaces::Place GlowingSurfaces::sample(float choice, const Eigen::Array2
   const float u = root * (1.0F - point[1]), v = root * point[1];
   const Eigen::Vector3f& first = mesh.positions_m[a];
   const Eigen::Vector3f along = mesh.positions_m[b] - first, across = mesh.positions_m[c] - first;
-  return {first + u * along + v * across, along.cross(across).normalized(), mesh.emission,
-          density_m2_[triangles_[index].mesh]};
+  return {first + u * along + v * across, along.cross(across).normalized(),
+          emission_at(mesh, triangles_[index].triangle, u, v), density_m2_[triangles_[index].mesh]};
 }
 
 }  // namespace seamline::renderer

@@ -23,7 +23,7 @@ bool is_flat_shaded(const SurfaceMesh& mesh) {
 }
 
 template <class Value>
-Value mixed(const std::vector<Value>& of_vertices, const Triangle& t, float u, float v) {
+Value between_vertices(const std::vector<Value>& of_vertices, const Triangle& t, float u, float v) {
   return (1.0F - u - v) * of_vertices[t[0]] + u * of_vertices[t[1]] + v * of_vertices[t[2]];
 }
 
@@ -47,10 +47,10 @@ Eigen::Vector3f textured_normal(const SurfaceMesh& mesh, const SurfaceHit& hit, 
   Eigen::Vector3f outwards =
       mesh.normals.empty()
           ? Eigen::Vector3f((mesh.positions_m[t[1]] - corner_m).cross(mesh.positions_m[t[2]] - corner_m))
-          : mixed(mesh.normals, t, hit.u, hit.v);
+          : between_vertices(mesh.normals, t, hit.u, hit.v);
   if (!(outwards.norm() > 0.0F)) return geometric;
   outwards.normalize();
-  const Eigen::Vector4f tangent = mixed(mesh.tangents, t, hit.u, hit.v);
+  const Eigen::Vector4f tangent = between_vertices(mesh.tangents, t, hit.u, hit.v);
   const Eigen::Vector3f across = tangent.head<3>() - outwards.dot(tangent.head<3>()) * outwards;
   if (!(across.norm() > 0.0F)) return outwards.dot(geometric) < 0.0F ? -outwards : outwards;
   const Eigen::Vector3f right = across.normalized();
@@ -92,8 +92,14 @@ SurfaceTable surface_table(const SurfaceMesh& mesh) {
 TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v) {
   TextureCoordinates uv{Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
   for (std::size_t set = 0; set < uv.size(); ++set)
-    if (!mesh.uvs[set].empty()) uv[set] = mixed(mesh.uvs[set], mesh.triangles[triangle], u, v);
+    if (!mesh.uvs[set].empty()) uv[set] = between_vertices(mesh.uvs[set], mesh.triangles[triangle], u, v);
   return uv;
+}
+
+Rgb emission_at(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v) {
+  if (!mesh.material) return mesh.emission;
+  const TextureCoordinates uv = texture_coordinates(mesh, triangle, u, v);
+  return cut_away(*mesh.material, uv) ? Rgb(Rgb::Zero()) : material_at(*mesh.material, uv).emission;
 }
 
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,

@@ -81,6 +81,9 @@ struct SurfaceHit {
 [[nodiscard]] TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u,
                                                      float v);
 
+/// Radiance of a mesh at barycentric (u, v) of a triangle: none in the holes of an alpha mask.
+[[nodiscard]] Rgb emission_at(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v);
+
 /// The surface that a ray hit.
 void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& hit,
                  std::optional<SurfacePoint>& out);

@@ -166,6 +166,21 @@ TEST_F(GltfMaterial, TangentsAreThePicturesRightAndKnowMirroredPictures) {
   }
 }
 
+/// What lamps made of such a surface send out is what rays that meet it find.
+TEST_F(GltfMaterial, EmissionIsTheTexturesWhereverItIsAskedFor) {
+  const SceneFile file =
+      read_scene_file(gltf(R"({"emissiveFactor":[1,1,0.5],"emissiveTexture":{"index":0},"alphaMode":"MASK",)"
+                           R"("pbrMetallicRoughness":{"baseColorTexture":{"index":1}}})"));
+  const Geometry square = geometry(file);
+  const SurfaceMesh& mesh = *square.meshes()[0];
+  EXPECT_TRUE(mesh.emission.isApprox(Rgb(1, 1, 0.5F)));
+  EXPECT_TRUE(met(square, 0.75F, 0.75F)->emission.isApprox(Rgb(0, 1, 0)));
+  EXPECT_TRUE(met(square, 0.75F, 0.25F)->emission.isApprox(Rgb(1, 1, 0.5F)));
+  // The first triangle: right by u + v, up by v.
+  EXPECT_TRUE(emission_at(mesh, 0, 0.5F, 0.25F).isApprox(Rgb(1, 1, 0.5F)));
+  EXPECT_TRUE(emission_at(mesh, 0, 0.25F, 0.125F).isZero());
+}
+
 /// The left half of the square is a hole, for every kind of question.
 TEST_F(GltfMaterial, RaysPassThroughTheHolesOfAMask) {
   const SceneFile file = read_scene_file(gltf(
