@@ -4,6 +4,7 @@
 #include "renderer/commands/check_command.h"
 #include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
+#include "renderer/commands/picture_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
 #include "renderer/commands/workbench_command.h"
@@ -16,6 +17,7 @@ void add_renderer_commands(CLI::App& app) {
   add_convergence_command(app);
   add_workbench_commands(app);
   add_composite_command(app);
+  add_picture_command(app);
   add_sense_command(app);
   add_bench_command(app);
 }

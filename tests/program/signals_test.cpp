@@ -144,7 +144,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
-    {"register", ""},       {"calibrate", ""},    {"sense", ""}};
+    {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -210,6 +210,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   }
   if (command == "sense")
     return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
+  if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};
 }

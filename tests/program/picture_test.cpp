@@ -1,0 +1,63 @@
+// `seamline picture`: a scene file alone.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run_program.h"
+#include "support/files/image.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_seamline;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* small = " --width 48 --height 27 --spp 2 --bounces 1 --out ";
+
+TEST(Picture, ShowsASceneWithItsOwnCameraAndLightAndTheSameBytesAgain) {
+  const fs::path folder = test::fresh_folder("picture");
+  for (const char* name : {"a.exr", "b.exr", "a.png"}) {
+    const test::Outcome outcome =
+        run_seamline("picture builtin:bedroom" + (small + (folder / name).string()));
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, Not(HasSubstr("camera")));
+  }
+  EXPECT_EQ(test::read_text(folder / "a.exr"), test::read_text(folder / "b.exr"));
+  const Image picture = read_image(folder / "a.exr");
+  EXPECT_EQ(picture.width_px, 48);
+  EXPECT_EQ(picture.height_px, 27);
+}
+
+TEST(Picture, WithoutACameraItShowsTheWholeSceneAndSaysHow) {
+  const fs::path file = test::fresh_folder("picture-view") / "a.exr";
+  const test::Outcome outcome =
+      run_seamline("picture builtin:statue --environment 1 1 1 --albedo 0.25" + (small + file.string()));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("has no camera"), HasSubstr("--look-at"), HasSubstr("--fov 50")));
+  const Image picture = read_image(file);
+  // Sky all around, the statue in the middle.
+  for (int x = 0; x < picture.width_px; ++x) {
+    EXPECT_EQ(picture.at(x, 0), 1);
+    EXPECT_EQ(picture.at(x, picture.height_px - 1), 1);
+  }
+  EXPECT_LT(picture.at(24, 13), 1);
+}
+
+TEST(Picture, WithoutLightItSaysWhichOptionsGiveSome) {
+  const fs::path file = test::fresh_folder("picture-dark") / "a.png";
+  const auto said = [&](const std::string& options) {
+    const test::Outcome outcome = run_seamline("picture builtin:statue " + options + (small + file.string()));
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.output;
+  };
+  EXPECT_THAT(said(""), AllOf(HasSubstr("--environment"), HasSubstr("--to-sun")));
+  EXPECT_THAT(said("--environment 1 1 1 --at 0 1 0 --look-at 0 0 0"),
+              HasSubstr("--look-at: wanted a point that is not"));
+  EXPECT_THAT(said("--environment-map none.hdr"), HasSubstr("none.hdr"));
+}
+
+}  // namespace
+}  // namespace seamline
