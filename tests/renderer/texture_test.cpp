@@ -107,6 +107,26 @@ TEST_F(TexturePicture, KeepsItsCodesAndDoesNotMultiplyByAlpha) {
   EXPECT_EQ(decode_texture(png(grey), "a picture").values, grey.values);
 }
 
+/// Three pixels by two of the grey 200.
+const std::string grey_jpeg(
+    "\xff\xd8\xff\xe0\x00\x10\x4a\x46\x49\x46\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00\xff\xdb\x00\x43"
+    "\x00\x03\x02\x02\x03\x02\x02\x03\x03\x03\x03\x04\x03\x03\x04\x05\x08\x05\x05\x04\x04\x05\x0a\x07"
+    "\x07\x06\x08\x0c\x0a\x0c\x0c\x0b\x0a\x0b\x0b\x0d\x0e\x12\x10\x0d\x0e\x11\x0e\x0b\x0b\x10\x16\x10"
+    "\x11\x13\x14\x15\x15\x15\x0c\x0f\x17\x18\x16\x14\x18\x12\x14\x15\x14\xff\xc0\x00\x0b\x08\x00\x02"
+    "\x00\x03\x01\x01\x11\x00\xff\xc4\x00\x14\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00"
+    "\x00\x00\x00\x08\xff\xc4\x00\x14\x10\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00"
+    "\x00\x00\xff\xda\x00\x08\x01\x01\x00\x00\x3f\x00\x60\x3f\xff\xd9",
+    160);
+
+TEST_F(TexturePicture, AJpegIsReadAndOneThatIsCutIsNotFilledWithGrey) {
+  const ByteImage read = decode_texture(grey_jpeg, "a picture");
+  EXPECT_EQ(read.width_px, 3);
+  EXPECT_EQ(read.height_px, 2);
+  EXPECT_EQ(read.values, std::vector<std::uint8_t>(6, 200));
+  for (std::size_t size = 3; size < grey_jpeg.size(); size += 7)
+    EXPECT_THAT(complaint(grey_jpeg.substr(0, size)), HasSubstr("wanted a whole JPEG image")) << size;
+}
+
 TEST_F(TexturePicture, OneThatIsCutTooLargeOrOfAnotherKindIsOneSentence) {
   std::string bytes = png({64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 7)});
   EXPECT_THAT(complaint(bytes.substr(0, bytes.size() / 2)), HasSubstr("found one that ends early"));
