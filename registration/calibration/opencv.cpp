@@ -1,4 +1,4 @@
-// The only file that includes OpenCV.
+// The only file that includes OpenCV, but for aruco.cpp.
 #include "registration/calibration/opencv.h"
 
 #include "support/text/error.h"

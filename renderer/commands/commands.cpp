@@ -4,6 +4,7 @@
 #include "renderer/commands/check_command.h"
 #include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
+#include "renderer/commands/marker_command.h"
 #include "renderer/commands/picture_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
@@ -19,6 +20,7 @@ void add_renderer_commands(CLI::App& app) {
   add_composite_command(app);
   add_picture_command(app);
   add_sense_command(app);
+  add_marker_command(app);
   add_bench_command(app);
 }
 

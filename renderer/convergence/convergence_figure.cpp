@@ -183,4 +183,24 @@ void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text) {
   draw(text, std::vector{error, cost});
 }
 
+void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text) {
+  PlotPanel scene{.title = "links from the truth to the local scene",
+                  .x_label = "run time of the local scene (s)",
+                  .y_label = "RMSE (display units)"};
+  PlotPanel asked{.title = "who is in front",
+                  .x_label = "run time of the stimulus pass (s)",
+                  .y_label = "RMSE (display units)"};
+  for (const LinkRow& row : rows) {
+    if (row.link == "occlusion") {
+      asked.lines.push_back(
+          {.title = row.variant, .points = {{row.stimulus_seconds, row.rmse}}, .style = asked.lines.size()});
+      continue;
+    }
+    if (scene.lines.empty() || scene.lines.back().title != row.link)
+      scene.lines.push_back({.title = row.link, .points = {}, .style = scene.lines.size()});
+    scene.lines.back().points.emplace_back(row.scene_seconds, row.rmse);
+  }
+  draw(text, std::vector{scene, asked});
+}
+
 }  // namespace seamline::renderer

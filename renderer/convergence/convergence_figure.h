@@ -20,5 +20,7 @@ void draw_figure(const SampleResult& result, const FigureText& text);
 void draw_figure(const MeshResult& result, const FigureText& text);
 /// Error and cost against the width of the depth map.
 void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text);
+/// Error against the seconds that the local scene takes, a line a link from "none" on.
+void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text);
 
 }  // namespace seamline::renderer

@@ -38,8 +38,10 @@ std::string_view word(ConvergencePart part) {
       return "width";
     case ConvergencePart::compositing:
       return "compositing";
+    case ConvergencePart::links:
+      return "links";
   }
-  throw std::logic_error("a part that is none of the four");
+  throw std::logic_error("a part that is none of the five");
 }
 
 ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest& request) {

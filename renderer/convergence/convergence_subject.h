@@ -12,17 +12,20 @@
 
 namespace seamline::renderer {
 
-/// The parts of `seamline convergence`, each with its own figure and table.
-enum class ConvergencePart { samples, mesh, width, compositing };
-inline constexpr std::array<ConvergencePart, 4> every_convergence_part = {
-    ConvergencePart::samples, ConvergencePart::mesh, ConvergencePart::width, ConvergencePart::compositing};
+/// The parts of `seamline convergence`, each with its own figure and table; `links` (captured depth) is made
+/// where it is asked for.
+enum class ConvergencePart { samples, mesh, width, compositing, links };
+inline constexpr std::array<ConvergencePart, 5> every_convergence_part = {
+    ConvergencePart::samples, ConvergencePart::mesh, ConvergencePart::width, ConvergencePart::compositing,
+    ConvergencePart::links};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
 /// What `seamline convergence` was asked for.
 struct ConvergenceRequest {
   std::string only = {};           ///< pattern that matches one stimulus id
   std::filesystem::path out = {};  ///< folder of figures and tables
-  std::set<ConvergencePart> parts = {every_convergence_part.begin(), every_convergence_part.end()};
+  std::set<ConvergencePart> parts = {ConvergencePart::samples, ConvergencePart::mesh, ConvergencePart::width,
+                                     ConvergencePart::compositing};
   int threads = 0;              ///< 0: one for each core
   double seconds = 120;         ///< about how long `samples` may take; `compositing` half as long
   std::optional<int> spp = {};  ///< of `mesh` and `width`; none: the study's

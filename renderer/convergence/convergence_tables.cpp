@@ -169,6 +169,23 @@ PartTables tables_of(const std::vector<WidthRow>& rows) {
   return out;
 }
 
+PartTables tables_of(const std::vector<LinkRow>& rows) {
+  PartTables out{.table = {.name = "links",
+                           .columns = {{"link", "", "of the chain that depth goes through, which varies"},
+                                       {"variant", "", "of this link; none: it is not there"},
+                                       {"rmse", "", "against the reference, display units 0 to 1"},
+                                       {"scene_seconds", "s", "from the truth to the local scene"},
+                                       {"stimulus_seconds", "s", "stimulus pass and compositing"},
+                                       {"triangles", "", "of the local scene"}},
+                           .rows = {}},
+                 .slopes = {},
+                 .remarks = {}};
+  for (const LinkRow& row : rows)
+    out.table.rows.push_back(
+        {row.link, row.variant, row.rmse, row.scene_seconds, row.stimulus_seconds, row.triangles});
+  return out;
+}
+
 PartTables tables_of(const CompositingResult& result) {
   PartTables out{
       .table = {.name = "compositing",

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "renderer/convergence/convergence_compositing.h"
+#include "renderer/convergence/convergence_links.h"
 #include "renderer/convergence/convergence_mesh.h"
 #include "renderer/convergence/convergence_samples.h"
 #include "renderer/convergence/convergence_slope.h"
@@ -21,6 +22,7 @@ struct PartTables {
 [[nodiscard]] PartTables tables_of(const MeshResult& result);
 [[nodiscard]] PartTables tables_of(const std::vector<WidthRow>& rows);
 [[nodiscard]] PartTables tables_of(const CompositingResult& result);
+[[nodiscard]] PartTables tables_of(const std::vector<LinkRow>& rows);
 
 [[nodiscard]] CsvTable slope_table(const std::vector<SlopeRow>& rows);
 
