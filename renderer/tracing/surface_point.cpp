@@ -76,6 +76,16 @@ void turn_towards(const Eigen::Vector3f& to_viewer, SurfacePoint& point) {
   if (cosine < least_cosine) point.normal = (point.normal + (least_cosine - cosine) * to_viewer).normalized();
 }
 
+/// What only glossy and textured surfaces need; apart, so that the others, which are most, pay for one
+/// question.
+[[gnu::noinline]] void set_material_of(const SurfaceMesh& mesh, const Ray& ray, const SurfaceHit& hit,
+                                       SurfacePoint& point) {
+  point.f0 = mesh.f0;
+  point.alpha = mesh.alpha;
+  if (mesh.material) set_textured(mesh, hit, point);
+  if ((point.f0 > 0.0F).any()) turn_towards(-ray.direction, point);
+}
+
 }  // namespace
 
 SurfaceTable surface_table(const SurfaceMesh& mesh) {
@@ -83,10 +93,8 @@ SurfaceTable surface_table(const SurfaceMesh& mesh) {
           .normals = mesh.normals.empty() || is_flat_shaded(mesh) ? nullptr : mesh.normals.data(),
           .albedo = mesh.albedo,
           .emission = mesh.emission,
-          .f0 = mesh.f0,
-          .alpha = mesh.alpha,
           .object_index = mesh.object_index,
-          .textured = mesh.material ? &mesh : nullptr};
+          .with_material = mesh.material || (mesh.f0 > 0.0F).any() ? &mesh : nullptr};
 }
 
 TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v) {
@@ -115,11 +123,7 @@ void set_surface(const SurfaceTable& surface, const Ray& ray, const SurfaceHit& 
   point.emission = surface.emission;
   point.object_index = surface.object_index;
   point.mesh = hit.mesh;
-  if (surface.textured == nullptr && !(surface.f0 > 0.0F).any()) return;
-  point.f0 = surface.f0;
-  point.alpha = surface.alpha;
-  if (surface.textured != nullptr) set_textured(*surface.textured, hit, point);
-  if ((point.f0 > 0.0F).any()) turn_towards(-ray.direction, point);
+  if (surface.with_material != nullptr) set_material_of(*surface.with_material, ray, hit, point);
 }
 
 Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction) {

@@ -62,10 +62,9 @@ struct SurfacePoint {
 struct SurfaceTable {
   const Triangle* triangles = nullptr;
   const Eigen::Vector3f* normals = nullptr;  ///< null: geometric ones are used, or the same
-  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero(), f0 = Rgb::Zero();
-  float alpha = 1.0F;
+  Rgb albedo = Rgb::Zero(), emission = Rgb::Zero();
   int object_index = 0;
-  const SurfaceMesh* textured = nullptr;  ///< the mesh, where its material differs from point to point
+  const SurfaceMesh* with_material = nullptr;  ///< the mesh, where it is glossy or textured
 };
 
 [[nodiscard]] SurfaceTable surface_table(const SurfaceMesh& mesh);
