@@ -19,7 +19,7 @@ void record_path(const TruthScene& scene, const Geometry& geometry, const Sample
       if (vertex == 0 && above_horizon(point, to_sun)) rays.sun.push_back({ray_start(point, to_sun), to_sun});
     }
     const Eigen::Vector3f direction =
-        cosine_direction(point.normal, sampler.point(dimension::direction(vertex)));
+        cosine_weighted(point.normal, sampler.point(dimension::direction(vertex)));
     if (!above_horizon(point, direction)) return;
     rays.bounce.push_back({ray_start(point, direction), direction, scene.light.sky_distance_m});
     const std::optional<SurfacePoint> hit = geometry.nearest(rays.bounce.back());

@@ -34,8 +34,7 @@ double ray_rate(const ConvergenceSubject& subject, const Geometry& geometry) {
       const Sampler sampler(subject.study.seed, x, y, 0);
       const std::optional<SurfacePoint> seen = geometry.nearest(camera_ray(camera, x, y, sampler), &counts);
       if (!seen) continue;
-      const Eigen::Vector3f direction =
-          cosine_direction(seen->normal, sampler.point(dimension::direction(0)));
+      const Eigen::Vector3f direction = cosine_weighted(seen->normal, sampler.point(dimension::direction(0)));
       if (above_horizon(*seen, direction))
         (void)geometry.nearest({ray_start(*seen, direction), direction}, &counts);
     }

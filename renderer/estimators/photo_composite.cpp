@@ -39,7 +39,7 @@ void add_sample(const Geometry& depth, const Geometry& object, const Light& ligh
   const std::optional<SurfacePoint> real = depth.nearest(sight.ray);
   if (const auto hit = seen_object(object, sight, real, occlusion)) {
     const RealQuestion question{occlusion.real_shades_object ? &depth : &object, &*hit};
-    out.object += leaving_object(question, question, object, *hit, light, sampler).total();
+    out.object += leaving_object(ObjectQuestions::all_of(question), object, *hit, light, sampler).total();
   } else if (real) {
     const RadiancePair pair = leaving_pair(depth, &object, *real, light, sampler);
     out.without_object += pair.without_object.total();

@@ -17,6 +17,8 @@ void add_uncovered(const RadiancePair& pair, bool direct, bool bounce, DepthLigh
   if (bounce) {
     out.without_object.bounce += pair.without_object.bounce;
     out.with_object.bounce += pair.with_object.bounce;
+    out.without_object.mirrored += pair.without_object.mirrored;
+    out.with_object.mirrored += pair.with_object.mirrored;
   }
 }
 
@@ -104,14 +106,16 @@ RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const S
   return {depth_, behind ? &*sample.depth : &point};
 }
 
-Split StimulusSampler::object_light(const StimulusSample& sample, Who lit, Who bounce,
+Split StimulusSampler::object_light(const StimulusSample& sample, const Answers& answers,
                                     SamplingWork& work) const {
-  return leaving_object(ask(lit, sample, *sample.object), ask(bounce, sample, *sample.object),
-                        geometry_.object, *sample.object, scene_.light, sample.sampler, &work.counts_);
+  const SurfacePoint& point = *sample.object;
+  return leaving_object({ask(answers.object_lit, sample, point), ask(answers.bounce, sample, point),
+                         ask(answers.mirrored, sample, point)},
+                        geometry_.object, point, scene_.light, sample.sampler, &work.counts_);
 }
 
 Split StimulusSampler::object_in_truth(const StimulusSample& sample, SamplingWork& work) const {
-  return object_light(sample, Who::truth, Who::truth, work);
+  return object_light(sample, {}, work);
 }
 
 RadiancePair StimulusSampler::uncovered_in_truth(const StimulusSample& sample, SamplingWork& work) const {
@@ -126,7 +130,8 @@ void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::ve
   add_direct_on_uncovered(samples, lights, work);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].shows == StimulusSample::Shows::uncovered) lights[i].uncovered_surfaces = 1.0F;
-  if (answers_.bounce == Who::truth) return;  // bounce light of the truth is in the truth's sums already
+  // Bounce light of the truth, and what the truth mirrors, is in the truth's sums already.
+  if (answers_.bounce == Who::truth && !asks_for_mirror()) return;
   if (sampling_.may_filter) follow_paths(samples, lights, work);
   for (std::size_t i = 0; i < samples.size(); ++i) add_one_path(samples[i], lights[i], work);
 }
@@ -167,9 +172,8 @@ void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> sa
     points.push_back({.receiver = answers_.receiver == Who::depth ? &*sample.depth : &*sample.real,
                       .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real},
-                      .albedo = sample.real->albedo,
-                      .sampler = sample.sampler,
-                      .emission = sample.real->emission});
+                      .shaded_as = &*sample.real,
+                      .sampler = sample.sampler});
   }
   lit.resize(points.size());
   direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
@@ -185,10 +189,11 @@ void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> sa
 }
 
 bool StimulusSampler::is_batched(const StimulusSample& sample) const {
-  if (!sampling_.may_filter) return false;
+  if (!sampling_.may_filter || answers_.bounce == Who::truth) return false;
   if (sample.shows == StimulusSample::Shows::uncovered) return true;
   // Every question of such a path is the depth mesh's, asked from the object itself.
   return sample.shows == StimulusSample::Shows::object && answers_.object_lit == Who::depth &&
+         (answers_.mirrored == Who::depth || !is_glossy(scatterer(*sample.object))) &&
          ask(Who::depth, sample, *sample.object).start == &*sample.object;
 }
 
@@ -222,14 +227,19 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std:
 
 void StimulusSampler::add_one_path(const StimulusSample& sample, DepthLight& out, SamplingWork& work) const {
   if (is_batched(sample)) return;
-  if (sample.shows == StimulusSample::Shows::uncovered)
+  if (sample.shows == StimulusSample::Shows::uncovered && answers_.bounce == Who::depth)
     add_uncovered(
         leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler, &work.counts_),
         uncovered_is_one_path(), true, out);
   if (sample.shows != StimulusSample::Shows::object) return;
-  const Split light = object_light(sample, answers_.object_lit, Who::depth, work);
-  if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
-  out.object.bounce += light.bounce;
+  if (answers_.bounce == Who::truth && !is_glossy(scatterer(*sample.object))) return;
+  const Split light = object_light(sample, answers_, work);
+  // With bounce light of the truth, what comes past the depth mesh was found by `direct_on_object`.
+  if (answers_.bounce == Who::depth) {
+    if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
+    out.object.bounce += light.bounce;
+  }
+  if (answers_.mirrored == Who::depth) out.object.mirrored += light.mirrored;
 }
 
 }  // namespace seamline::renderer

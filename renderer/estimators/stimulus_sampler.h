@@ -113,8 +113,12 @@ class StimulusSampler {
   [[nodiscard]] Sampler sampler_of(const SampleId& id) const { return {seed_, id.x, id.y, id.number}; }
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
-  [[nodiscard]] Split object_light(const StimulusSample& sample, Who lit, Who bounce,
+  [[nodiscard]] Split object_light(const StimulusSample& sample, const Answers& answers,
                                    SamplingWork& work) const;
+  /// Whether the depth mesh says what is mirrored in the object, and the object mirrors.
+  [[nodiscard]] bool asks_for_mirror() const {
+    return answers_.mirrored == Who::depth && geometry_.object.is_glossy();
+  }
   /// Whether one path through the depth mesh answers everything off the object.
   [[nodiscard]] bool uncovered_is_one_path() const {
     return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&

@@ -6,19 +6,6 @@
 namespace seamline::renderer {
 namespace {
 
-/// An orthonormal frame about a unit vector (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT
-/// 6(1), 2017).
-Eigen::Matrix3f frame_about(const Eigen::Vector3f& n) {
-  const float sign = std::copysign(1.0F, n.z());
-  const float a = -1.0F / (sign + n.z());
-  const float b = n.x() * n.y() * a;
-  Eigen::Matrix3f frame;
-  frame.col(0) = Eigen::Vector3f(1.0F + sign * n.x() * n.x() * a, sign * b, -sign * n.x());
-  frame.col(1) = Eigen::Vector3f(b, sign + n.y() * n.y() * a, -n.y());
-  frame.col(2) = n;
-  return frame;
-}
-
 constexpr float two_pi = 2.0F * std::numbers::pi_v<float>;
 
 }  // namespace
@@ -28,21 +15,14 @@ Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point) {
   const float one_minus_cos = point[0] * 2.0F * std::pow(std::sin(0.5F * sun.angular_radius_rad), 2.0F);
   const float sine = std::sqrt(one_minus_cos * (2.0F - one_minus_cos));
   const float angle = two_pi * point[1];
-  return frame_about(sun.to_sun) *
+  return local_axes(sun.to_sun) *
          Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), 1.0F - one_minus_cos);
-}
-
-Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point) {
-  const float sine = std::sqrt(point[0]);
-  const float angle = two_pi * point[1];
-  return frame_about(normal) *
-         Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), std::sqrt(1.0F - point[0]));
 }
 
 Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point, int number,
                                  int count) {
   const float turned = point[1] + static_cast<float>(number) / static_cast<float>(count);
-  return cosine_direction(normal, {point[0], turned < 1.0F ? turned : turned - 1.0F});
+  return cosine_weighted(normal, {point[0], turned < 1.0F ? turned : turned - 1.0F});
 }
 
 }  // namespace seamline::renderer

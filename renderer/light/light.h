@@ -6,6 +6,7 @@
 
 #include "renderer/light/environment_map.h"
 #include "renderer/light/lamps.h"
+#include "renderer/material/hemisphere.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {
@@ -20,7 +21,7 @@ struct Sun {
 /// All light of a scene, and how far it is followed. What a scene has none of is not asked for.
 struct Light {
   std::vector<Sun> suns = {};
-  Rgb environment_radiance = Rgb::Zero();             ///< constant, from every direction; with a map: zero
+  Rgb environment_radiance = Rgb::Zero();  ///< constant, from every direction; with a map: zero
   std::shared_ptr<const EnvironmentMap> environment = {};  ///< null: `environment_radiance` everywhere
   std::vector<Lamp> lamps = {};
   std::shared_ptr<const GlowingSurfaces> glowing = {};  ///< null: no surface of the background glows
@@ -41,9 +42,6 @@ struct Light {
 
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.
 [[nodiscard]] Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point);
-
-/// A cosine-weighted direction about a unit normal.
-[[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point);
 
 /// Ray `number` of `count` about the same normal: the point's own direction turned, so that together they
 /// look all around.

@@ -16,12 +16,31 @@ float power_weight(float own, float other) {
   return 1.0F / (1.0F + ratio * ratio);
 }
 
-/// What a point sends on of radiance from a direction, per cosine and steradian that the density leaves.
-std::optional<Rgb> sent_on(const SurfacePoint& point, const Rgb& throughput, const Rgb& light,
-                           const Eigen::Vector3f& direction) {
+/// Light from a direction, sent on.
+struct SentOn {
+  Rgb diffuse, specular;
+};
+/// What a point sends on of light per steradian over a density, or of irradiance, from a direction. None
+/// below the horizon.
+std::optional<SentOn> sent_on(const SurfacePoint& point, const Rgb& throughput, const Rgb& light,
+                              const Eigen::Vector3f& direction) {
   const float cosine = sun_cosine(point, direction);
   if (cosine <= 0.0F) return std::nullopt;
-  return Rgb(throughput * point.albedo * light * (inverse_pi * cosine));
+  const Scatterer surface = scatterer(point);
+  if (!is_glossy(surface))
+    return SentOn{throughput * surface.albedo * light * (inverse_pi * cosine), Rgb::Zero()};
+  const ScatteredLight scattered = scattered_light(surface, point.normal, point.to_viewer, direction);
+  const Rgb arriving = throughput * light;
+  return SentOn{arriving * (scattered.share - scattered.specular), arriving * scattered.specular};
+}
+
+/// Suns and lamps without size have highlights; paths never find them.
+LightSample highlighted(const Eigen::Vector3f& direction, float far_m, const SentOn& sent) {
+  return {direction, far_m, sent.diffuse + sent.specular, Rgb::Zero()};
+}
+
+bool is_finite(const SentOn& sent) {
+  return sent.diffuse.allFinite() && sent.specular.allFinite();
 }
 
 std::optional<LightSample> sun_sample(const Sun& sun, const SurfacePoint& point, const Rgb& throughput,
@@ -31,7 +50,7 @@ std::optional<LightSample> sun_sample(const Sun& sun, const SurfacePoint& point,
   const Eigen::Vector3f to_sun = direction_to_sun(sun, on_disc);
   const auto sent = sent_on(point, throughput, sun.irradiance_w_m2, to_sun);
   if (!sent) return std::nullopt;
-  return LightSample{to_sun, endless, *sent};
+  return highlighted(to_sun, endless, *sent);
 }
 
 std::optional<LightSample> lamp_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
@@ -45,8 +64,8 @@ std::optional<LightSample> lamp_sample(const Light& light, const SurfacePoint& p
   const Rgb irradiance =
       intensity_towards(*chosen->lamp, -direction) / (distance_m * distance_m * chosen->probability);
   const auto sent = sent_on(point, throughput, irradiance, direction);
-  if (!sent || !sent->allFinite()) return std::nullopt;
-  return LightSample{direction, distance_m * before_lamp, *sent};
+  if (!sent || !is_finite(*sent)) return std::nullopt;
+  return highlighted(direction, distance_m * before_lamp, *sent);
 }
 
 std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
@@ -64,8 +83,8 @@ std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& p
   const float weight =
       hits == GlowHits::found ? power_weight(density_sr, scatter_density_sr(point, direction)) : 1.0F;
   const auto sent = sent_on(point, throughput, place.radiance * (weight / density_sr), direction);
-  if (!sent || !sent->allFinite()) return std::nullopt;
-  return LightSample{direction, distance_m * before_lamp, *sent};
+  if (!sent || !is_finite(*sent)) return std::nullopt;
+  return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
 }
 
 std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
@@ -76,19 +95,28 @@ std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& po
   const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
   const auto sent = sent_on(point, throughput, map.radiance(direction) * (weight / density_sr), direction);
   if (!sent) return std::nullopt;
-  return LightSample{direction, light.sky_distance_m, *sent};
+  return LightSample{direction, light.sky_distance_m, sent->diffuse, sent->specular};
 }
 
 }  // namespace
 
 std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point) {
-  const Eigen::Vector3f direction = cosine_direction(from.normal, point);
-  if (!above_horizon(from, direction)) return std::nullopt;
-  return Scattered{direction, from.albedo};
+  const auto next = sample_scattering(scatterer(from), from.normal, from.to_viewer, point);
+  if (!next || !above_horizon(from, next->direction)) return std::nullopt;
+  return Scattered{next->direction, next->weight, next->specular, next->specular_lobe ? from.alpha : 1.0F};
 }
 
 float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction) {
-  return inverse_pi * std::max(0.0F, from.normal.dot(direction));
+  return scattering_density(scatterer(from), from.normal, from.to_viewer, direction);
+}
+
+Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  const Scatterer surface = scatterer(from);
+  if (!is_glossy(surface)) return surface.albedo;
+  const float density_sr = inverse_pi * from.normal.dot(direction);
+  if (!(density_sr > 0.0F)) return Rgb::Zero();
+  const ScatteredLight scattered = scattered_light(surface, from.normal, from.to_viewer, direction);
+  return (scattered.share - scattered.specular) / density_sr;
 }
 
 std::optional<LightSample> light_sample(const Light& light, int number, const SurfacePoint& point,

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 
 #include "renderer/common/sampler.h"
@@ -9,20 +10,43 @@ namespace seamline::renderer {
 
 /// How a surface sends on what reaches it: one place for what all estimators know of it.
 struct Scattered {
-  Eigen::Vector3f direction;  ///< unit, where the path goes on
-  Rgb weight;                 ///< scattered share times cosine, over the density
+  Eigen::Vector3f direction;   ///< unit, where the path goes on
+  Rgb weight;                  ///< scattered share times cosine, over the density
+  Rgb specular = Rgb::Zero();  ///< what of the weight is the specular layer's
+  float spread = 1.0F;         ///< how far the lobe that it was taken from spreads: its alpha, or 1
+
+  [[nodiscard]] Rgb diffuse() const { return weight - specular; }
+  /// What of light that comes that way is mirrored, 0 to 1.
+  [[nodiscard]] Rgb mirrored_share() const { return (weight > 0.0F).select(specular / weight, 0.0F); }
 };
 /// The direction in which a path leaves a point, for a point of [0, 1)^2; none below the surface's horizon.
 [[nodiscard]] std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point);
 
+/// A glossy surface as a path meets it that a spread lobe led there: no smoother than alpha 0.25 (roughness
+/// 0.5), nor than that lobe. What a mirror casts onto a rough surface (a caustic) is a light that sampling
+/// hardly ever finds, and then as one bright speck; so it is blurred, in both estimators, and keeps its
+/// energy (Kaplanyan and Dachsbacher, "Path Space Regularization", CGF 32(2), 2013). What is seen directly or
+/// in a chain of mirrors is as smooth as it is.
+inline void blur_after(float spread, SurfacePoint& met) {
+  if ((met.f0 > 0.0F).any()) met.alpha = std::max(met.alpha, std::min(spread, 0.25F));
+}
+
 /// Per steradian, with which `scatter` chooses a direction.
 [[nodiscard]] float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction);
+
+/// The weight of the diffuse base alone for a cosine-weighted direction: its share times cosine, over the
+/// cosine's density.
+[[nodiscard]] Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction);
 
 /// Light that reaches a point from one direction if nothing is in the way.
 struct LightSample {
   Eigen::Vector3f direction;  ///< unit, towards the light
   float far_m;                ///< where the ray that asks ends, before the lamp
   Rgb radiance;               ///< that goes on to the viewer: times the throughput, over the density
+  /// The same off the specular layer, of light that paths find as well: it counts as mirrored.
+  Rgb mirrored = Rgb::Zero();
+
+  [[nodiscard]] Rgb total() const { return radiance + mirrored; }
 };
 
 /// Questions that every surface asks of its light: one of each sun, one of all lamps without size, one of the

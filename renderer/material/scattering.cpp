@@ -74,8 +74,8 @@ ScatteredLight scattered(const Seen& seen, const Eigen::Vector3f& normal, const 
   if (!(mu_i > 0.0F)) return {};
   const float lost_i = seen.row.lost(mu_i);
   ScatteredLight light;
-  light.share =
-      (seen.more_scale * lost_i + seen.base_scale * seen.passed(lost_i, seen.row.schlick(mu_i))) * mu_i;
+  light.specular = seen.more_scale * (lost_i * mu_i);
+  light.share = light.specular + seen.base_scale * seen.passed(lost_i, seen.row.schlick(mu_i)) * mu_i;
   light.density = (seen.more_lobe * seen.row.lost_density(mu_i) + seen.base_lobe) * (inv_pi * mu_i);
   const Eigen::Vector3f sum = to_viewer + direction;
   const float squared_length = sum.squaredNorm();
@@ -87,7 +87,9 @@ ScatteredLight scattered(const Seen& seen, const Eigen::Vector3f& normal, const 
   const float density = mirror_density(squared_sine, seen.alpha);
   const float weight = schlick_weight(0.5F * std::sqrt(squared_length));
   const Rgb fresnel = seen.f0 + (1.0F - seen.f0) * weight;
-  light.share += fresnel * (density * visibility(seen.mu_o, mu_i, seen.alpha) * mu_i);
+  const Rgb one = fresnel * (density * visibility(seen.mu_o, mu_i, seen.alpha) * mu_i);
+  light.share += one;
+  light.specular += one;
   light.density += seen.one_lobe * visible_density(density, seen.mu_o, seen.alpha);
   return light;
 }
@@ -139,6 +141,7 @@ std::optional<ScatteredDirection> sample(const Scatterer& scatterer, const Eigen
   if (!(light.density > 0.0F)) return std::nullopt;
   out.density = light.density;
   out.weight = light.share / light.density;
+  out.specular = light.specular / light.density;
   return out;
 }
 

@@ -36,6 +36,7 @@ struct Scatterer {
 /// Both of the above for less than twice the time; the same numbers.
 struct ScatteredLight {
   Rgb share = Rgb::Zero();
+  Rgb specular = Rgb::Zero();  ///< what of it comes off the layer, after any number of reflections
   float density = 0.0F;
 };
 [[nodiscard]] ScatteredLight scattered_light(const Scatterer& scatterer, const Eigen::Vector3f& normal,
@@ -45,6 +46,7 @@ struct ScatteredLight {
 struct ScatteredDirection {
   Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< unit, above the horizon of the normal
   Rgb weight = Rgb::Zero();                             ///< scattered_share / density
+  Rgb specular = Rgb::Zero();                           ///< what of the weight is of the layer
   float density = 0.0F;                                 ///< scattering_density, of all lobes together
   bool specular_lobe = false;                           ///< taken from one reflection on the layer
 };
@@ -71,7 +73,7 @@ inline ScatteredLight scattered_light(const Scatterer& scatterer, const Eigen::V
                                       const Eigen::Vector3f& to_viewer, const Eigen::Vector3f& direction) {
   if (is_glossy(scatterer)) return glossy::light(scatterer, normal, to_viewer, direction);
   const float density = std::numbers::inv_pi_v<float> * std::max(0.0F, normal.dot(direction));
-  return {scatterer.albedo * density, density};
+  return {scatterer.albedo * density, Rgb::Zero(), density};
 }
 
 inline Rgb scattered_share(const Scatterer& scatterer, const Eigen::Vector3f& normal,
@@ -90,7 +92,7 @@ inline std::optional<ScatteredDirection> sample_scattering(const Scatterer& scat
                                                            const Eigen::Array2f& point) {
   if (is_glossy(scatterer)) return glossy::sample(scatterer, normal, to_viewer, point);
   const Eigen::Vector3f direction = cosine_weighted(normal, point);
-  return ScatteredDirection{direction, scatterer.albedo,
+  return ScatteredDirection{direction, scatterer.albedo, Rgb::Zero(),
                             std::numbers::inv_pi_v<float> * std::max(0.0F, normal.dot(direction)), false};
 }
 

@@ -34,6 +34,22 @@ Rgb rgb(const std::array<double, 3>& values) {
   return Eigen::Array3d(values[0], values[1], values[2]).cast<float>();
 }
 
+/// The study's own metallic and roughness of its objects, in place of the file's.
+void set_layer(const SceneDefinition& definition, FileMesh& mesh) {
+  if (!definition.object_metallic && !definition.object_roughness) return;
+  Material material;
+  if (mesh.material)
+    material = *mesh.material;
+  else
+    material.base_colour = mesh.albedo.value_or(Rgb::Constant(static_cast<float>(definition.albedo))),
+    material.metallic = 0.0F;
+  material.has_layer = true;
+  material.metallic_roughness_texture.reset();
+  if (definition.object_metallic) material.metallic = static_cast<float>(*definition.object_metallic);
+  if (definition.object_roughness) material.roughness = static_cast<float>(*definition.object_roughness);
+  mesh.material = std::make_shared<const Material>(std::move(material));
+}
+
 }  // namespace
 
 Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
@@ -227,11 +243,12 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
-    const SceneFile file = read_scene_file(object.path, definition.materials);
+    SceneFile file = read_scene_file(object.path, definition.materials);
     if (file.meshes.empty())
       throw input_error(
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
     scene.left_out.insert(file.left_out.begin(), file.left_out.end());
+    for (FileMesh& mesh : file.meshes) set_layer(definition, mesh);
     scene.objects[i] = place_meshes(file, object_placement(object), scene.camera_position_m,
                                     definition.albedo, static_cast<int>(i) + 1);
   }

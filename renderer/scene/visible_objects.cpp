@@ -1,6 +1,7 @@
 #include "renderer/scene/visible_objects.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 
 #include "renderer/scene/camera.h"
 #include "support/text/error.h"
@@ -14,6 +15,22 @@ std::array<std::int64_t, 4> visible_pixels(const Camera& camera, const Geometry&
       if (const auto hit = everything.nearest(centre_ray(camera, x, y)))
         ++count[static_cast<std::size_t>(hit->object_index)];
   return count;
+}
+
+void require_mirrors(const StudyDefinition& study, const TruthScene& scene) {
+  const std::vector<Artifact>& artifacts = scene.definition.artifacts;
+  if (std::find(artifacts.begin(), artifacts.end(), Artifact::reflection) == artifacts.end()) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto& meshes = scene.objects[i];
+    const bool mirrors = std::any_of(meshes.begin(), meshes.end(),
+                                     [](const auto& mesh) { return mesh->f0.maxCoeff() > 0.0F; });
+    if (!mirrors)
+      throw input_error({.file = study.file.string(),
+                         .field = fmt::format("scene \"{}\", object \"{}\"", scene.definition.name,
+                                              scene.definition.objects[i].name),
+                         .wanted = "a glossy object for the artifact reflection (materials = \"gltf\")",
+                         .found = "a diffuse one"});
+  }
 }
 
 void require_visible_objects(const StudyDefinition& study, const TruthScene& scene) {

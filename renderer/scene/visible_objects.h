@@ -13,4 +13,7 @@ namespace seamline::renderer {
 /// Throws InputError when one of the scene's objects covers no pixel of the picture.
 void require_visible_objects(const StudyDefinition& study, const TruthScene& scene);
 
+/// Throws InputError when a study asks what is mirrored in an object that mirrors nothing.
+void require_mirrors(const StudyDefinition& study, const TruthScene& scene);
+
 }  // namespace seamline::renderer

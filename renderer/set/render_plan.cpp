@@ -167,7 +167,7 @@ class ScenePlanner {
     const BounceLimit limit = needed_bounces(light_, scene_.exposure_ev, settings_.error);
     std::string needed;
     if (limit.bounces == light_.bounces)
-      needed = is_unbounded(light_)  ? "light of surfaces that emit, or of lamps, bounds no bounce"
+      needed = is_unbounded(light_)  ? "surfaces that emit or mirror, and lamps, bound no bounce"
                : light_.bounces == 0 ? "there are no bounces"
                                      : fmt::format("all {} bounces may matter", light_.bounces);
     omit(choices().bounces < light_.bounces,
@@ -227,9 +227,15 @@ std::map<std::string, LightFacts> lights_of(const StudyDefinition& study) {
 }
 
 std::vector<std::string> sentences(const RenderPlan& plan) {
-  std::vector<std::string> out = {
-      "textures: materials are diffuse base colours",
-      "environment sampling: the environment is constant, so cosine-weighted rays sample it exactly"};
+  const auto any = [&](bool LightFacts::*fact) {
+    return std::any_of(plan.scenes.begin(), plan.scenes.end(),
+                       [&](const ScenePlan& scene) { return scene.light.*fact; });
+  };
+  std::vector<std::string> out;
+  if (!any(&LightFacts::is_glossy)) out.emplace_back("textures: materials are diffuse base colours");
+  if (!any(&LightFacts::sky_is_mapped))
+    out.emplace_back(
+        "environment sampling: the environment is constant, so cosine-weighted rays sample it exactly");
   for (const ScenePlan& scene : plan.scenes)
     for (const PlannedOmission& one : scene.omissions)
       out.push_back(fmt::format("{}: {}: {}; saves {}; change of the picture: {}", one.where, one.name,

@@ -112,6 +112,7 @@ class SetRenderer {
       return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
     require_visible_objects(study_, scene);
+    require_mirrors(study_, scene);
     lights_.emplace(definition.truth, light_facts(scene));
     scenes_.emplace(definition.truth, std::move(scene));
   }

@@ -125,6 +125,7 @@ Geometry::Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, E
            mesh->material && mesh->material->alpha_cutoff ? mesh.get() : nullptr);
     surfaces_.push_back(surface_table(*mesh));
     emits_ = emits_ || (mesh->emission > 0.0F).any();
+    glossy_ = glossy_ || (mesh->f0 > 0.0F).any();
   }
   commit(as_scene(scene_));
 }
@@ -175,7 +176,8 @@ Geometry::Geometry(Geometry&& other) noexcept
       meshes_(std::move(other.meshes_)),
       boxes_(std::move(other.boxes_)),
       directions_(std::move(other.directions_)),
-      emits_(other.emits_) {}
+      emits_(other.emits_),
+      glossy_(other.glossy_) {}
 
 std::optional<SurfacePoint> Geometry::nearest(const Ray& ray, RayCounts* counts) const {
   count(counts, 1);

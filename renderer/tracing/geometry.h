@@ -81,6 +81,8 @@ class Geometry {
   [[nodiscard]] std::int64_t own_memory_bytes() const;
   /// Whether any mesh emits light.
   [[nodiscard]] bool emits() const { return emits_; }
+  /// Whether any mesh has a specular layer.
+  [[nodiscard]] bool is_glossy() const { return glossy_; }
 
  private:
   void* scene_ = nullptr;
@@ -88,7 +90,7 @@ class Geometry {
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;
   BoundingBoxes boxes_;                       ///< of virtual objects without the scene around them
   std::optional<DirectionTable> directions_;  ///< of the local scene's one mesh
-  bool emits_ = false;
+  bool emits_ = false, glossy_ = false;
 };
 
 }  // namespace seamline::renderer

@@ -83,7 +83,9 @@ void turn_towards(const Eigen::Vector3f& to_viewer, SurfacePoint& point) {
   point.f0 = mesh.f0;
   point.alpha = mesh.alpha;
   if (mesh.material) set_textured(mesh, hit, point);
-  if ((point.f0 > 0.0F).any()) turn_towards(-ray.direction, point);
+  if (!(point.f0 > 0.0F).any()) return;
+  point.to_viewer = -ray.direction;
+  turn_towards(point.to_viewer, point);
 }
 
 }  // namespace

@@ -21,14 +21,17 @@ inline constexpr float endless = std::numeric_limits<float>::infinity();
 /// of vertices or of a normal texture, is turned towards the ray until it is 0.6 degrees inside; a diffuse
 /// one keeps it.
 struct SurfacePoint {
+  SurfacePoint() {}  // NOLINT: so that a hit is not filled with zeros first
+
   Eigen::Vector3f position_m;
   Eigen::Vector3f normal;            ///< unit, for shading
   Eigen::Vector3f geometric_normal;  ///< unit, of the triangle
   float distance_m = 0;              ///< along the ray
   Rgb albedo = Rgb::Zero();          ///< of the diffuse base
   Rgb emission = Rgb::Zero();
-  Rgb f0 = Rgb::Zero();  ///< of the specular layer; 0: there is none
-  float alpha = 1.0F;    ///< of the specular layer
+  Rgb f0 = Rgb::Zero();       ///< of the specular layer; 0: there is none
+  float alpha = 1.0F;         ///< of the specular layer
+  Eigen::Vector3f to_viewer;  ///< unit, back along the ray; of glossy points only
   int object_index = 0;
   std::uint32_t mesh = 0;
 };

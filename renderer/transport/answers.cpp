@@ -3,7 +3,8 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr Answers everything_from_depth{Who::depth, Who::depth, Who::depth, Who::depth, Who::depth};
+constexpr Answers everything_from_depth{Who::depth, Who::depth, Who::depth,
+                                        Who::depth, Who::depth, Who::depth};
 
 Answers table(Artifact artifact) {
   switch (artifact) {
@@ -17,6 +18,8 @@ Answers table(Artifact artifact) {
       return {.real_lit = Who::depth};
     case Artifact::bounce:
       return {.bounce = Who::depth};
+    case Artifact::reflection:
+      return {.mirrored = Who::depth};
     case Artifact::all:
       return everything_from_depth;
     case Artifact::none:
@@ -36,6 +39,7 @@ Recipe mask_recipe(Artifact artifact) {
     case Artifact::overlap:
       return {everything_from_depth, Keep::all_but_object};
     case Artifact::bounce:
+    case Artifact::reflection:
     case Artifact::none:
       return {table(artifact), Keep::everything};
   }
@@ -58,7 +62,7 @@ Answers asked_by_any(std::span<const Recipe> recipes) {
   Answers all;
   for (const Recipe& one : recipes)
     for (Who Answers::*question : {&Answers::receiver, &Answers::real_lit, &Answers::object_lit,
-                                   &Answers::occlusion, &Answers::bounce})
+                                   &Answers::occlusion, &Answers::bounce, &Answers::mirrored})
       if (one.answers.*question == Who::depth) all.*question = Who::depth;
   return all;
 }

@@ -8,7 +8,7 @@ namespace seamline::renderer {
 /// Who answers a question that light asks of the real world.
 enum class Who { truth, depth };
 
-/// The table of documentation/design.md, section 1: an artifact is a choice of who answers each of five
+/// The table of documentation/design.md, section 1: an artifact is a choice of who answers each of six
 /// questions.
 struct Answers {
   Who receiver = Who::truth;    ///< 1: on which surface does the virtual shadow land
@@ -16,12 +16,14 @@ struct Answers {
   Who object_lit = Who::truth;  ///< 3: is the virtual object lit past real things
   Who occlusion = Who::truth;   ///< 4: does the real world hide the virtual object
   Who bounce = Who::truth;      ///< 5: bounce light
+  Who mirrored = Who::truth;    ///< 6: what is mirrored in the virtual object, asked of glossy ones only
 
   [[nodiscard]] bool asks_depth_for_light() const { return receiver == Who::depth || traces_depth(); }
   /// Whether rays go through the depth mesh that do not start at the panorama's centre: as a receiver it only
   /// lends the points that the camera sees, and needs no good search tree.
   [[nodiscard]] bool traces_depth() const {
-    return real_lit == Who::depth || object_lit == Who::depth || bounce == Who::depth;
+    return real_lit == Who::depth || object_lit == Who::depth || bounce == Who::depth ||
+           mirrored == Who::depth;
   }
   [[nodiscard]] bool needs_depth() const { return asks_depth_for_light() || occlusion == Who::depth; }
 };

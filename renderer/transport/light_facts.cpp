@@ -18,6 +18,7 @@ LightFacts light_facts(const TruthScene& scene) {
     for (const auto& mesh : meshes) {
       facts.brightest_albedo = std::max(facts.brightest_albedo, double{mesh->albedo.maxCoeff()});
       facts.emits = facts.emits || mesh->emission.maxCoeff() > 0.0F;
+      facts.is_glossy = facts.is_glossy || mesh->f0.maxCoeff() > 0.0F;
     }
   };
   look(scene.background);

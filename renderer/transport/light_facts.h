@@ -12,6 +12,7 @@ struct LightFacts {
   double brightest_radiance = 0;  ///< sum of the suns' irradiance / pi, and the sky (of a map, all of it over
                                   ///< pi), the largest channel
   bool emits = false;             ///< some surface glows
+  bool is_glossy = false;         ///< some surface has a specular layer
   bool sky_is_dark = false;
   bool sky_is_mapped = false;
   int bounces = 0;  ///< that the study asks for
@@ -19,9 +20,9 @@ struct LightFacts {
   int lamps = 0;
   std::size_t glowing_triangles = 0;  ///< of the background
 };
-/// Whether nothing bounds how bright a bounce is: near lamps and what glows.
+/// Whether nothing bounds how bright a bounce is: near lamps and what glows, and in what mirrors.
 [[nodiscard]] inline bool is_unbounded(const LightFacts& facts) {
-  return facts.emits || facts.lamps > 0;
+  return facts.emits || facts.lamps > 0 || facts.is_glossy;
 }
 [[nodiscard]] LightFacts light_facts(const TruthScene& scene);
 

@@ -45,11 +45,15 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& point = *points[i].point;
     const Eigen::Array2f sky_point = points[i].sampler.point(dimension::direction(0));
-    for (int number = 0; number < light.sky_rays; ++number) {
+    const auto share = static_cast<float>(light.sky_rays);
+    if (const auto next = scatter(point, sky_point))
+      rays.add(point, points[i].lit_past, next->direction, light.sky_distance_m,
+               {i, next->diffuse() * sky_found(light, point, next->direction) / share});
+    for (int number = 1; number < light.sky_rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(point.normal, sky_point, number, light.sky_rays);
       if (above_horizon(point, direction))
         rays.add(point, points[i].lit_past, direction, light.sky_distance_m,
-                 {i, point.albedo * sky_found(light, point, direction) / static_cast<float>(light.sky_rays)});
+                 {i, diffuse_weight(point, direction) * light.sky(direction) / share});
     }
   }
   trace(object, real, Coherence::scattered, rays, counts, direct);

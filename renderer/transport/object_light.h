@@ -13,7 +13,7 @@ struct ObjectPoint {
   Sampler sampler;
 };
 
-/// The direct part of `leaving_object`, of many points at once: their rays to the sun go together, those to
+/// The direct part of `leaving_object` (what is mirrored is none of it), of many points at once: their rays to the sun go together, those to
 /// the sky in packets of their own. `direct` is as long as `points`. What `rays` holds is forgotten:
 /// a caller who asks often keeps it for its memory.
 void direct_on_object(std::span<const ObjectPoint> points, const Geometry& object, const Light& light,

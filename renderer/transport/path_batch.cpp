@@ -17,10 +17,12 @@ void PathBatch::begin(const Worlds& worlds, const Light& light) {
 
 std::span<const PathLight> PathBatch::trace() {
   found_.assign(starts_.size(), {});
+  mirrors_ = false;
+  mirrored_shares_.clear();
   vertices_.clear();
   for (std::size_t path = 0; path < starts_.size(); ++path) {
     const PathStart& start = starts_[path];
-    add(path, start.set, true, start.point.emission);
+    add(path, start.set, {.direct = true, .radiance = start.point.emission});
     vertices_.push_back({path, start.set, start.point, Rgb::Ones()});
   }
   std::int64_t rays_before_tails = 0;
@@ -50,8 +52,9 @@ void PathBatch::add_light_sample(int number, int vertex) {
   for (const Vertex& at : vertices_)
     if (const auto from_light =
             light_sample(*light_, number, at.point, at.throughput, starts_[at.path].sampler, vertex, hits))
-      ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m), from_light->radiance,
-          vertex == 0);
+      ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m),
+          vertex == 0 ? FoundLight{true, from_light->radiance, from_light->mirrored}
+                      : sorted(at.path, false, from_light->total()));
   const bool together = vertex == 0 && number < static_cast<int>(light_->suns.size());
   add_what_arrives(together ? Coherence::together : Coherence::scattered);
 }
@@ -70,13 +73,23 @@ void PathBatch::add_sky_of_first() {
     const Vertex& vertex = vertices_[i];
     const bool joins_bounce = sky_joins_bounce(vertex);
     const int rays = joins_bounce ? 1 : light_->sky_rays;
-    const Rgb throughput = vertex.throughput * vertex.point.albedo;
-    for (int number = goes_on ? 1 : 0; number < rays; ++number) {
+    const auto share = static_cast<float>(rays);
+    if (!goes_on) {
+      if (const auto next = scatter(vertex.point, points_[i])) {
+        const Rgb sky = vertex.throughput * sky_found(*light_, vertex.point, next->direction);
+        ask(vertex, leaving_ray(vertex.point, next->direction, light_->sky_distance_m),
+            {.direct = !joins_bounce,
+             .radiance = sky * next->diffuse() / share,
+             .mirrored = sky * next->specular});
+      }
+    }
+    for (int number = 1; number < rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(vertex.point.normal, points_[i], number, rays);
       if (above_horizon(vertex.point, direction))
         ask(vertex, leaving_ray(vertex.point, direction, light_->sky_distance_m),
-            throughput * sky_found(*light_, vertex.point, direction) / static_cast<float>(rays),
-            !joins_bounce);
+            {.direct = !joins_bounce,
+             .radiance = vertex.throughput * diffuse_weight(vertex.point, direction) *
+                         light_->sky(direction) / share});
     }
   }
   add_what_arrives(Coherence::scattered);
@@ -112,9 +125,16 @@ void PathBatch::go_on(int vertex) {
     const auto next = scatter(from.point, points_[i]);
     if (!next) continue;
     from.throughput *= next->weight;
+    from.spread = next->spread;
+    if (vertex == 0 && (next->specular > 0.0F).any()) {
+      mirrors_ = true;
+      mirrored_shares_.resize(starts_.size(), Rgb::Zero());
+      mirrored_shares_[from.path] = next->mirrored_share();
+    }
     const Ray ray = leaving_ray(from.point, next->direction, light_->sky_distance_m);
     if (only_sky) {
-      ask(from, ray, from.throughput * sky_found(*light_, from.point, next->direction), false);
+      ask(from, ray,
+          sorted(from.path, false, from.throughput * sky_found(*light_, from.point, next->direction)));
     } else {
       rays_.push_back(ray);
       vertex_of_ray_.push_back(i);
@@ -147,21 +167,32 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
   if (!hit) {
     const bool direct = vertex == 0 && !sky_joins_bounce(from);
     const float rays = direct ? static_cast<float>(light_->sky_rays) : 1.0F;
-    add(from.path, set, direct, from.throughput * sky_found(*light_, from.point, direction) / rays);
+    FoundLight sky = sorted(from.path, direct, from.throughput * sky_found(*light_, from.point, direction));
+    sky.radiance /= rays;
+    add(from.path, set, sky);
     return;
   }
   if (vertex == 0 && (set & rules.reach_of) != 0)
     found_[from.path].reach_m = std::min(found_[from.path].reach_m, hit->distance_m);
   if (emits_) {
     const FoundGlow glow = glow_found(*light_, from.point, direction, *hit);
-    add(from.path, set, glow.is_lamp && vertex == 0, from.throughput * glow.radiance);
+    add(from.path, set, sorted(from.path, glow.is_lamp && vertex == 0, from.throughput * glow.radiance));
   }
-  if (vertex < light_->bounces) next_vertices_.push_back({from.path, set, *hit, from.throughput});
+  if (vertex >= light_->bounces) return;
+  next_vertices_.push_back({from.path, set, *hit, from.throughput});
+  blur_after(from.spread, next_vertices_.back().point);
 }
 
-void PathBatch::ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, bool direct) {
+/// Light that a path found, by how it left its first surface.
+PathBatch::FoundLight PathBatch::sorted(std::size_t path, bool direct, const Rgb& light) const {
+  if (!mirrors_) return {.direct = direct, .radiance = light};
+  const Rgb mirrored = mirrored_shares_[path] * light;
+  return {.direct = direct, .radiance = light - mirrored, .mirrored = mirrored};
+}
+
+void PathBatch::ask(const Vertex& vertex, const Ray& ray, const FoundLight& light) {
   rays_.push_back(ray);
-  arriving_.push_back({vertex.path, vertex.set, radiance, direct});
+  arriving_.push_back({vertex.path, vertex.set, light});
 }
 
 /// Asks the rays that only look for light, and begins anew.
@@ -171,15 +202,16 @@ void PathBatch::add_what_arrives(Coherence coherence) {
   for (std::size_t i = 0; i < rays_.size(); ++i)
     if (blocked_[i] == 0)
       add(arriving_[i].path, worlds_->reached_past_room(rays_[i], arriving_[i].set, &counts_),
-          arriving_[i].direct, arriving_[i].radiance);
+          arriving_[i].light);
   rays_.clear();
   arriving_.clear();
 }
 
-void PathBatch::add(std::size_t path, WorldSet set, bool direct, const Rgb& radiance) {
+void PathBatch::add(std::size_t path, WorldSet set, const FoundLight& found) {
   for (unsigned left = set; left != 0; left &= left - 1) {
     Split& light = found_[path].light[static_cast<std::size_t>(std::countr_zero(left))];
-    (direct ? light.direct : light.bounce) += radiance;
+    (found.direct ? light.direct : light.bounce) += found.radiance;
+    light.mirrored += found.mirrored;
   }
 }
 

@@ -61,14 +61,19 @@ class PathBatch {
     std::size_t path;
     WorldSet set;
     SurfacePoint point;
-    Rgb throughput;  ///< from the surface to the camera, without its own albedo
+    Rgb throughput;       ///< from the surface to the camera, without its own albedo
+    float spread = 1.0F;  ///< of the lobe by which the path leaves
+  };
+  struct FoundLight {
+    bool direct = false;  ///< else bounce
+    Rgb radiance = Rgb::Zero();
+    Rgb mirrored = Rgb::Zero();
   };
   /// Light that arrives over a ray where nothing is in the way.
   struct Arriving {
     std::size_t path;
     WorldSet set;
-    Rgb radiance;
-    bool direct;
+    FoundLight light;
   };
 
   [[nodiscard]] bool ends_at_sky(int vertex) const { return vertex >= light_->bounces && !emits_; }
@@ -83,13 +88,16 @@ class PathBatch {
   void go_on(int vertex);
   void meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& direction,
             const std::optional<SurfacePoint>& hit, int vertex);
-  void ask(const Vertex& vertex, const Ray& ray, const Rgb& radiance, bool direct);
+  [[nodiscard]] FoundLight sorted(std::size_t path, bool direct, const Rgb& light) const;
+  void ask(const Vertex& vertex, const Ray& ray, const FoundLight& light);
   void add_what_arrives(Coherence coherence);
-  void add(std::size_t path, WorldSet set, bool direct, const Rgb& radiance);
+  void add(std::size_t path, WorldSet set, const FoundLight& found);
 
   const Worlds* worlds_ = nullptr;
   const Light* light_ = nullptr;
   bool emits_ = false;
+  bool mirrors_ = false;              ///< some path left a glossy surface first
+  std::vector<Rgb> mirrored_shares_;  ///< of each path, then
   RayCounts counts_;
   std::vector<PathStart> starts_;
   std::vector<PathLight> found_;

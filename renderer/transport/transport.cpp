@@ -56,20 +56,52 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
     sum += throughput * glow_found(light, point, next->direction, *hit).radiance;
     if (vertex >= light.bounces) return sum;
     point = *hit;
+    blur_after(next->spread, point);
   }
 }
 
 /// What arrives from a surface that a path hit at the end of vertex `vertex`, without what it glows itself.
-Rgb arriving(const World& world, const SurfacePoint& hit, const Light& light, const Sampler& sampler,
+Rgb arriving(const World& world, SurfacePoint hit, float spread, const Light& light, const Sampler& sampler,
              int vertex) {
   if (vertex >= light.bounces) return Rgb::Zero();
+  blur_after(spread, hit);
   return scattered(world, hit, light, sampler, vertex + 1);
 }
 
-/// Adds what a hit glows: what lamps send to the path's first surface is direct, as from any light.
-void add_glow(const FoundGlow& glow, const Rgb& throughput, int vertex, Split& light) {
-  (glow.is_lamp && vertex == 0 ? light.direct : light.bounce) += throughput * glow.radiance;
-}
+/// What a path finds, sorted by how it left its first surface.
+class FoundLight {
+ public:
+  explicit FoundLight(Split& light) : light_(light) {}
+
+  void leaves_first_by(const Scattered& next) {
+    mirrors_ = (next.specular > 0.0F).any();
+    if (mirrors_) share_ = next.mirrored_share();
+  }
+  /// Light that the path found, its throughput in it. What lamps and the environment send straight to the
+  /// first surface is direct.
+  void add(const Rgb& light, bool direct) {
+    Rgb& rest = direct ? light_.direct : light_.bounce;
+    if (!mirrors_) {
+      rest += light;
+      return;
+    }
+    light_.mirrored += share_ * light;
+    rest += (1.0F - share_) * light;
+  }
+  void add(const LightSample& sample, int vertex) {
+    if (vertex > 0) {
+      add(sample.total(), false);
+      return;
+    }
+    light_.direct += sample.radiance;
+    light_.mirrored += sample.mirrored;
+  }
+
+ private:
+  Split& light_;
+  bool mirrors_ = false;
+  Rgb share_ = Rgb::Zero();
+};
 
 }  // namespace
 
@@ -80,56 +112,63 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
   const World world_without{real, nullptr, counts};
   const World world_with{real, object, counts};
   const bool emits = world_with.emits();
+  FoundLight without_object(pair.without_object), with_object(pair.with_object);
   SurfacePoint point = first;
   Rgb throughput = Rgb::Ones();
   for (int vertex = 0;; ++vertex) {
-    Rgb& without_object = vertex == 0 ? pair.without_object.direct : pair.without_object.bounce;
-    Rgb& with_object = vertex == 0 ? pair.with_object.direct : pair.with_object.bounce;
     for (int number = 0; number < light_samples(light); ++number) {
       const auto from_light =
           light_sample(light, number, point, throughput, sampler, vertex, world_with.glow_hits());
       if (!from_light) continue;
       const Ray ray = leaving_ray(point, from_light->direction, from_light->far_m);
       if (real.occluded(ray, counts)) continue;
-      without_object += from_light->radiance;
-      if (object == nullptr || !object->occluded(ray, counts)) with_object += from_light->radiance;
+      without_object.add(*from_light, vertex);
+      if (object == nullptr || !object->occluded(ray, counts)) with_object.add(*from_light, vertex);
     }
     const auto next = scatter(point, sampler.point(dimension::direction(vertex)));
     if (!next) return pair;
     throughput *= next->weight;
+    if (vertex == 0) without_object.leaves_first_by(*next), with_object.leaves_first_by(*next);
     Ray ray = leaving_ray(point, next->direction, light.sky_distance_m);
     const Rgb sky = throughput * sky_found(light, point, next->direction);
+    const bool is_first = vertex == 0;
     if (vertex >= light.bounces && !emits) {
       if (leaves_out_sky(light, counts) || real.occluded(ray, counts)) return pair;
-      without_object += sky;
-      if (object == nullptr || !object->occluded(ray, counts)) with_object += sky;
+      without_object.add(sky, is_first);
+      if (object == nullptr || !object->occluded(ray, counts)) with_object.add(sky, is_first);
       return pair;
     }
     const std::optional<SurfacePoint> hit = real.nearest(ray, counts);
     if (hit) ray.far_m = hit->distance_m;
     const std::optional<SurfacePoint> object_hit =
         object == nullptr ? std::nullopt : object->nearest(ray, counts);
+    const auto add_glow = [&](const SurfacePoint& glows, FoundLight& found) {
+      const FoundGlow glow = glow_found(light, point, next->direction, glows);
+      found.add(throughput * glow.radiance, glow.is_lamp && is_first);
+    };
     if (object_hit) {  // here the two paths part
       if (hit) {
-        add_glow(glow_found(light, point, next->direction, *hit), throughput, vertex, pair.without_object);
-        pair.without_object.bounce += throughput * arriving(world_without, *hit, light, sampler, vertex);
+        add_glow(*hit, without_object);
+        without_object.add(throughput * arriving(world_without, *hit, next->spread, light, sampler, vertex),
+                           false);
       } else {
-        without_object += sky;
+        without_object.add(sky, is_first);
       }
-      add_glow(glow_found(light, point, next->direction, *object_hit), throughput, vertex, pair.with_object);
-      pair.with_object.bounce += throughput * arriving(world_with, *object_hit, light, sampler, vertex);
+      add_glow(*object_hit, with_object);
+      with_object.add(throughput * arriving(world_with, *object_hit, next->spread, light, sampler, vertex),
+                      false);
       return pair;
     }
     if (!hit) {
-      without_object += sky;
-      with_object += sky;
+      without_object.add(sky, is_first);
+      with_object.add(sky, is_first);
       return pair;
     }
-    const FoundGlow glow = glow_found(light, point, next->direction, *hit);
-    add_glow(glow, throughput, vertex, pair.without_object);
-    add_glow(glow, throughput, vertex, pair.with_object);
+    add_glow(*hit, without_object);
+    add_glow(*hit, with_object);
     if (vertex >= light.bounces) return pair;
     point = *hit;
+    blur_after(next->spread, point);
   }
 }
 
@@ -153,62 +192,125 @@ std::optional<SurfacePoint> real_hit(const RealQuestion& real, const Eigen::Vect
   return real.geometry->nearest(leaving_ray(*real.start, direction, far_m), counts);
 }
 
+bool same(const RealQuestion& a, const RealQuestion& b) {
+  return a.geometry == b.geometry && a.start == b.start;
+}
+
+/// Light of a virtual object's point, past real things.
+class ObjectLight {
+ public:
+  ObjectLight(const Geometry& object, const SurfacePoint& point, const Light& light, const Sampler& sampler,
+              RayCounts* counts)
+      : object_(object), point_(point), light_(light), sampler_(sampler), counts_(counts) {}
+
+  /// Whether anything but the sky can be found where `by` is asked.
+  [[nodiscard]] bool bounces_matter(const RealQuestion& by) const {
+    return by.geometry != nullptr && (light_.bounces > 0 || by.geometry->emits() || object_.emits());
+  }
+  /// Whether paths that are asked so find lamps with size. Asked of two geometries, these are known by their
+  /// light samples alone.
+  [[nodiscard]] GlowHits glow_hits(const RealQuestion& lit_past, const RealQuestion& by) const {
+    return same(lit_past, by) && bounces_matter(by) && by.geometry->emits() ? GlowHits::found
+                                                                            : GlowHits::unknown;
+  }
+
+  /// Calls `take` with every light sample that reaches the point past the object and past the real world.
+  template <class Take>
+  void each_sample(const RealQuestion& lit_past, GlowHits hits, const Take& take) const {
+    for (int number = 0; number < light_samples(light_); ++number) {
+      const auto sample = light_sample(light_, number, point_, Rgb::Ones(), sampler_, 0, hits);
+      if (sample && !object_.occluded(leaving_ray(point_, sample->direction, sample->far_m), counts_) &&
+          reaches_past(lit_past, sample->direction, sample->far_m, counts_))
+        take(*sample);
+    }
+  }
+
+  /// Whether the sky is seen in a direction.
+  [[nodiscard]] bool sees_sky(const RealQuestion& lit_past, const Eigen::Vector3f& direction) const {
+    return above_horizon(point_, direction) &&
+           !object_.occluded(leaving_ray(point_, direction, light_.sky_distance_m), counts_) &&
+           reaches_past(lit_past, direction, light_.sky_distance_m, counts_);
+  }
+
+  /// What comes from the direction in which the path goes on.
+  struct Incoming {
+    Rgb sky = Rgb::Zero(), lamps = Rgb::Zero(), surfaces = Rgb::Zero();
+  };
+  [[nodiscard]] Incoming incoming(const RealQuestion& lit_past, const RealQuestion& by,
+                                  const Eigen::Vector3f& direction, float spread) const {
+    Incoming in;
+    if (!bounces_matter(by)) {
+      if (!leaves_out_sky(light_, counts_) && sees_sky(lit_past, direction))
+        in.sky = sky_found(light_, point_, direction);
+      return in;
+    }
+    Ray ray = leaving_ray(point_, direction, light_.sky_distance_m);
+    const bool is_same = same(lit_past, by);
+    const std::optional<SurfacePoint> hit = real_hit(by, direction, light_.sky_distance_m, counts_);
+    if (hit) ray.far_m = hit->distance_m;
+    // Only the nearer one matters for bounce light, but the sky is hidden by the object at any distance.
+    const std::optional<SurfacePoint> object_hit = object_.nearest(
+        is_same || !hit ? ray : Ray{ray.origin_m, ray.direction, light_.sky_distance_m}, counts_);
+    const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
+    const bool sky_reaches =
+        !object_hit && (is_same ? !hit : reaches_past(lit_past, direction, light_.sky_distance_m, counts_));
+    if (sky_reaches) in.sky = sky_found(light_, point_, direction);
+    if (!object_first && !hit) return in;
+    const SurfacePoint& first = object_first ? *object_hit : *hit;
+    const FoundGlow glow = glow_found(light_, point_, direction, first);
+    if (!glow.is_lamp)
+      in.surfaces += glow.radiance;
+    else if (glow_hits(lit_past, by) == GlowHits::found)
+      in.lamps += glow.radiance;
+    in.surfaces += arriving({*by.geometry, &object_, counts_}, first, spread, light_, sampler_, 0);
+    return in;
+  }
+
+ private:
+  const Geometry& object_;
+  const SurfacePoint& point_;
+  const Light& light_;
+  const Sampler& sampler_;
+  RayCounts* counts_;
+};
+
 }  // namespace
 
-Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by, const Geometry& object,
-                     const SurfacePoint& point, const Light& light, const Sampler& sampler,
-                     RayCounts* counts) {
+Split leaving_object(const ObjectQuestions& ask, const Geometry& object, const SurfacePoint& point,
+                     const Light& light, const Sampler& sampler, RayCounts* counts) {
+  const ObjectLight from(object, point, light, sampler, counts);
+  const bool is_mirror = is_glossy(scatterer(point));
+  const bool mirrors_apart =
+      is_mirror && !(same(ask.mirrored, ask.lit_past) && same(ask.mirrored, ask.bounced));
   Split out;
   out.direct = point.emission;
-  const bool bounces_matter =
-      bounced_by.geometry != nullptr && (light.bounces > 0 || bounced_by.geometry->emits() || object.emits());
-  // Asked of two geometries, lamps are known by their light samples alone.
-  const bool same = lit_past.geometry == bounced_by.geometry && lit_past.start == bounced_by.start;
-  const bool hits_are_lit = same && bounces_matter && bounced_by.geometry->emits();
-  for (int number = 0; number < light_samples(light); ++number) {
-    const auto from_light = light_sample(light, number, point, Rgb::Ones(), sampler, 0,
-                                         hits_are_lit ? GlowHits::found : GlowHits::unknown);
-    if (from_light &&
-        !object.occluded(leaving_ray(point, from_light->direction, from_light->far_m), counts) &&
-        reaches_past(lit_past, from_light->direction, from_light->far_m, counts))
-      out.direct += from_light->radiance;
-  }
-  const Rgb sky = point.albedo * light.environment_radiance / static_cast<float>(light.sky_rays);
+  from.each_sample(ask.lit_past, from.glow_hits(ask.lit_past, ask.bounced), [&](const LightSample& sample) {
+    out.direct += sample.radiance;
+    if (!mirrors_apart) out.mirrored += sample.mirrored;
+  });
+  const bool asks_mirror_apart = mirrors_apart && ask.mirrored.geometry != nullptr;
+  if (asks_mirror_apart)
+    from.each_sample(ask.mirrored, from.glow_hits(ask.mirrored, ask.mirrored),
+                     [&](const LightSample& sample) { out.mirrored += sample.mirrored; });
+  const auto sky_rays = static_cast<float>(light.sky_rays);
   for (int more = 1; more < light.sky_rays; ++more) {
     const Eigen::Vector3f direction =
         turned_direction(point.normal, sampler.point(dimension::direction(0)), more, light.sky_rays);
-    if (above_horizon(point, direction) &&
-        !object.occluded(leaving_ray(point, direction, light.sky_distance_m), counts) &&
-        reaches_past(lit_past, direction, light.sky_distance_m, counts))
-      out.direct += sky;
+    if (from.sees_sky(ask.lit_past, direction))
+      out.direct += diffuse_weight(point, direction) * light.sky(direction) / sky_rays;
   }
   const auto next = scatter(point, sampler.point(dimension::direction(0)));
   if (!next) return out;
-  const Eigen::Vector3f& direction = next->direction;
-  const Rgb found_sky =
-      next->weight * sky_found(light, point, direction) / static_cast<float>(light.sky_rays);
-  Ray ray = leaving_ray(point, direction, light.sky_distance_m);
-  if (!bounces_matter) {
-    if (!leaves_out_sky(light, counts) && !object.occluded(ray, counts) &&
-        reaches_past(lit_past, direction, light.sky_distance_m, counts))
-      out.direct += found_sky;
-    return out;
+  const Rgb diffuse = next->diffuse();
+  if (!is_mirror || (diffuse > 0.0F).any() || !mirrors_apart) {
+    const auto in = from.incoming(ask.lit_past, ask.bounced, next->direction, next->spread);
+    out.direct += diffuse * in.sky / sky_rays + diffuse * in.lamps;
+    out.bounce += diffuse * in.surfaces;
+    if (is_mirror && !mirrors_apart) out.mirrored += next->specular * (in.sky + in.lamps + in.surfaces);
   }
-  std::optional<SurfacePoint> hit = real_hit(bounced_by, direction, light.sky_distance_m, counts);
-  if (hit) ray.far_m = hit->distance_m;
-  // Only the nearer one matters for bounce light, but the sky is hidden by the object at any distance.
-  const std::optional<SurfacePoint> object_hit =
-      object.nearest(same || !hit ? ray : Ray{ray.origin_m, ray.direction, light.sky_distance_m}, counts);
-  const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
-  const bool sky_reaches =
-      !object_hit && (same ? !hit : reaches_past(lit_past, direction, light.sky_distance_m, counts));
-  if (sky_reaches) out.direct += found_sky;
-  if (!object_first && !hit) return out;
-  const SurfacePoint& first = object_first ? *object_hit : *hit;
-  const FoundGlow glow = glow_found(light, point, direction, first);
-  if (!glow.is_lamp || hits_are_lit) add_glow(glow, next->weight, 0, out);
-  const World world{*bounced_by.geometry, &object, counts};
-  out.bounce += next->weight * arriving(world, first, light, sampler, 0);
+  if (!asks_mirror_apart) return out;
+  const auto in = from.incoming(ask.mirrored, ask.mirrored, next->direction, next->spread);
+  out.mirrored += next->specular * (in.sky + in.lamps + in.surfaces);
   return out;
 }
 

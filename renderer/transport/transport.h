@@ -9,20 +9,25 @@ namespace seamline::renderer {
 struct Split {
   Rgb direct = Rgb::Zero();  ///< from sun and sky, and the point's own emission
   Rgb bounce = Rgb::Zero();  ///< from other surfaces: what may be filtered
+  /// Off the specular layer, from other surfaces, from the environment and from what glows: what is seen in
+  /// the surface as in a mirror. (Suns and lamps without size have highlights, which are direct.)
+  Rgb mirrored = Rgb::Zero();
 
-  [[nodiscard]] Rgb total() const { return direct + bounce; }
+  [[nodiscard]] Rgb total() const { return direct + bounce + mirrored; }
   Split& operator+=(const Split& other) {
     direct += other.direct;
     bounce += other.bounce;
+    mirrored += other.mirrored;
     return *this;
   }
   Split& operator-=(const Split& other) {
     direct -= other.direct;
     bounce -= other.bounce;
+    mirrored -= other.mirrored;
     return *this;
   }
   friend Split operator*(float factor, const Split& light) {
-    return {factor * light.direct, factor * light.bounce};
+    return {factor * light.direct, factor * light.bounce, factor * light.mirrored};
   }
 };
 
@@ -48,11 +53,19 @@ struct RealQuestion {
                                         const SurfacePoint& point, const Light& light, const Sampler& sampler,
                                         RayCounts* counts = nullptr);
 
-/// Radiance that a point of the virtual object sends to the camera. `lit_past` answers whether sun and sky
-/// reach it past real things (question 3), `bounced_by` where bounce light comes from (question 5);
-/// without a geometry there the bounce part is not computed.
-[[nodiscard]] Split leaving_object(const RealQuestion& lit_past, const RealQuestion& bounced_by,
-                                   const Geometry& object, const SurfacePoint& point, const Light& light,
-                                   const Sampler& sampler, RayCounts* counts = nullptr);
+/// Who answers for the light of a point of the virtual object.
+struct ObjectQuestions {
+  RealQuestion lit_past;  ///< 3: do sun, sky and lamps reach it past real things
+  RealQuestion bounced;   ///< 5: where bounce light comes from; without a geometry that part is not computed
+  RealQuestion mirrored;  ///< 6: what is mirrored in it; likewise, and asked of glossy points only
+
+  /// All of one geometry, from the same point.
+  [[nodiscard]] static ObjectQuestions all_of(const RealQuestion& real) { return {real, real, real}; }
+};
+
+/// Radiance that a point of the virtual object sends to the camera.
+[[nodiscard]] Split leaving_object(const ObjectQuestions& ask, const Geometry& object,
+                                   const SurfacePoint& point, const Light& light, const Sampler& sampler,
+                                   RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

@@ -19,10 +19,13 @@ void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rg
   rays.clear();
 }
 
-/// The receiver, of the truth's albedo.
+/// The receiver, of the truth's material.
 SurfacePoint shaded_receiver(const UncoveredPoint& point) {
   SurfacePoint receiver = *point.receiver;
-  receiver.albedo = point.albedo;
+  receiver.albedo = point.shaded_as->albedo;
+  receiver.f0 = point.shaded_as->f0;
+  receiver.alpha = point.shaded_as->alpha;
+  receiver.to_viewer = point.shaded_as->to_viewer;
   return receiver;
 }
 
@@ -31,7 +34,7 @@ SurfacePoint shaded_receiver(const UncoveredPoint& point) {
 void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
                          std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Split emitted{.direct = points[i].emission};
+    const Split emitted{.direct = points[i].shaded_as->emission};
     pairs[i] = {emitted, emitted};
   }
   if (points.empty()) return;
@@ -57,7 +60,7 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
     if (!next) continue;
     if (!light.skips_sky)
       rays.add(receiver, points[i].lit, next->direction, light.sky_distance_m,
-               {i, next->weight * sky_found(light, receiver, next->direction)});
+               {i, next->diffuse() * sky_found(light, receiver, next->direction)});
     else if (counts != nullptr)
       ++counts->dark_sky_rays;
   }

@@ -12,9 +12,9 @@ namespace seamline::renderer {
 struct UncoveredPoint {
   const SurfacePoint* receiver = nullptr;
   RealQuestion lit = {nullptr, nullptr};  ///< one geometry for all points
-  Rgb albedo = Rgb::Zero();               ///< the truth's, whose bounce light joins it
+  /// The truth's point, whose material the receiver has and whose emission and bounce light join it.
+  const SurfacePoint* shaded_as = nullptr;
   Sampler sampler;
-  Rgb emission = Rgb::Zero();  ///< the truth's
 };
 
 /// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of

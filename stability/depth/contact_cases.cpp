@@ -62,7 +62,7 @@ Finding try_leaving_rays(const StartRule& start) {
           ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0.3F + p[0], p[1], -1).normalized()});
       if (!point) continue;
       const Eigen::Vector3f direction =
-          cosine_direction(point->normal, sampler.point(dimension::direction(0)));
+          cosine_weighted(point->normal, sampler.point(dimension::direction(0)));
       ++rays;
       hits += ball.occluded({start(*point, direction), direction}) ? 1 : 0;
     }

@@ -38,7 +38,7 @@ Furnace furnace_of(const ClosedSphere& sphere) {
 /// What the path's first ray meets on the wall.
 SurfacePoint first_hit(const Furnace& furnace, const Sampler& sampler) {
   return furnace.wall
-      .nearest({Eigen::Vector3f::Zero(), cosine_direction({0, 1, 0}, sampler.point(dimension::pixel))})
+      .nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 1, 0}, sampler.point(dimension::pixel))})
       .value();
 }
 

@@ -14,6 +14,8 @@ std::string_view word(Artifact artifact) {
       return "overlap";
     case Artifact::bounce:
       return "bounce";
+    case Artifact::reflection:
+      return "reflection";
     case Artifact::all:
       return "all";
     case Artifact::none:

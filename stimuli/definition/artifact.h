@@ -14,13 +14,14 @@ enum class Artifact {
   occlusion,  ///< type 3: the real world hides the virtual object
   overlap,    ///< type 4: real and virtual shadow overlap
   bounce,     ///< reserved: bounce light alone
+  reflection, ///< reserved: what is mirrored in the virtual object
   all,        ///< reserved: everything from the depth mesh
   none        ///< reserved: everything from the truth; equals the reference
 };
 
-inline constexpr std::array<Artifact, 7> every_artifact = {
+inline constexpr std::array<Artifact, 8> every_artifact = {
     Artifact::receiver, Artifact::shadow, Artifact::occlusion, Artifact::overlap,
-    Artifact::bounce,   Artifact::all,    Artifact::none};
+    Artifact::bounce,   Artifact::reflection, Artifact::all, Artifact::none};
 /// The four that the paper studied, in its order of types 1 to 4.
 inline constexpr std::array<Artifact, 4> paper_artifacts = {Artifact::receiver, Artifact::shadow,
                                                             Artifact::occlusion, Artifact::overlap};

@@ -128,6 +128,8 @@ std::string canonical_text(const SceneDefinition& scene) {
   }
   if (scene.sun_radius_deg) out += fmt::format("sun radius {}\n", *scene.sun_radius_deg);
   if (scene.materials != MaterialModel::diffuse) out += fmt::format("materials {}\n", word(scene.materials));
+  if (scene.object_metallic) out += fmt::format("object metallic {}\n", *scene.object_metallic);
+  if (scene.object_roughness) out += fmt::format("object roughness {}\n", *scene.object_roughness);
   return out;
 }
 

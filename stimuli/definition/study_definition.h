@@ -77,6 +77,8 @@ struct SceneDefinition {
   double albedo = 0.5;       ///< of the depth mesh, and of meshes without a material
   double exposure_ev = 0.0;  ///< display = linear * 2^exposure_ev
   MaterialModel materials = MaterialModel::diffuse;
+  /// Of all virtual objects, in place of their files' own; with the glTF model only.
+  std::optional<double> object_metallic = {}, object_roughness = {};
   /// Of every sun of the scene, in place of its own; none: its own (0 for those of a scene file).
   std::optional<double> sun_radius_deg = {};
   /// Names the scene with this light among the truths of a study (`list_truths`): the scene's name, followed

@@ -115,6 +115,17 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
   scene.bounces = table.integer("bounces", scene.bounces, {0, 1024});
   scene.albedo = table.number("albedo", scene.albedo, {0, 1});
   scene.materials = read_materials(table, scene.materials);
+  const auto read_layer = [&](const char* key, std::optional<double>& value) {
+    if (!table.has(key)) return;
+    if (scene.materials != MaterialModel::gltf)
+      throw table.complaint(key, "materials = \"gltf\" beside it: diffuse surfaces have no such number",
+                            "materials = \"diffuse\"");
+    value = table.number(key, 0, {0, 1});
+  };
+  read_layer("object_metallic", scene.object_metallic);
+  read_layer("object_roughness", scene.object_roughness);
+  if (scene.materials == MaterialModel::diffuse)
+    scene.object_metallic.reset(), scene.object_roughness.reset();
   scene.exposure_ev = table.number("exposure_ev", scene.exposure_ev, {-60, 60, "stops"});
   if (table.has("sun_radius_deg")) {
     scene.sun_radius_deg = table.number("sun_radius_deg", 0, {0, 45, "degrees"});

@@ -48,7 +48,7 @@ TEST(DirectOnObject, IsThatOfEachPointAlone) {
     int dark = 0, lit = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Rgb alone =
-          leaving_object(asked[i].lit_past, {nullptr, nullptr}, object, points[i], light, asked[i].sampler)
+          leaving_object({asked[i].lit_past, {nullptr, nullptr}, {nullptr, nullptr}}, object, points[i], light, asked[i].sampler)
               .direct;
       ASSERT_LT((direct[i] - alone).abs().maxCoeff(), 1e-5F) << i << " of " << sky_rays;
       (alone.isZero() ? dark : lit) += 1;

@@ -85,7 +85,7 @@ TEST(Sampler, CosineDirectionsAreUnitAndCosineWeighted) {
   double cosine = 0, square = 0;
   const int count = 1 << 14;
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3f d = cosine_direction(normal, Sampler(1, 0, 0, i).point(0));
+    const Eigen::Vector3f d = cosine_weighted(normal, Sampler(1, 0, 0, i).point(0));
     ASSERT_NEAR(d.norm(), 1, 1e-5);
     cosine += d.dot(normal);
     square += d.dot(normal) * d.dot(normal);

@@ -228,7 +228,7 @@ TEST(Scattering, WithoutALayerItIsTheCosineAlone) {
                     .all());
     const auto next = sample_scattering(surface, n, n, point);
     ASSERT_TRUE(next);
-    EXPECT_EQ(next->direction, cosine_direction(n, point));
+    EXPECT_EQ(next->direction, cosine_weighted(n, point));
     EXPECT_TRUE((next->weight == surface.albedo).all());
     EXPECT_FALSE(next->specular_lobe);
   }

@@ -54,8 +54,7 @@ TEST_P(EmissiveSphere, GivesEmissionTimesTheSumOfAlbedoPowers) {
   for (int power = 0; power <= bounces + 1; ++power) expected += emission * std::pow(albedo, power);
   const Estimate found = estimate(4000, [&](int i) {
     const Sampler sampler(3, i, 0, 0);
-    const auto hit =
-        furnace.nearest({Eigen::Vector3f::Zero(), cosine_direction({0, 1, 0}, sampler.point(0))});
+    const auto hit = furnace.nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 1, 0}, sampler.point(0))});
     return double{leaving_pair(furnace, nullptr, *hit, light, sampler).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, expected, 3 * found.standard_error + 1e-4 * expected);
@@ -94,11 +93,11 @@ TEST(Transport, AmbientOcclusionSeesOnlyWhatIsNear) {
     light.bounces = 0;
     light.sky_distance_m = 2.0F;
     light.environment_radiance = Rgb::Ones();
-    const SurfacePoint point{.position_m = {0, -1, -4},
-                             .normal = {0, 1, 0},
-                             .geometric_normal = {0, 1, 0},
-                             .distance_m = 4,
-                             .albedo = Rgb::Constant(0.5F)};
+    SurfacePoint point;
+    point.position_m = {0, -1, -4};
+    point.normal = point.geometric_normal = {0, 1, 0};
+    point.distance_m = 4;
+    point.albedo = Rgb::Constant(0.5F);
     const Estimate found = estimate(4000, [&](int i) {
       return double{
           leaving_pair(geometry, nullptr, point, light, Sampler(5, i, 0, 0)).without_object.total()[0]};
@@ -119,7 +118,7 @@ TEST(Transport, AnObjectThatNoLightPathReachesChangesNothing) {
   light.bounces = 6;
   for (int i = 0; i < 3000; ++i) {
     const Sampler sampler(11, i, 0, 0);
-    const auto hit = room.nearest({Eigen::Vector3f::Zero(), cosine_direction({0, 0, -1}, sampler.point(0))});
+    const auto hit = room.nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 0, -1}, sampler.point(0))});
     ASSERT_TRUE(hit);
     const RadiancePair pair = leaving_pair(room, &object, *hit, light, sampler);
     EXPECT_TRUE((pair.without_object.total() == pair.with_object.total()).all());
@@ -158,7 +157,7 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
   for (int i = 0; i < 2000; ++i) {
     const Sampler sampler(9, i, 0, 0);
     const RadiancePair pair = leaving_pair(truth, &object, *real, light, sampler);
-    const UncoveredPoint asked{&*real, {&twin, &*real}, real->albedo, sampler};
+    const UncoveredPoint asked{&*real, {&twin, &*real}, &*real, sampler};
     RadiancePair direct;
     LightRays rays;
     direct_on_uncovered({&asked, 1}, object, light, {&direct, 1}, rays);

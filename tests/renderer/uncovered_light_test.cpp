@@ -31,10 +31,11 @@ TEST(DirectOnUncovered, IsThatOfEachPointAlone) {
                               .irradiance_w_m2 = {8, 7, 6},
                               .angular_radius_rad = 0.1F}},
                     .environment_radiance = {0.5F, 0.7F, 1.0F}};
+  SurfacePoint shaded_as;
+  shaded_as.albedo = {0.2F, 0.4F, 0.6F};
   std::vector<UncoveredPoint> asked;
   for (std::size_t i = 0; i < receivers.size(); ++i)
-    asked.push_back(
-        {&receivers[i], {&other, &starts[i]}, {0.2F, 0.4F, 0.6F}, Sampler(5, static_cast<int>(i), 3, 2)});
+    asked.push_back({&receivers[i], {&other, &starts[i]}, &shaded_as, Sampler(5, static_cast<int>(i), 3, 2)});
   std::vector<RadiancePair> together(asked.size());
   LightRays rays;
   direct_on_uncovered(asked, object, light, together, rays);
@@ -48,7 +49,7 @@ TEST(DirectOnUncovered, IsThatOfEachPointAlone) {
     };
     const Eigen::Vector3f to_sun = direction_to_sun(light.suns[0], sampler.point(dimension::sun(0)));
     const Eigen::Vector3f to_sky =
-        cosine_direction(receivers[i].normal, sampler.point(dimension::direction(0)));
+        cosine_weighted(receivers[i].normal, sampler.point(dimension::direction(0)));
     for (const bool with_object : {false, true}) {
       const Split& found = with_object ? together[i].with_object : together[i].without_object;
       const float cosine = receivers[i].normal.dot(to_sun);

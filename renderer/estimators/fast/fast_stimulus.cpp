@@ -86,7 +86,9 @@ class StimulusRounds {
   [[nodiscard]] bool lights_object(std::size_t block) const {
     const Answers& answers = recipe_.answers;
     if (recipe_.keep == Keep::all_but_object) return false;
-    return (answers.object_lit == Who::depth || answers.bounce == Who::depth) && object_pixels(block) > 0;
+    const bool mirrors = answers.mirrored == Who::depth && truth_.geometry.object.is_glossy();
+    return (answers.object_lit == Who::depth || answers.bounce == Who::depth || mirrors) &&
+           object_pixels(block) > 0;
   }
   [[nodiscard]] int object_pixels(std::size_t block) const {
     const BlockGrid::Rectangle r = truth_.scene_sums.blocks().rectangle(static_cast<int>(block));

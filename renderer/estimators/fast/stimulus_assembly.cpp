@@ -80,12 +80,16 @@ class Assembly {
                                    const Surface* surface, std::size_t half) const {
     if (covered <= 0.0F) return {};
     const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
-    if (answers_.bounce == Who::truth || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
+    const bool asked = answers_.bounce == Who::depth || answers_.mirrored == Who::depth;
+    if (!asked || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
     Split depth = covered / in.depth.covered * in.depth.object;
+    if (answers_.mirrored == Who::truth) depth.mirrored = truth.mirrored;
+    if (answers_.bounce == Who::truth) return {truth.direct, truth.bounce, depth.mirrored};
     if (filtered != nullptr && filtered->without_samples(half) > 0.0F)
       depth.bounce =
           filtered->without_object(half) * surface->albedo * (covered / filtered->without_samples(half));
-    return {answers_.object_lit == Who::truth ? truth.direct : depth.direct, depth.bounce};
+    if (answers_.object_lit == Who::truth) depth.direct = truth.direct;
+    return depth;
   }
 
   /// What sun and sky past the depth mesh add to those of the truth, below 0 where they take away. Where as
@@ -146,8 +150,9 @@ class Assembly {
   /// Light that truth and depth mesh answer together.
   [[nodiscard]] Split join(const Split& truth, const Split& depth) const {
     const bool direct_from_truth = answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
-    if (answers_.bounce == Who::truth) return {depth.total(), truth.bounce};  // the sky is in depth.bounce
-    return direct_from_truth ? Split{truth.direct, depth.bounce} : depth;
+    if (answers_.bounce == Who::truth)
+      return {depth.total(), truth.bounce, truth.mirrored};  // the sky is in depth.bounce
+    return direct_from_truth ? Split{truth.direct, depth.bounce, depth.mirrored} : depth;
   }
 
   static void filtered_bounce(const BounceTexel& texel, const Surface& surface, std::size_t half,

@@ -124,7 +124,7 @@ class TruthSumsMaker {
       out.without_object = to_sums * pixel.without_object;
       out.with_object = to_sums * pixel.with_object;
       out.sky = to_sums * seen_sky * sky;
-      out.behind = to_sums * (own.behind.direct + behind_bounce + behind_sky * sky);
+      out.behind = to_sums * (own.behind.direct + own.behind.mirrored + behind_bounce + behind_sky * sky);
       out.covered = to_sums * own.covered;
       out.uncovered_surfaces = to_sums * pixel.uncovered_surfaces;
     }

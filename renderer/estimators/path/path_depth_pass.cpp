@@ -86,6 +86,7 @@ class PixelRenderer {
   void add_object(const Split& light, StimulusPixel& out) const {
     if (answers_.object_lit == Who::truth) out.object += light.direct;
     if (answers_.bounce == Who::truth) out.object += light.bounce;
+    if (answers_.mirrored == Who::truth) out.object += light.mirrored;
   }
 
   /// What the truth answers of the light off the object.
@@ -95,8 +96,8 @@ class PixelRenderer {
       out.with_object += pair.with_object.direct;
     }
     if (answers_.bounce == Who::truth) {
-      out.without_object += pair.without_object.bounce;
-      out.with_object += pair.with_object.bounce;
+      out.without_object += pair.without_object.bounce + pair.without_object.mirrored;
+      out.with_object += pair.with_object.bounce + pair.with_object.mirrored;
     }
   }
 
@@ -104,7 +105,8 @@ class PixelRenderer {
   void add_truth_sample(const StimulusSample& sample, StimulusPixel& out) {
     switch (sample.shows) {
       case StimulusSample::Shows::object:
-        if (answers_.object_lit == Who::truth || answers_.bounce == Who::truth)
+        if (answers_.object_lit == Who::truth || answers_.bounce == Who::truth ||
+            answers_.mirrored == Who::truth)
           add_object(sampler_.object_in_truth(sample, work_), out);
         return;
       case StimulusSample::Shows::uncovered: {

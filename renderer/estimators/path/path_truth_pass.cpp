@@ -16,7 +16,7 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
   if (object) {
     ++sums.covered;
     const RealQuestion truth{&geometry.truth, &*object};
-    sums.object += leaving_object(truth, truth, geometry.object, *object, scene.light, sampler, &counts);
+    sums.object += leaving_object(ObjectQuestions::all_of(truth), geometry.object, *object, scene.light, sampler, &counts);
     sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
                               .without_object.total()
                         : scene.light.sky(ray.direction);

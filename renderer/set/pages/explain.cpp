@@ -91,11 +91,15 @@ std::string choices_text(const EstimatorChoices& choices) {
 }
 
 std::string answers_text(const ScenePlan& plan) {
-  Rows rows = {{"artifact", "shadow lands on", "real lit", "object lit", "in front", "bounce light", "kept"}};
+  Rows rows = {{"artifact", "shadow lands on", "real lit", "object lit", "in front", "bounce light"}};
+  if (plan.light.is_glossy) rows[0].push_back("mirrored");
+  rows[0].push_back("kept");
   for (const PlannedAnswers& one : plan.answers) {
     const Answers& a = one.recipe.answers;
     rows.push_back({std::string(word(one.artifact)), letter(a.receiver), letter(a.real_lit),
-                    letter(a.object_lit), letter(a.occlusion), letter(a.bounce), kept(one.recipe.keep)});
+                    letter(a.object_lit), letter(a.occlusion), letter(a.bounce)});
+    if (plan.light.is_glossy) rows.back().push_back(letter(a.mirrored));
+    rows.back().push_back(kept(one.recipe.keep));
   }
   return "  Who answers, T the truth or D the depth mesh:\n" + table(rows, 4);
 }
