@@ -39,10 +39,11 @@ void remove_blank_file(const fs::path& path) {
   ::unlink(journal_file(path).c_str());
 }
 
-void create_tables(SQLite::Database& database, const std::function<void(SQLite::Database&)>& fill) {
+void create_tables(SQLite::Database& database, const std::function<void(SQLite::Database&)>& fill,
+                   int version) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   if (!is_blank(database)) return;  // another program was faster
-  database.exec(log_schema_sql());
+  database.exec(log_schema_sql(version));
   fill(database);
   transaction.commit();
 }
@@ -64,10 +65,10 @@ void use_write_ahead_log(SQLite::Database& database, const fs::path& path) {
 }
 
 SQLite::Database open_or_create(const fs::path& path, const std::function<void(SQLite::Database&)>& fill,
-                                const fs::path& called) {
+                                const fs::path& called, int version) {
   SQLite::Database database = open_warily(path, SQLite::OPEN_READWRITE);
   make_durable(database);
-  if (is_blank(database)) create_tables(database, fill);
+  if (is_blank(database)) create_tables(database, fill, version);
   check_log_format(database, called, log_schema_version);
   use_write_ahead_log(database, called);  // also for a log whose maker was killed before it came to this
   return database;
@@ -77,12 +78,12 @@ SQLite::Database open_or_create(const fs::path& path, const std::function<void(S
 
 SQLite::Database open_or_create_log_database(const fs::path& path,
                                              const std::function<void(SQLite::Database&)>& fill,
-                                             const fs::path& called) {
+                                             const fs::path& called, int version) {
   const fs::path& name = called.empty() ? path : called;
   const bool begun_here = begin_file(path, name);
   try {
     check_is_file(path, EmptyFile::accept);
-    return with_log_errors(name, [&] { return open_or_create(path, fill, name); });
+    return with_log_errors(name, [&] { return open_or_create(path, fill, name, version); });
   } catch (...) {
     if (begun_here) remove_blank_file(path);
     throw;

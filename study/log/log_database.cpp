@@ -43,7 +43,7 @@ std::string other_than_ours(SQLite::Database& database, int version) {
 
 /// What to do with a log of a version that does not serve.
 const char* advice_for(int version) {
-  if (version > log_schema_version) return "written by a newer seamline: use that one";
+  if (version > newest_log_schema_version) return "written by a newer seamline: use that one";
   if (version >= oldest_log_schema_version)
     return "written by an older seamline: `seamline log LOG --upgrade NEW` makes a log of it that sessions "
            "go "
@@ -128,7 +128,7 @@ std::multiset<SchemaEntry> schema_of(SQLite::Database& database) {
 const std::multiset<SchemaEntry>& log_schema(int version) {
   static const std::map<int, std::multiset<SchemaEntry>> ours = [] {
     std::map<int, std::multiset<SchemaEntry>> schemas;
-    for (int known = oldest_log_schema_version; known <= log_schema_version; ++known) {
+    for (int known = oldest_log_schema_version; known <= newest_log_schema_version; ++known) {
       SQLite::Database model(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       model.exec(log_schema_sql(known));
       schemas[known] = schema_of(model);
@@ -167,7 +167,7 @@ void check_log_format(SQLite::Database& database, const fs::path& path, int olde
   if (database.execAndGet("PRAGMA application_id").getInt() != log_application_id)
     throw input_error({.file = path.string(), .wanted = a_log, .found = "another SQLite database"});
   const int version = schema_version_of(database);
-  if (version < oldest || version > log_schema_version)
+  if (version < oldest || version > newest_log_schema_version)
     throw input_error({.file = path.string(),
                        .field = "user_version",
                        .wanted = fmt::format("a log of schema version {}", log_schema_version),

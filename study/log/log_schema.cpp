@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <vector>
+
 #include "stimuli/definition/artifact.h"
 #include "study/placement/trial.h"
 
@@ -189,11 +191,21 @@ constexpr const char* stimuli_since_3 = R"sql(,
 
 }  // namespace
 
+namespace {
+
+std::vector<Artifact> artifacts_of(int version) {
+  std::vector<Artifact> known(every_artifact.begin(), every_artifact.end());
+  if (version < 4) std::erase(known, Artifact::reflection);
+  return known;
+}
+
+}  // namespace
+
 std::string log_schema_sql(int version) {
   const bool since_3 = version >= 3;
   return fmt::format(
       "{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
-      fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(every_artifact)),
+      fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(artifacts_of(version))),
                   fmt::arg("kinds", word_list(every_trial_kind)),
                   fmt::arg("yaw_check", since_3 ? " CHECK (typeof(yaw_texels) IN ('integer', 'real'))" : ""),
                   fmt::arg("yaw", since_3 ? "ANY" : "INTEGER"),

@@ -12,6 +12,9 @@ namespace seamline::study {
 /// forgotten in it, but sessions go on in a log of today's version only (`upgrade_log`).
 inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
 inline constexpr int log_schema_version = 3;
+/// Version 4 is version 3 with the artifact `reflection`; a log is made of it when its study has that
+/// artifact, so that the logs of all others are what they were.
+inline constexpr int newest_log_schema_version = 4;
 inline constexpr int oldest_log_schema_version = 2;
 
 /// The tables of a schema version since `oldest_log_schema_version`, as SQL: word for word what logs of that

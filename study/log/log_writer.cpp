@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "study/log/log_create.h"
@@ -112,7 +113,12 @@ void claim_log(SQLite::Database& database, const fs::path& path, const RenderedS
 
 LogWriter::LogWriter(fs::path path, const RenderedSet& set) : path_(std::move(path)) {
   const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
-  SQLite::Database database = open_or_create_log_database(path_, fill);
+  const auto& stimuli = set.manifest.stimuli;
+  const bool mirrors = std::any_of(stimuli.begin(), stimuli.end(), [](const auto& one) {
+    return one.stimulus.artifact == Artifact::reflection;
+  });
+  SQLite::Database database =
+      open_or_create_log_database(path_, fill, {}, mirrors ? newest_log_schema_version : log_schema_version);
   with_log_errors(path_, [&] {
     check_undamaged(database, path_);
     claim_log(database, path_, set);

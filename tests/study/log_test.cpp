@@ -221,5 +221,26 @@ TEST_F(LogTest, StatusSaysWhoHasDoneWhat) {
     EXPECT_THAT(text, HasSubstr(line));
 }
 
+/// Of version 4 is a log whose study asks for it; all others are what they were.
+TEST_F(LogTest, AStudyOfReflectionsHasALogOfVersion4) {
+  const auto version_of = [](const fs::path& log) {
+    SQLite::Database database(log.string(), SQLite::OPEN_READONLY);
+    return database.execAndGet("PRAGMA user_version").getInt();
+  };
+  for (ManifestStimulus& one : set.manifest.stimuli) one.stimulus.artifact = Artifact::reflection;
+  {
+    LogWriter log(path, set);
+    (void)enter(log, {.code = "p1"}, 3);
+  }
+  EXPECT_EQ(version_of(path), 4);
+  {
+    LogWriter log(path, set);  // goes on
+    (void)enter(log, {.code = "p2"}, 2);
+  }
+  const LogContents contents = read_log(path);
+  ASSERT_EQ(contents.answers.size(), 5U);
+  EXPECT_EQ(contents.answers.front().artifact, Artifact::reflection);
+}
+
 }  // namespace
 }  // namespace seamline::study

@@ -178,6 +178,17 @@ std::optional<RenderedSet> find_set(const SalvagedLog& log, const fs::path& give
   return std::nullopt;
 }
 
+/// What the recovered log is made of: its artifacts decide (`newest_log_schema_version`).
+int schema_version_for(const SalvagedLog& log) {
+  const std::string word_of_4(word(Artifact::reflection));
+  if (const auto stimuli = log.find("stimuli"); stimuli != log.end())
+    for (const LogRow& row : stimuli->second)
+      for (const auto& value : row)
+        if (const auto* text = std::get_if<std::string>(&value); text != nullptr && *text == word_of_4)
+          return newest_log_schema_version;
+  return log_schema_version;
+}
+
 void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
   if (database.execAndGet("SELECT count(*) FROM study").getInt() == 1 &&
       database.execAndGet("SELECT count(*) FROM stimuli").getInt() > 0)
@@ -199,7 +210,8 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
   const fs::path made = scratch.path() / "recovered.sqlite";
   with_log_errors(out, [&] {
     SQLite::Database database = open_or_create_log_database(
-        made, [&](SQLite::Database& fresh) { Refill(fresh, log, recovery).fill(set); }, out);
+        made, [&](SQLite::Database& fresh) { Refill(fresh, log, recovery).fill(set); }, out,
+        schema_version_for(log));
     check_whole_study(database, damaged);
     recovery.participants = lost_answers(database);
     database.exec("PRAGMA journal_mode = DELETE");  // one file, whole; the next session makes it WAL again

@@ -134,7 +134,7 @@ void make_schema_ours(const fs::path& copy) {
   SQLite::Database database = open_to_salvage(copy);
   try {
     const std::multiset<SchemaEntry> found = schema_of(database);
-    for (int version = oldest_log_schema_version; version <= log_schema_version; ++version)
+    for (int version = oldest_log_schema_version; version <= newest_log_schema_version; ++version)
       if (found == log_schema(version)) return;
   } catch (const SQLite::Exception&) {
     return;
@@ -248,7 +248,7 @@ fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahe
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   const bool has_ahead = fs::exists(ahead_file(damaged));
   SalvagedLog best;
-  for (const int new_schema : {0, log_schema_version, oldest_log_schema_version})
+  for (const int new_schema : {0, log_schema_version, newest_log_schema_version, oldest_log_schema_version})
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
       Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));

@@ -99,11 +99,11 @@ decltype(auto) with_disk_of(const fs::path& out, Work&& work) {
 SQLite::Database open_old(const fs::path& copy, const fs::path& old) {
   SQLite::Database database = open_warily(copy, SQLite::OPEN_READWRITE);
   check_log_format(database, old);
-  if (schema_version_of(database) == log_schema_version)
+  if (const int version = schema_version_of(database); version >= log_schema_version)
     throw input_error({.file = old.string(),
                        .field = "user_version",
                        .wanted = fmt::format("a log of a schema version before {}", log_schema_version),
-                       .found = fmt::format("version {}, which needs no upgrade", log_schema_version)});
+                       .found = fmt::format("version {}, which needs no upgrade", version)});
   check_undamaged(database, old);
   check_nobody_is_in_a_session(database, old);
   return database;
