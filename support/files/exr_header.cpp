@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "support/text/error.h"
+#include "support/text/limits.h"
 
 namespace seamline {
 namespace {
@@ -105,12 +106,26 @@ void skip_value(HeaderBytes& header, const std::string& type, std::int64_t bytes
   header.skip(bytes);
 }
 
+/// The library takes memory for lines of this width before anybody can ask how wide they are.
+void check_window(HeaderBytes& header) {
+  std::array<std::int64_t, 4> corner{};  // least x, y, most x, y
+  for (std::int64_t& place : corner) place = static_cast<std::int32_t>(header.number());
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (const std::int64_t side = corner[axis + 2] - corner[axis] + 1;
+        side < 1 || side > limits::largest_picture_side_px)
+      throw header.damaged("a picture with a side of " + std::to_string(side) + " pixels");
+}
+
 /// One part's attributes; whether there were any.
 bool check_part(HeaderBytes& header) {
   bool any = false;
-  while (!header.name().empty()) {
+  for (std::string name = header.name(); !name.empty(); name = header.name()) {
     const std::string type = header.name();
-    skip_value(header, type, header.number());
+    const std::int64_t bytes = header.number();
+    if (name == "dataWindow" && type == "box2i" && bytes == 16)
+      check_window(header);
+    else
+      skip_value(header, type, bytes);
     any = true;
   }
   return any;
