@@ -1,6 +1,7 @@
 # What `cmake --install build/release` copies, and the Debian package that `cpack` makes of it (documentation/install.md).
-# The program looks for its files in ../share/seamline, so bin and share stay side by side (support/files/assets.cpp).
+# The program looks for its files in ../share/seamline, and in ../lib/seamline, so bin, lib and share stay side by side (support/files/assets.cpp).
 install(TARGETS seamline RUNTIME DESTINATION bin)
+install(TARGETS seamline_pictures LIBRARY DESTINATION lib/seamline)
 install(DIRECTORY ${builtin_scenes_folder}/ DESTINATION share/seamline/scenes/builtin FILES_MATCHING PATTERN "*.glb" PATTERN "*.exr")
 install(DIRECTORY stimuli/ DESTINATION share/seamline/stimuli FILES_MATCHING PATTERN "*.toml"
   PATTERN "definition" EXCLUDE PATTERN "pictures" EXCLUDE PATTERN "set" EXCLUDE PATTERN "study_file" EXCLUDE)

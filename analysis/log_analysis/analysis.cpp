@@ -47,18 +47,12 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   return notes;
 }
 
-std::string joined(const std::vector<std::string>& codes) {
-  std::string text;
-  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
-  return text;
-}
-
 /// Whom each screen names, and whether they are used all the same.
 void add_notes_on_screening(Analysis& analysis) {
   for (ScreeningRule rule : every_screening_rule)
     if (const std::vector<std::string> named = analysis.screening.named_by(rule); !named.empty())
       analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule),
-                                           named.size(), named.size() == 1 ? "" : "s", joined(named),
+                                           named.size(), named.size() == 1 ? "" : "s", fmt::join(named, ", "),
                                            analysis.options.exclude_screened
                                                ? "left out"
                                                : "used all the same unless --exclude-screened is given"));

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t outside = -1;
 
 /// The pixel of the colour camera that a point lands in.
-std::int64_t pixel_of(const sensors::PinholeCamera& colour, const Eigen::Vector3d& point_m) {
+std::int64_t pixel_index(const sensors::PinholeCamera& colour, const Eigen::Vector3d& point_m) {
   const auto place_px = sensors::project(colour, point_m);  // NaN is not before the camera
   if (!place_px || !sensors::is_in_picture(colour, *place_px)) return outside;
   return static_cast<std::int64_t>(place_px->y()) * colour.width_px +
@@ -29,7 +29,7 @@ RegisteredFrame register_by_points(const sensors::DepthFrame& measured,
   run_parallel(measured.camera.height_px, threads, [&](int row) {
     for (int column = 0; column < measured.camera.width_px; ++column) {
       const std::size_t at = measured.index(column, row);
-      pixels[at] = pixel_of(colour, points_m[at]);
+      pixels[at] = pixel_index(colour, points_m[at]);
     }
   });
 

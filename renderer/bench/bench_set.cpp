@@ -12,7 +12,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr double one_step = 0.0039;
+constexpr double asked_error = 0.0039;
 
 double peak_memory_mb() {
   rusage usage{};
@@ -24,12 +24,12 @@ double peak_memory_mb() {
 
 std::vector<Measurement> bench_set(const BenchOptions& options) {
   StudyDefinition study = read_study(builtin_study("depth_resolution_isolated"));
-  RenderRequest request{.set_folder = {}, .threads = options.threads, .error = one_step};
+  RenderRequest request{.set_folder = {}, .threads = options.threads, .error = asked_error};
   if (options.quick) {
     study.width_px = 96;
     study.height_px = 54;
     request.only = "*-0064";
-    request.error = 8 * one_step;
+    request.error = 8 * asked_error;
   }
   const TemporaryFolder folder;
   request.set_folder = folder.path();

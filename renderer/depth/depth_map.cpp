@@ -12,10 +12,10 @@ namespace seamline::renderer {
 namespace {
 
 constexpr float hole = std::numeric_limits<float>::infinity();
-constexpr float farthest_m = 1e9F;  ///< anything from here on was meant as "nothing there"
+constexpr float nothing_from_m = 1e9F;  ///< anything from here on was meant as "nothing there"
 
 bool is_measured(float distance_m) {
-  return distance_m > 0 && distance_m < farthest_m;
+  return distance_m > 0 && distance_m < nothing_from_m;
 }  // false for NaN
 
 }  // namespace

@@ -7,16 +7,16 @@
 namespace seamline::inline stimuli {
 namespace {
 
-std::string text(const Eigen::Vector3d& v) {
+std::string vector_text(const Eigen::Vector3d& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
-std::string text(const std::array<double, 3>& v) {
+std::string vector_text(const std::array<double, 3>& v) {
   return fmt::format("[{},{},{}]", v[0], v[1], v[2]);
 }
 
 std::string object_text(const ObjectDefinition& object) {
-  return fmt::format("object {} {} {} {} {}\n", object.name, object.file, text(object.position_m),
-                     text(object.rotation_deg), object.scale);
+  return fmt::format("object {} {} {} {} {}\n", object.name, object.file, vector_text(object.position_m),
+                     vector_text(object.rotation_deg), object.scale);
 }
 
 std::string session_text(const SessionDefinition& session, const ObserverDefinition& observer) {
@@ -110,13 +110,13 @@ std::string_view word(MeshDensity density) {
 
 std::string canonical_text(const SceneDefinition& scene) {
   std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
-                                scene.file, text(scene.environment_radiance), scene.ambient_occlusion,
+                                scene.file, vector_text(scene.environment_radiance), scene.ambient_occlusion,
                                 scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
   for (const ObjectDefinition& object : scene.objects) out += object_text(object);
   if (scene.sun) out += canonical_text(*scene.sun);
   if (scene.camera)
-    out += fmt::format("camera {} {} {}\n", text(scene.camera->position_m), text(scene.camera->look_at_m),
-                       scene.camera->horizontal_fov_deg);
+    out += fmt::format("camera {} {} {}\n", vector_text(scene.camera->position_m),
+                       vector_text(scene.camera->look_at_m), scene.camera->horizontal_fov_deg);
   if (scene.environment) out += canonical_text(*scene.environment);
   if (scene.suns) {
     out += "suns\n";

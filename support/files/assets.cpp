@@ -64,6 +64,14 @@ fs::path find_builtin(const std::string& name, BuiltinKind kind, const Complaint
 
 }  // namespace
 
+fs::path picture_codec_file() {
+  const fs::path name = fs::path(SEAMLINE_PICTURE_CODEC).filename();
+  if (installed_data()) return program_folder().parent_path() / "lib" / "seamline" / name;
+  std::error_code error;
+  const fs::path beside = program_folder() / name;
+  return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_PICTURE_CODEC);
+}
+
 std::string program_version() {
   return SEAMLINE_VERSION_TEXT;
 }

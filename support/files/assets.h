@@ -7,6 +7,10 @@ namespace seamline {
 /// Seamline's version, e.g. "0.1.0".
 [[nodiscard]] std::string program_version();
 
+/// The library that decodes and encodes pictures (support/codec): of the same installation or build as the
+/// running program. Not looked whether it is there.
+[[nodiscard]] std::filesystem::path picture_codec_file();
+
 /// A study file that comes with Seamline, e.g. "quick" for `stimuli/quick.toml`. Studies and built-in scenes
 /// lie in `../share/seamline` beside the folder of the program itself, or else where it was built.
 [[nodiscard]] std::filesystem::path builtin_study(const std::string& name);

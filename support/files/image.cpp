@@ -1,10 +1,4 @@
-// The only file that includes OpenImageIO.
 #include "support/files/image.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
 
 #include <fmt/core.h>
 
@@ -16,6 +10,7 @@
 
 #include "support/files/atomic_file.h"
 #include "support/files/exr_header.h"
+#include "support/files/picture_library.h"
 #include "support/files/png_file.h"
 #include "support/files/word_image.h"
 #include "support/running/interrupt.h"
@@ -46,10 +41,10 @@ std::string format_of(const fs::path& path) {
 
 /// Decoded bytes for each byte of a file, at most. What PNG files hold has been unpacked already
 /// (`check_png`); the bytes of its 1-bit pixels are eight times as many.
-std::uint64_t largest_expansion(const OIIO::ImageSpec& spec, const std::string& format) {
-  if (format == "hdr") return 192;  // two bytes are a run of 127, and four bytes three floats
-  if (format != "openexr") return limits::largest_picture_expansion;
-  const std::string packing = spec.get_string_attribute("compression");
+std::uint64_t largest_expansion(const CodedPicture& picture) {
+  if (picture.format == "hdr") return 192;  // two bytes are a run of 127, and four bytes three floats
+  if (picture.format != "openexr") return limits::largest_picture_expansion;
+  const std::string& packing = picture.compression;
   if (packing == "none") return 1;
   if (packing == "rle") return 64;                         // two bytes are a run of 128
   if (packing == "zip" || packing == "zips") return 1032;  // deflate
@@ -60,50 +55,57 @@ std::uint64_t largest_expansion(const OIIO::ImageSpec& spec, const std::string& 
 }
 
 /// Throws InputError unless what the header promises is bearable, and can be in a file of this size.
-void check_size(const OIIO::ImageSpec& spec, const std::string& format, std::uint64_t file_bytes,
-                const std::string& name) {
+void check_size(const CodedPicture& picture, std::uint64_t file_bytes, const std::string& name) {
   using namespace limits;
   const auto refuse = [&](const std::string& wanted, const std::string& found) {
     return input_error({.file = name, .wanted = wanted, .found = found});
   };
   const std::string found =
-      fmt::format("{} x {} pixels with {} channels", spec.width, spec.height, spec.nchannels);
-  if (spec.deep || spec.depth > 1) throw refuse("a flat picture", "a deep or three-dimensional one");
-  const bool sides = spec.width >= 1 && spec.width <= largest_picture_side_px && spec.height >= 1 &&
-                     spec.height <= largest_picture_side_px && spec.nchannels >= 1 &&
-                     spec.nchannels <= largest_picture_channels;
-  if (!sides || std::int64_t{spec.width} * spec.height * spec.nchannels > largest_picture_values)
+      fmt::format("{} x {} pixels with {} channels", picture.width_px, picture.height_px, picture.channels);
+  if (!picture.flat) throw refuse("a flat picture", "a deep or three-dimensional one");
+  const bool sides = picture.width_px >= 1 && picture.width_px <= largest_picture_side_px &&
+                     picture.height_px >= 1 && picture.height_px <= largest_picture_side_px &&
+                     picture.channels >= 1 && picture.channels <= largest_picture_channels;
+  if (!sides ||
+      std::int64_t{picture.width_px} * picture.height_px * picture.channels > largest_picture_values)
     throw refuse(fmt::format("a picture of at most {0} x {0} pixels with {1} channels, and {2} values in all",
                              largest_picture_side_px, largest_picture_channels, largest_picture_values),
                  found);
-  if (std::uint64_t{spec.image_bytes(true)} / largest_expansion(spec, format) > file_bytes)
+  if (picture.bytes / largest_expansion(picture) > file_bytes)
     throw refuse(fmt::format("a file that can hold {}", found), fmt::format("{} bytes", file_bytes));
 }
 
-/// Closes a picture. Errors that nobody asked the library about, it would print.
-struct CloseImage {
-  void operator()(OIIO::ImageInput* input) const {
-    input->close();
-    (void)input->geterror();
-    delete input;  // NOLINT(cppcoreguidelines-owning-memory)
+/// A picture whose header was read and is bearable.
+struct OpenedImage {
+  std::unique_ptr<PictureReader> reader;
+  CodedPicture picture;
+
+  [[nodiscard]] std::size_t values() const {
+    return static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px) *
+           static_cast<std::size_t>(picture.channels);
   }
 };
-using OpenedImage = std::unique_ptr<OIIO::ImageInput, CloseImage>;
 
-OpenedImage open_image(const fs::path& path, const OIIO::ImageSpec& wishes = {}) {
+/// `where` is a path or bytes in memory.
+template <class Where>
+OpenedImage open_with(const std::string& format, bool alpha_apart, const Where& where,
+                      std::uint64_t file_bytes, const std::string& name) {
+  OpenedImage opened{picture_codec().reader(format, alpha_apart), {}};
+  if (const std::string complaint = opened.reader->open(where); !complaint.empty())
+    throw input_error({.file = name, .wanted = "an image that can be decoded", .found = complaint});
+  opened.picture = opened.reader->picture();
+  check_size(opened.picture, file_bytes, name);
+  return opened;
+}
+
+OpenedImage open_image(const fs::path& path, bool alpha_apart = false) {
   if (!fs::is_regular_file(path))
     throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
   const std::string format = format_of(path);
   if (format == "openexr") check_exr_header(path);
   if (format == "png") check_png(path);
-  OpenedImage input(OIIO::ImageInput::create(format).release());
-  OIIO::ImageSpec spec;
-  if (!input || !input->open(path.string(), spec, wishes))
-    throw input_error({.file = path.string(),
-                       .wanted = "an image that can be decoded",
-                       .found = input ? input->geterror() : OIIO::geterror()});
-  check_size(spec, format, static_cast<std::uint64_t>(fs::file_size(path)), path.string());
-  return input;
+  return open_with(format, alpha_apart, path.string(), static_cast<std::uint64_t>(fs::file_size(path)),
+                   path.string());
 }
 
 /// Runs `read`; what the image libraries throw at damaged bytes becomes an InputError.
@@ -121,18 +123,12 @@ auto with_image_errors(const fs::path& path, Read&& read) {
   }
 }
 
-/// Asked by the library between pieces of a picture.
-bool stop_here(void*, float) {
-  return interrupted();
-}
-
-void decode(OIIO::ImageInput& input, OIIO::TypeDesc type, void* values, const fs::path& name) {
-  const bool decoded = input.read_image(0, 0, 0, input.spec().nchannels, type, values, OIIO::AutoStride,
-                                        OIIO::AutoStride, OIIO::AutoStride, stop_here);
+template <class Value>
+void decode(const OpenedImage& opened, Value* values, const fs::path& name) {
+  const std::string complaint = opened.reader->read(values, interrupted);
   stop_if_interrupted();
-  if (!decoded || input.has_error())
-    throw input_error(
-        {.file = name.string(), .wanted = "an image that can be decoded", .found = input.geterror()});
+  if (!complaint.empty())
+    throw input_error({.file = name.string(), .wanted = "an image that can be decoded", .found = complaint});
 }
 
 /// By a PNG's header, which is looked at before its pixels are unpacked to see whether they are whole.
@@ -167,20 +163,16 @@ void check_jpeg_end(std::string_view bytes, const std::string& name) {
 
 /// The picture is encoded in memory and then written: image libraries do not notice every write that failed,
 /// and a picture that a full disk cut short would pass for a finished one.
-void write_image(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-  OIIO::Filesystem::IOVecOutput bytes;
-  const auto output = OIIO::ImageOutput::create(path.string());
-  const bool encoded =
-      output && output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
-      output->write_image(type, pixels, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride, stop_here) &&
-      output->close();
+void write_image(const fs::path& path, PictureToEncode picture) {
+  picture.extension = path.extension().string();
+  std::string complaint;
+  const std::vector<unsigned char> bytes = picture_codec().encode(picture, interrupted, complaint);
   stop_if_interrupted();
-  if (!encoded)
+  if (!complaint.empty())
     throw input_error({.file = path.string(),
                        .wanted = "a kind of picture that can be written (png, exr)",
-                       .found = output ? output->geterror() : OIIO::geterror()});
-  const std::vector<unsigned char>& buffer = bytes.buffer();
-  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(buffer.data()), buffer.size()));
+                       .found = complaint});
+  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace
@@ -207,11 +199,12 @@ ByteImage display_image(const Image& linear, double exposure_ev) {
 Image read_image(const fs::path& path, const std::function<void(const ImageHeader&)>& accept) {
   return with_image_errors(path, [&] {
     const OpenedImage input = open_image(path);
-    const OIIO::ImageSpec spec = input->spec();
-    if (accept) accept({spec.width, spec.height, spec.nchannels, spec.format.is_floating_point()});
-    Image image(spec.width, spec.height, spec.nchannels);
-    decode(*input, OIIO::TypeDesc::FLOAT, image.values.data(), path);
-    if (!spec.format.is_floating_point())
+    const CodedPicture& picture = input.picture;
+    const bool floats = picture.values == CodedPicture::Values::floats;
+    if (accept) accept({picture.width_px, picture.height_px, picture.channels, floats});
+    Image image(picture.width_px, picture.height_px, picture.channels);
+    decode(input, image.values.data(), path);
+    if (!floats)
       for (float& value : image.values) value = linear_from_srgb(value);
     return image;
   });
@@ -219,21 +212,24 @@ Image read_image(const fs::path& path, const std::function<void(const ImageHeade
 
 PictureShape picture_shape(const fs::path& path) {
   return with_image_errors(path, [&] {
-    const OIIO::ImageSpec spec = open_image(path)->spec();
-    return PictureShape{spec.width, spec.height, spec.nchannels};
+    const CodedPicture picture = open_image(path).picture;
+    return PictureShape{picture.width_px, picture.height_px, picture.channels};
   });
 }
 
+namespace {
+
+ByteImage decode_bytes(const OpenedImage& input, const fs::path& name) {
+  ByteImage image{input.picture.width_px, input.picture.height_px, input.picture.channels, {}};
+  image.values.resize(input.values());
+  decode(input, image.values.data(), name);
+  return image;
+}
+
+}  // namespace
+
 ByteImage read_bytes_image(const fs::path& path) {
-  return with_image_errors(path, [&] {
-    const OpenedImage input = open_image(path);
-    const OIIO::ImageSpec spec = input->spec();
-    ByteImage image{spec.width, spec.height, spec.nchannels, {}};
-    image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
-                        static_cast<std::size_t>(spec.nchannels));
-    decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), path);
-    return image;
-  });
+  return with_image_errors(path, [&] { return decode_bytes(open_image(path), path); });
 }
 
 ByteImage decode_texture(std::string_view bytes, const std::string& name) {
@@ -246,46 +242,32 @@ ByteImage decode_texture(std::string_view bytes, const std::string& name) {
       check_png(bytes, name);
     }
     if (format == "jpeg") check_jpeg_end(bytes, name);
-    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    const OpenedImage input(OIIO::ImageInput::create(format).release());
-    OIIO::ImageSpec spec, wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1);
-    if (!input || !input->set_ioproxy(&memory) || !input->open("texture." + format, spec, wishes))
-      throw input_error({.file = name,
-                         .wanted = "an image that can be decoded",
-                         .found = input ? input->geterror() : OIIO::geterror()});
-    check_size(spec, format, bytes.size(), name);
-    if (spec.nchannels > 4)
+    const OpenedImage input = open_with(format, true, bytes, bytes.size(), name);
+    if (input.picture.channels > 4)
       throw input_error(
-          {.file = name, .wanted = "1 to 4 channels", .found = fmt::format("{}", spec.nchannels)});
-    ByteImage image{spec.width, spec.height, spec.nchannels, {}};
-    image.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
-                        static_cast<std::size_t>(spec.nchannels));
-    decode(*input, OIIO::TypeDesc::UINT8, image.values.data(), name);
-    return image;
+          {.file = name, .wanted = "1 to 4 channels", .found = fmt::format("{}", input.picture.channels)});
+    return decode_bytes(input, name);
   });
 }
 
 WordImage read_word_image(const fs::path& path, const std::function<void(const WordImage&)>& accept) {
   return with_image_errors(path, [&] {
-    OIIO::ImageSpec wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const OpenedImage input = open_image(path, wishes);
-    if (std::string_view(input->format_name()) != "png")
-      throw input_error(
-          {.file = path.string(), .wanted = "a PNG file", .found = fmt::format("{}", input->format_name())});
-    const OIIO::ImageSpec spec = input->spec();
-    WordImage image{
-        spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::UINT16 ? 16 : 8, {}};
+    const OpenedImage input = open_image(path, true);
+    const CodedPicture& picture = input.picture;
+    if (picture.format != "png")
+      throw input_error({.file = path.string(), .wanted = "a PNG file", .found = picture.format});
+    WordImage image{picture.width_px,
+                    picture.height_px,
+                    picture.channels,
+                    picture.values == CodedPicture::Values::words ? 16 : 8,
+                    {}};
     if (accept) accept(image);
-    const auto count =
-        static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels);
     if (image.bits == 16) {
-      image.values.resize(count);
-      decode(*input, OIIO::TypeDesc::UINT16, image.values.data(), path);
+      image.values.resize(input.values());
+      decode(input, image.values.data(), path);
     } else {
-      std::vector<std::uint8_t> bytes(count);
-      decode(*input, OIIO::TypeDesc::UINT8, bytes.data(), path);
+      std::vector<std::uint8_t> bytes(input.values());
+      decode(input, bytes.data(), path);
       image.values.assign(bytes.begin(), bytes.end());
     }
     return image;
@@ -298,29 +280,27 @@ void write_picture_exr(const fs::path& path, const Image& image) {
 }
 
 void write_exr(const fs::path& path, const Image& image) {
-  OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::FLOAT);
-  if (image.channels == 1) spec.channelnames = {"Y"};
-  spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("DateTime", "");  // else the library writes the time of day
-  write_image(path, spec, OIIO::TypeDesc::FLOAT, image.values.data());
+  write_image(path, {.extension = {},
+                     .width_px = image.width_px,
+                     .height_px = image.height_px,
+                     .channels = image.channels,
+                     .floats = image.values.data()});
 }
 
 void draw_text(ByteImage& image, int x, int y, const std::string& text, int height_px, std::uint8_t code) {
   static const std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
   if (!fs::exists(font)) return;
-  const OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
-  OIIO::ImageBuf buffer(spec, image.values.data());
-  const float grey = static_cast<float>(code) / 255.0F;
-  const std::vector<float> colour(static_cast<std::size_t>(image.channels), grey);
-  OIIO::ImageBufAlgo::render_text(buffer, x, y, text, height_px, font, colour);
+  picture_codec().draw_text(
+      {.extension = {}, .width_px = image.width_px, .height_px = image.height_px, .channels = image.channels},
+      image.values.data(), x, y, text, height_px, font, code);
 }
 
 void write_png(const fs::path& path, const ByteImage& image) {
-  OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 3);  // a third of the time of the usual 6, 7 % more bytes
-  write_image(path, spec, OIIO::TypeDesc::UINT8, image.values.data());
+  write_image(path, {.extension = {},
+                     .width_px = image.width_px,
+                     .height_px = image.height_px,
+                     .channels = image.channels,
+                     .codes = image.values.data()});
 }
 
 }  // namespace seamline

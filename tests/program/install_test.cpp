@@ -41,9 +41,9 @@ TEST(Install, EveryPartIsWhereOtherSoftwareHasIt) {
   const fs::path prefix = fresh_folder("install-parts");
   install_into(prefix);
   for (const char* part :
-       {"bin/seamline", "share/seamline/scenes/builtin/bedroom.glb", "share/seamline/stimuli/quick.toml",
-        "share/seamline/stimuli/depth_resolution.toml", "share/doc/seamline/README.md",
-        "share/doc/seamline/LICENSE", "share/doc/seamline/CHANGELOG.md",
+       {"bin/seamline", "lib/seamline/seamline_pictures.so", "share/seamline/scenes/builtin/bedroom.glb",
+        "share/seamline/stimuli/quick.toml", "share/seamline/stimuli/depth_resolution.toml",
+        "share/doc/seamline/README.md", "share/doc/seamline/LICENSE", "share/doc/seamline/CHANGELOG.md",
         "share/doc/seamline/documentation/study_file.md",
         "share/doc/seamline/documentation/pictures/readme.png", "share/man/man1/seamline.1",
         "share/man/man1/seamline-render.1", "share/bash-completion/completions/seamline"})
@@ -94,6 +94,22 @@ TEST(Install, FindsItsOwnFilesFromAnyFolderThroughLinksAndBesideAnother) {
   // Moved whole, it is another place and the same installation.
   fs::rename(one, folder / "moved");
   EXPECT_THAT(said("../moved/bin/seamline demo"), of("moved"));
+}
+
+TEST(Install, PicturesNeedTheirLibraryAndNothingElseDoes) {
+  const fs::path folder = fresh_folder("install-pictures"), prefix = folder / "prefix";
+  install_into(prefix);
+  const fs::path library = prefix / "lib/seamline/seamline_pictures.so";
+  const std::string program = (prefix / "bin/seamline").string();
+  const std::string capture =
+      program + " capture builtin:lion --at 0 1 5 --width 16 --out " + (folder / "depth.exr").string();
+  fs::remove(library);
+  EXPECT_THAT(run_shell(capture).output, HasSubstr(library.string() + ": wanted Seamline's own library"));
+  EXPECT_EQ(run_shell(capture).status, 1);
+  EXPECT_EQ(run_shell(program + " --version").status, 0);
+  test::write_text(library, std::string(1000, 'x'));
+  EXPECT_THAT(run_shell(capture).output, HasSubstr("invalid ELF header"));
+  EXPECT_FALSE(fs::exists(folder / "depth.exr"));
 }
 
 TEST(Manual, APageForEveryCommandWithoutAWarning) {

@@ -52,8 +52,12 @@ TEST(Manners, OneFunctionWritesFiles) {
   // A log that is recovered or upgraded takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
             (std::set<std::string>{"support/files/atomic_file.cpp", "study/log/recovery/new_log.cpp"}));
-  // Libraries that could open files for writing by themselves give their bytes to it.
-  for (const std::string& file : files_with(R"(ImageOutput::create|WriteGltfSceneToFile|set output)"))
+  // Libraries that could open files for writing by themselves give their bytes to it; that of pictures writes
+  // into memory.
+  EXPECT_EQ(files_with("ImageOutput::create"), std::set<std::string>{"support/codec/openimageio_codec.cpp"});
+  EXPECT_NE(sources().at("support/codec/openimageio_codec.cpp").find("output->set_ioproxy(&bytes)"),
+            std::string::npos);
+  for (const std::string& file : files_with(R"(\.encode\(|WriteGltfSceneToFile|set output)"))
     EXPECT_NE(sources().at(file).find("write_file_atomically"), std::string::npos) << file;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* study_text = R"(
+constexpr const char* study_of_each_artifact = R"(
 format = "seamline study 1"
 name = "real_input"
 isolation = "query"
@@ -79,7 +79,7 @@ ambient_occlusion = true
 )";
 
 std::string with_meshes(const fs::path& meshes) {
-  std::string text = study_text;
+  std::string text = study_of_each_artifact;
   for (std::size_t at = text.find("MESHES"); at != std::string::npos; at = text.find("MESHES"))
     text.replace(at, 6, meshes.string());
   return text;

@@ -11,13 +11,13 @@
 namespace seamline::study {
 namespace {
 
-constexpr const char* catches = "[catch]\nattention = 2\nreference = 2\n";
+constexpr const char* catch_section = "[catch]\nattention = 2\nreference = 2\n";
 
 class ParticipantTrialsTest : public testing::Test {
  protected:
   TemporaryFolder folder;
   [[nodiscard]] TrialRules rules(const std::string& name, const std::string& more) const {
-    return make_trial_rules(write_set_of_text(folder / name, more + catches));
+    return make_trial_rules(write_set_of_text(folder / name, more + catch_section));
   }
   [[nodiscard]] TrialRules constant() const { return rules("constant", study_text("tiny", "64, 512")); }
   [[nodiscard]] TrialRules adaptive() const {

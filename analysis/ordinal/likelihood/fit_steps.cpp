@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rank_tolerance = 1e-9;
 
-std::string joined(const std::vector<std::string>& words) {
+std::string quoted(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "'" : ", '") + word + "'";
   return text;
@@ -62,7 +62,7 @@ bool can_be_fitted(const OrdinalData& data, const OrdinalProblem& problem, Ordin
   }
   if (const auto names = dependent_columns(data, problem); !names.empty()) {
     give_up(fit, OrdinalVerdict::singular_design,
-            fmt::format("The effect of {} cannot be told apart from the other effects.", joined(names)));
+            fmt::format("The effect of {} cannot be told apart from the other effects.", quoted(names)));
     return false;
   }
   return true;
@@ -84,7 +84,7 @@ bool maximise_fixed(const OrdinalData& data, const OrdinalProblem& problem, cons
         fit, OrdinalVerdict::separated,
         fmt::format("The scores are separated by {}: the likelihood rises without end, so the estimate is "
                     "infinite.",
-                    names.empty() ? "the predictors" : joined(names)));
+                    names.empty() ? "the predictors" : quoted(names)));
     return false;
   }
   if (!search.converged) {

@@ -188,7 +188,7 @@ constexpr const char* reaction_times_text =
     "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
     "quartiles over answers are given and no answer was left out for its time.";
 
-constexpr const char* planted_text =
+constexpr const char* paragraph_on_planted =
     "The answers come from simulated observers with known psychometric functions. Planted values are PT, SN "
     "and IP of their expected mean noticeability, the floor from guessing included; they test the analysis "
     "and are not the values of Table 1 of the paper.";
@@ -260,7 +260,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
   paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);
   paragraphs.push_back(software(analysis));
-  if (!analysis.planted.empty()) paragraphs.emplace_back(planted_text);
+  if (!analysis.planted.empty()) paragraphs.emplace_back(paragraph_on_planted);
   methods.references = references_in(paragraphs);
   return methods;
 }
