@@ -33,6 +33,7 @@ SceneContents builtin_scene(std::string_view name) {
   if (name == "bedroom_v1") return make_bedroom(RoomVersion::first);
   if (name == "gazebo_v1") return make_gazebo(RoomVersion::first);
   if (name == "atrium_v1") return make_atrium(RoomVersion::first);
+  if (name == "painted_room") return make_painted_room();
   if (name == "furnished_room") return make_furnished_room();
   throw unknown(name);
 }

@@ -7,8 +7,8 @@
 
 namespace seamline::scenes {
 
-inline constexpr std::array<std::string_view, 7> builtin_scene_names = {
-    "bedroom", "gazebo", "atrium", "furnished_room", "bedroom_v1", "gazebo_v1", "atrium_v1"};
+inline constexpr std::array<std::string_view, 8> builtin_scene_names = {
+    "bedroom", "gazebo", "atrium", "furnished_room", "painted_room", "bedroom_v1", "gazebo_v1", "atrium_v1"};
 inline constexpr std::array<std::string_view, 6> builtin_object_names = {"statue", "teapot", "creature",
                                                                          "beast",  "lion",   "dragon"};
 

@@ -54,6 +54,11 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
                        .field = "--only",
                        .wanted = "a stimulus that asks something of the depth mesh",
                        .found = stimulus_id(stimulus)});
+  if (stimulus.depth.albedo != MeshAlbedo::constant)
+    throw input_error({.file = study.file.string(),
+                       .field = "mesh_albedo",
+                       .wanted = "\"constant\", which is measured here",
+                       .found = "\"" + std::string(word(stimulus.depth.albedo)) + "\""});
   if (stimulus.depth.chain)
     throw input_error({.file = study.file.string(),
                        .field = "depth",

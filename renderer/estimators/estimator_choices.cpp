@@ -61,8 +61,14 @@ EstimatorChoices fast_choices(const LightFacts& light, double exposure_ev, const
 
 }  // namespace
 
-EstimatorChoices estimator_choices(Estimator estimator, const LightFacts& light, double exposure_ev,
+LightFacts with_mesh_albedo(LightFacts light, const EstimateOptions& options) {
+  light.brightest_albedo = std::max(light.brightest_albedo, options.most_mesh_albedo);
+  return light;
+}
+
+EstimatorChoices estimator_choices(Estimator estimator, const LightFacts& scene_light, double exposure_ev,
                                    const EstimateOptions& options) {
+  const LightFacts light = with_mesh_albedo(scene_light, options);
   switch (estimator) {
     case Estimator::path:
       return path_choices(light, options);

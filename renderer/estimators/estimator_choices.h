@@ -17,6 +17,7 @@ struct EstimateOptions {
   int threads = 1;
   bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
   bool depth_bounces = false;    ///< some stimulus asks the depth mesh for bounce light
+  double most_mesh_albedo = 0;   ///< of depth meshes that are painted from a photograph; 0: there are none
   Omissions omit = {};           ///< what the fast estimator leaves out
 };
 
@@ -58,6 +59,9 @@ struct EstimatorChoices {
 
   bool operator==(const EstimatorChoices&) const = default;
 };
+
+/// The light of a scene, with what its depth meshes may reflect.
+[[nodiscard]] LightFacts with_mesh_albedo(LightFacts light, const EstimateOptions& options);
 
 /// The choices for a scene of this light and exposure. Depends on nothing measured.
 [[nodiscard]] EstimatorChoices estimator_choices(Estimator estimator, const LightFacts& light,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "renderer/estimators/mesh_albedo.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/set_work.h"
 
@@ -25,10 +26,12 @@ class ScenePlanner {
  public:
   ScenePlanner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
                const RenderSettings& settings)
-      : scene_(scene), light_(light), settings_(settings) {
-    plan_ = {.scene = truth_of(scene), .light = light};
-    plan_.choices = estimator_choices(settings.estimator, light, scene.exposure_ev,
-                                      estimate_options(study, scene, settings, 1));
+      : scene_(scene),
+        options_(estimate_options(study, scene, settings, 1)),
+        light_(with_mesh_albedo(light, options_)),
+        settings_(settings) {
+    plan_ = {.scene = truth_of(scene), .light = light_};
+    plan_.choices = estimator_choices(settings.estimator, light_, scene.exposure_ev, options_);
     std::set<std::pair<std::size_t, Isolation>> asking;
     for (const Stimulus& stimulus : list_stimuli(study))
       if (truth_of(stimulus) == truth_of(scene)) {
@@ -189,12 +192,21 @@ class ScenePlanner {
   }
 
   const SceneDefinition& scene_;
-  const LightFacts& light_;
+  const EstimateOptions options_;
+  const LightFacts light_;
   const RenderSettings& settings_;
   std::size_t stimuli_ = 0;
   std::set<std::pair<int, DepthSettings>> meshes_;  ///< of each object
   ScenePlan plan_;
 };
+
+/// By all stimuli of the truth, as everything else that its estimator decides.
+double most_mesh_albedo(const StudyDefinition& study, const SceneDefinition& scene) {
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (truth_of(stimulus) == truth_of(scene) && stimulus.depth.albedo == MeshAlbedo::photograph)
+      return static_cast<double>(most_photographed_albedo);
+  return 0;
+}
 
 }  // namespace
 
@@ -207,6 +219,7 @@ EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefini
           .threads = threads,
           .who_is_in_front = asked.occlusion == Who::depth,
           .depth_bounces = asked.bounce == Who::depth,
+          .most_mesh_albedo = most_mesh_albedo(study, scene),
           .omit = settings.omit};
 }
 

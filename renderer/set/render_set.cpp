@@ -4,7 +4,6 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/common/stopwatch.h"
-#include "renderer/depth/local_scene.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 #include "renderer/scene/visible_objects.h"
@@ -15,6 +14,7 @@
 #include "renderer/set/set_manifest.h"
 #include "renderer/set/set_pictures.h"
 #include "renderer/set/set_work.h"
+#include "renderer/set/stimulus_scene.h"
 #include "renderer/set/timings.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
@@ -168,16 +168,7 @@ class SetRenderer {
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
     const Answers asked = asked_of_depth(study_, scene.definition);
-    std::optional<Image> picture;
-    if (settings.chain && guided_by_photograph(*settings.chain))
-      picture = background_image(estimator.truth());
-    if (needed)
-      depth.emplace(make_local_scene(estimator.geometry().truth, settings,
-                                     {.albedo = scene.definition.albedo,
-                                      .traces_rays = asked.traces_depth(),
-                                      .threads = threads_,
-                                      .photograph = scene.camera,
-                                      .picture = picture ? &*picture : nullptr}));
+    if (needed) depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              settings.width_px),

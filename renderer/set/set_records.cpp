@@ -126,6 +126,8 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
 std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
   std::string text = fmt::format("{} {} {}", word(stimulus.isolation),
                                  word(mesh_.value_or(stimulus.depth.mesh)), stimulus.depth.mesh_tolerance);
+  if (stimulus.depth.albedo != MeshAlbedo::constant)
+    text += fmt::format(" mesh albedo {}", word(stimulus.depth.albedo));
   if (!stimulus.depth.chain) return text;
   text += " " + canonical_text(stimulus.depth.chain);
   for (const DepthSource& source : stimulus.depth.chain->sources)

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "renderer/common/parallel.h"
-#include "renderer/depth/local_scene.h"
 #include "renderer/error/true_error.h"
 #include "renderer/error/worst_tile.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
+#include "renderer/set/stimulus_scene.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -108,16 +108,8 @@ class Measuring {
     std::optional<LocalScene> depth;
     for (const ManifestStimulus& record : records) {
       const Recipe how = recipe(record.stimulus.artifact, record.stimulus.isolation);
-      if (how.answers.needs_depth() && !depth) {
-        std::optional<Image> picture;
-        if (settings.chain && guided_by_photograph(*settings.chain))
-          picture = background_image(estimator.truth());
-        depth.emplace(make_local_scene(estimator.geometry().truth, settings,
-                                       {.albedo = scene.definition.albedo,
-                                        .threads = threads_,
-                                        .photograph = scene.camera,
-                                        .picture = picture ? &*picture : nullptr}));
-      }
+      if (how.answers.needs_depth() && !depth)
+        depth.emplace(stimulus_scene(scene, estimator, settings, true, threads_));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? depth->world() : DepthWorld(nullptr), report(1, record.id));
       measure(record, scene.definition.exposure_ev, made.sums);

@@ -111,7 +111,9 @@ void set_surface_from_centre(const Eigen::Vector3f& normal, const SurfaceTable& 
   point.distance_m = distance_m;
   point.position_m = ray.direction * distance_m;
   point.normal = point.geometric_normal = normal;
-  point.albedo = surface.albedo;
+  point.albedo = surface.with_material == nullptr
+                     ? surface.albedo
+                     : surface.with_material->albedo_by_direction->at(ray.direction);
 }
 
 }  // namespace
@@ -153,6 +155,14 @@ Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality
   directions_ = table.get();
 }
 
+void Geometry::paint(std::shared_ptr<const AlbedoMap> albedo) {
+  assert(meshes_.empty() && surfaces_.size() == 1);
+  auto painted = std::make_shared<SurfaceMesh>();
+  painted->albedo_by_direction = std::move(albedo);
+  painted_ = std::move(painted);
+  surfaces_.front().with_material = painted_.get();
+}
+
 std::int64_t Geometry::own_memory_bytes() const {
   std::size_t bytes = 0;
   for (const auto& mesh : meshes_)
@@ -176,6 +186,7 @@ Geometry::Geometry(Geometry&& other) noexcept
       meshes_(std::move(other.meshes_)),
       boxes_(std::move(other.boxes_)),
       directions_(std::move(other.directions_)),
+      painted_(std::move(other.painted_)),
       emits_(other.emits_),
       glossy_(other.glossy_) {}
 

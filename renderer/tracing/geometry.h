@@ -55,6 +55,8 @@ class Geometry {
   /// The local scene: geometric normals, one albedo, loose edges.
   Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality = TreeQuality::for_light,
            CentreRays centre = CentreRays::by_table);
+  /// Gives a local scene another albedo in each direction from the origin. Before anybody asks rays.
+  void paint(std::shared_ptr<const AlbedoMap> albedo);
   ~Geometry();
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) = delete;
@@ -88,8 +90,9 @@ class Geometry {
   void* scene_ = nullptr;
   std::vector<SurfaceTable> surfaces_;  ///< of each mesh
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;
-  BoundingBoxes boxes_;                       ///< of virtual objects without the scene around them
-  std::optional<DirectionTable> directions_;  ///< of the local scene's one mesh
+  BoundingBoxes boxes_;                         ///< of virtual objects without the scene around them
+  std::optional<DirectionTable> directions_;    ///< of the local scene's one mesh
+  std::shared_ptr<const SurfaceMesh> painted_;  ///< what the local scene's one surface is made of, if painted
   bool emits_ = false, glossy_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/material/direction_map.h"
 #include "renderer/material/material.h"
 #include "support/arithmetic/colour.h"
 
@@ -13,6 +14,9 @@ namespace seamline::renderer {
 
 /// Three indices into a mesh's vertices.
 using Triangle = std::array<std::uint32_t, 3>;
+
+/// Diffuse albedo by direction from the renderer's origin.
+using AlbedoMap = DirectionMap<Rgb>;
 
 /// A triangle mesh with one material, in the renderer's frame (metres, centred on the camera).
 struct SurfaceMesh {
@@ -30,6 +34,8 @@ struct SurfaceMesh {
   /// texture's right lies (`make_tangents`); else empty.
   std::array<std::vector<Eigen::Vector2f>, 2> uvs;
   std::vector<Eigen::Vector4f> tangents;
+  /// Of the local scene's mesh, where it is painted: in place of `albedo`.
+  std::shared_ptr<const AlbedoMap> albedo_by_direction;
 };
 
 /// The local scene D: the mesh rebuilt from a depth map, in metres, relative to the panorama's centre.

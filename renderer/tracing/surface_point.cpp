@@ -80,6 +80,10 @@ void turn_towards(const Eigen::Vector3f& to_viewer, SurfacePoint& point) {
 /// question.
 [[gnu::noinline]] void set_material_of(const SurfaceMesh& mesh, const Ray& ray, const SurfaceHit& hit,
                                        SurfacePoint& point) {
+  if (mesh.albedo_by_direction) {
+    point.albedo = mesh.albedo_by_direction->at(point.position_m);
+    return;
+  }
   point.f0 = mesh.f0;
   point.alpha = mesh.alpha;
   if (mesh.material) set_textured(mesh, hit, point);

@@ -19,4 +19,8 @@ enum class RoomVersion { first, today };
 /// to an error are measured against other renderers.
 [[nodiscard]] SceneContents make_furnished_room();
 
+/// White walls, and three bays with mats and screens of saturated colours in the sun: where colours bleed onto what
+/// stands there.
+[[nodiscard]] SceneContents make_painted_room();
+
 }  // namespace seamline::scenes

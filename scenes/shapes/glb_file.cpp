@@ -57,13 +57,32 @@ void add_node(tinygltf::Model& model, const tinygltf::Node& node) {
   model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
 }
 
+tinygltf::Material diffuse(const std::array<double, 3>& albedo, const std::string& name) {
+  tinygltf::Material material;
+  material.name = name;
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorFactor = {albedo[0], albedo[1], albedo[2], 1.0};
+  material.pbrMetallicRoughness.metallicFactor = 0.0;
+  material.pbrMetallicRoughness.roughnessFactor = 1.0;
+  return material;
+}
+
+/// The material of an albedo, which is added where there is none.
+int material_of(tinygltf::Model& model, const ScenePart& part) {
+  const std::vector<double> colour = {part.albedo[0], part.albedo[1], part.albedo[2], 1.0};
+  for (std::size_t i = 0; i < model.materials.size(); ++i)
+    if (model.materials[i].pbrMetallicRoughness.baseColorFactor == colour) return static_cast<int>(i);
+  model.materials.push_back(diffuse(part.albedo, part.name));
+  return static_cast<int>(model.materials.size()) - 1;
+}
+
 void add_part(tinygltf::Model& model, const ScenePart& part) {
   std::vector<std::uint32_t> indices;
   for (const auto& triangle : part.mesh.triangles)
     indices.insert(indices.end(), triangle.begin(), triangle.end());
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = 0;
+  primitive.material = material_of(model, part);
   primitive.attributes["POSITION"] = add_vectors(model, part.mesh.positions_m, true);
   primitive.attributes["NORMAL"] = add_vectors(model, part.mesh.normals, false);
   primitive.indices = add_accessor(
@@ -118,13 +137,7 @@ tinygltf::Model empty_model() {
   model.buffers.emplace_back();
   model.scenes.emplace_back();
   model.defaultScene = 0;
-  tinygltf::Material material;
-  material.name = "diffuse";
-  material.doubleSided = true;
-  material.pbrMetallicRoughness.baseColorFactor = {0.5, 0.5, 0.5, 1.0};
-  material.pbrMetallicRoughness.metallicFactor = 0.0;
-  material.pbrMetallicRoughness.roughnessFactor = 1.0;
-  model.materials.push_back(material);
+  model.materials.push_back(diffuse({0.5, 0.5, 0.5}, "diffuse"));
   return model;
 }
 
@@ -147,6 +160,9 @@ ScenePart read_part(const tinygltf::Model& model, const tinygltf::Node& node) {
   const tinygltf::Primitive& primitive =
       model.meshes.at(static_cast<std::size_t>(node.mesh)).primitives.at(0);
   ScenePart part{.name = node.name, .mesh = {}};
+  const std::vector<double>& colour =
+      model.materials.at(static_cast<std::size_t>(primitive.material)).pbrMetallicRoughness.baseColorFactor;
+  part.albedo = {colour.at(0), colour.at(1), colour.at(2)};
   part.mesh.positions_m = read_vectors(model, primitive.attributes.at("POSITION"));
   part.mesh.normals = read_vectors(model, primitive.attributes.at("NORMAL"));
   const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(primitive.indices));

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@ namespace seamline::scenes {
 struct ScenePart {
   std::string name;
   TriangleMesh mesh;
+  std::array<double, 3> albedo = {0.5, 0.5, 0.5};  ///< linear RGB, diffuse
 };
 
 /// A perspective camera of aspect 16:9, level unless `look_at_m` says otherwise.
@@ -41,10 +43,10 @@ inline constexpr double lux_per_w_m2 = 683.0;
 /// The aspect of every camera: stimuli are 960 x 540.
 inline constexpr double camera_aspect = 960.0 / 540.0;
 
-/// Writes glTF 2.0 binary: a node for each part, POSITION and NORMAL, 32-bit indices, one shared two-sided
-/// diffuse material of albedo 0.5; a camera node "camera"; a node "sun" with a directional
-/// KHR_lights_punctual light, which shines along the node's -Z. Throws InputError when the path cannot be
-/// written.
+/// Writes glTF 2.0 binary: a node for each part, POSITION and NORMAL, 32-bit indices, a two-sided diffuse
+/// material for each albedo (the first one 0.5, whether it is used or not); a camera node "camera"; a node
+/// "sun" with a directional KHR_lights_punctual light, which shines along the node's -Z. Throws InputError
+/// when the path cannot be written.
 void write_glb(const std::filesystem::path& path, const SceneContents& contents);
 
 /// Reads back what `write_glb` wrote: nodes with meshes by name, first camera, first sun. For tests.

@@ -56,8 +56,11 @@ std::string shown_text(const StudyDefinition& study) {
   return out;
 }
 
+/// What is said of the depth mesh beside its width, and only where it is not the paper's.
 std::string chain_line(const DepthSettings& depth) {
-  return depth.chain ? "depth " + canonical_text(depth.chain) + "\n" : std::string();
+  std::string out = depth.chain ? "depth " + canonical_text(depth.chain) + "\n" : std::string();
+  if (depth.albedo != MeshAlbedo::constant) out += fmt::format("mesh albedo {}\n", word(depth.albedo));
+  return out;
 }
 
 /// Levels that are no widths, and conditions; nothing for studies without, which keep their hash.

@@ -20,7 +20,8 @@ constexpr int widest_depth_px = 16384;  ///< as in study files
 /// Whether it says more than a depth width: sets of the first kind keep their bytes.
 bool is_varied(const Stimulus& stimulus) {
   return stimulus.quantity != Quantity::depth_width_px || !stimulus.condition.empty() ||
-         truth_of(stimulus) != stimulus.scene || stimulus.depth.chain.has_value();
+         truth_of(stimulus) != stimulus.scene || stimulus.depth.chain.has_value() ||
+         stimulus.depth.albedo != MeshAlbedo::constant;
 }
 
 /// Whole numbers are written as such, as they were when only these were allowed.
@@ -44,6 +45,8 @@ Json to_json(const ManifestStimulus& record) {
     json["condition"]["mesh"] = word(stimulus.depth.mesh);
     json["condition"]["mesh_tolerance"] = stimulus.depth.mesh_tolerance;
     if (stimulus.depth.chain) json["condition"]["depth"] = canonical_text(stimulus.depth.chain);
+    if (stimulus.depth.albedo != MeshAlbedo::constant)
+      json["condition"]["mesh_albedo"] = word(stimulus.depth.albedo);
     json["level"] = {{"quantity", facts(stimulus.quantity).key}, {"value", stimulus.level}};
     json["truth"] = truth_of(stimulus);
   }
@@ -115,6 +118,12 @@ void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus
     throw condition.complaint("mesh", "adaptive or full", "\"" + mesh + "\"");
   stimulus.depth.mesh = mesh == word(MeshDensity::full) ? MeshDensity::full : MeshDensity::adaptive;
   stimulus.depth.mesh_tolerance = condition.real("mesh_tolerance", 0, 1);
+  if (condition.has("mesh_albedo")) {
+    const auto albedo = condition.get<std::string>("mesh_albedo");
+    if (albedo != word(MeshAlbedo::truth) && albedo != word(MeshAlbedo::photograph))
+      throw condition.complaint("mesh_albedo", "truth or photograph", "\"" + albedo + "\"");
+    stimulus.depth.albedo = albedo == word(MeshAlbedo::truth) ? MeshAlbedo::truth : MeshAlbedo::photograph;
+  }
   const JsonFields level = fields.object("level");
   const auto quantity = quantity_from_key(level.get<std::string>("quantity"));
   if (!quantity)

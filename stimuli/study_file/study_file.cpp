@@ -118,6 +118,26 @@ void check_level_is_seen(const TomlTable& table, const StudyDefinition& study) {
                               "ambient_occlusion in the scene \"" + scene.name + "\"");
 }
 
+/// Whether anything in these scenes looks at what the depth mesh is made of.
+bool asks_for_mesh_albedo(const ConditionDefinition& condition) {
+  if (condition.isolation == Isolation::mask) return true;
+  return std::any_of(condition.scenes.begin(), condition.scenes.end(), [](const SceneDefinition& scene) {
+    return std::any_of(scene.artifacts.begin(), scene.artifacts.end(), [](Artifact artifact) {
+      return artifact == Artifact::bounce || artifact == Artifact::reflection || artifact == Artifact::all;
+    });
+  });
+}
+
+void check_mesh_albedo_is_seen(const TomlTable& table, const StudyDefinition& study) {
+  for (const ConditionDefinition& condition : list_conditions(study))
+    if (condition.depth.albedo != MeshAlbedo::constant && !asks_for_mesh_albedo(condition))
+      throw table.complaint(
+          "mesh_albedo",
+          "an artifact bounce, reflection or all, or isolation = \"mask\": no other looks at "
+          "what the depth mesh is made of",
+          "\"" + std::string(word(condition.depth.albedo)) + "\"");
+}
+
 StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   const std::filesystem::path& path = folders.study_file;
   check_format(table);
@@ -146,6 +166,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level);
   if (assets == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
+  check_mesh_albedo_is_seen(table, study);
   const auto observer = table.table("observer");
   study.observer =
       observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);

@@ -125,6 +125,13 @@ void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
   }
 }
 
+MeshAlbedo read_mesh_albedo(const TomlTable& table, MeshAlbedo usual) {
+  return one_of<MeshAlbedo>(table, "mesh_albedo", usual,
+                            {{"constant", MeshAlbedo::constant},
+                             {"truth", MeshAlbedo::truth},
+                             {"photograph", MeshAlbedo::photograph}});
+}
+
 bool has_sensor(const DepthSettings& depth) {
   return depth.chain && !is_panorama(*depth.chain);
 }
@@ -134,6 +141,7 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
     depth.mesh = read_mesh(table, depth.mesh);
     depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
   }
+  depth.albedo = read_mesh_albedo(table, depth.albedo);
   if (has_sensor(depth)) {
     for (const char* key : {"depth_width_px", "yaw_texels"})
       if (table.has(key) && !width_is_level(level.quantity))
@@ -162,7 +170,7 @@ std::string meaning(const ConditionDefinition& condition) {
   std::string text =
       fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
                   condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
-      canonical_text(condition.depth.chain) + "\n";
+      canonical_text(condition.depth.chain) + fmt::format(" {}\n", word(condition.depth.albedo));
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
   return text;
 }

@@ -56,10 +56,10 @@ TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
 TEST(StudyFileLight, ConditionsChangeTheLightAndHaveTruthsOfTheirOwn) {
   const StudyDefinition study =
       lit_study("environment = \"sky.hdr\"",
-                 "[[condition]]\nname = \"sky\"\n[[condition]]\nname = \"constant\"\n"
-                 "environment_radiance = [1, 1, 1]\n[[condition]]\nname = \"turned\"\n"
-                 "environment_rotation_deg = 45\n[[condition]]\nname = \"two\"\n"
-                 "suns = [{to_sun = [0, 1, 0]}, {to_sun = [1, 1, 0]}]\n");
+                "[[condition]]\nname = \"sky\"\n[[condition]]\nname = \"constant\"\n"
+                "environment_radiance = [1, 1, 1]\n[[condition]]\nname = \"turned\"\n"
+                "environment_rotation_deg = 45\n[[condition]]\nname = \"two\"\n"
+                "suns = [{to_sun = [0, 1, 0]}, {to_sun = [1, 1, 0]}]\n");
   EXPECT_EQ(list_truths(study).size(), 4U);
   EXPECT_TRUE(study.conditions[0].scenes[0].environment);
   EXPECT_FALSE(study.conditions[1].scenes[0].environment);
@@ -74,13 +74,53 @@ TEST(StudyFileLight, WhatWouldBeIgnoredIsRefused) {
   EXPECT_THAT(light_complaint("suns = [{to_sun = [0, 1, 0]}]\n[scene.sun]\nto_sun = [0, 1, 0]\n"),
               HasSubstr("one of sun and suns"));
   EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0]}]"), HasSubstr("intensity_w_sr"));
-  EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], outer_deg = 20}]"),
-              HasSubstr("outer_deg"));
-  EXPECT_THAT(light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], shines_along = [0, "
-                        "-1, 0], inner_deg = 30, outer_deg = 20}]"),
-              HasSubstr("inner_deg"));
+  EXPECT_THAT(
+      light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], outer_deg = 20}]"),
+      HasSubstr("outer_deg"));
+  EXPECT_THAT(
+      light_complaint("lamps = [{position_m = [0, 0, 0], intensity_w_sr = [1, 1, 1], shines_along = [0, "
+                      "-1, 0], inner_deg = 30, outer_deg = 20}]"),
+      HasSubstr("inner_deg"));
   EXPECT_THAT(light_complaint("ambient_occlusion = true\nenvironment = \"sky.hdr\""),
               HasSubstr("ambient_occlusion"));
+}
+
+StudyDefinition painted_study(const std::string& key, const std::string& artifact = "bounce",
+                              const std::string& tables = "") {
+  std::string text = "format = \"seamline study 1\"\nname = \"small\"\ndepth_width_px = [64, 512]\n" + key +
+                     tables + "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"" +
+                     artifact + "\"]\n";
+  for (const char* object : {"a", "b", "c"})
+    text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
+  return read_study_text(text, "study.toml");
+}
+
+TEST(StudyFileMeshAlbedo, IsTheStudysOrAConditions) {
+  EXPECT_EQ(painted_study("").depth.albedo, MeshAlbedo::constant);
+  EXPECT_EQ(painted_study("mesh_albedo = \"truth\"").depth.albedo, MeshAlbedo::truth);
+  const StudyDefinition study = painted_study("", "bounce",
+                                              "[[condition]]\nname = \"grey\"\n[[condition]]\nname = "
+                                              "\"photograph\"\nmesh_albedo = \"photograph\"\n");
+  EXPECT_EQ(study.conditions[0].depth.albedo, MeshAlbedo::constant);
+  EXPECT_EQ(study.conditions[1].depth.albedo, MeshAlbedo::photograph);
+  EXPECT_EQ(list_truths(study).size(), 1U) << "only the mesh differs";
+}
+
+TEST(StudyFileMeshAlbedo, ChangesTheHashWhereItIsNotConstant) {
+  EXPECT_EQ(study_hash(painted_study("mesh_albedo = \"constant\"")), study_hash(painted_study("")));
+  EXPECT_NE(study_hash(painted_study("mesh_albedo = \"truth\"")), study_hash(painted_study("")));
+  EXPECT_NE(study_hash(painted_study("mesh_albedo = \"truth\"")),
+            study_hash(painted_study("mesh_albedo = \"photograph\"")));
+}
+
+TEST(StudyFileMeshAlbedo, IsRefusedWhereNothingLooksAtIt) {
+  EXPECT_THAT(test::complaint_of([] { (void)painted_study("mesh_albedo = \"red\""); }),
+              HasSubstr("\"constant\" or \"truth\" or \"photograph\""));
+  EXPECT_THAT(test::complaint_of([] { (void)painted_study("mesh_albedo = \"truth\"", "receiver"); }),
+              HasSubstr("mesh_albedo"));
+  EXPECT_NO_THROW((void)painted_study("isolation = \"mask\"\nmesh_albedo = \"truth\"", "receiver"));
+  for (const char* artifact : {"bounce", "reflection", "all"})
+    EXPECT_NO_THROW((void)painted_study("mesh_albedo = \"truth\"", artifact));
 }
 
 }  // namespace

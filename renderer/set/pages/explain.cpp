@@ -118,15 +118,38 @@ std::string omissions_text(const ScenePlan& plan) {
   return out + "  Not left out:\n" + table(needed, 4);
 }
 
+const char* mesh_albedo_text(MeshAlbedo albedo) {
+  switch (albedo) {
+    case MeshAlbedo::constant:
+      return "the study's, one number";
+    case MeshAlbedo::truth:
+      return "the truth's by direction, a ray a texel";
+    case MeshAlbedo::photograph:
+      return "the photograph's radiance over the local scene's irradiance, by direction (0.01 to 0.95); the "
+             "study's where the photograph shows nothing";
+  }
+  return "";
+}
+
 /// Each link of the depth that a condition's meshes are made of, and what is absent.
 std::string depth_text(const StudyDefinition& study) {
   const std::vector<ConditionDefinition> conditions = list_conditions(study);
   const bool exact = std::none_of(conditions.begin(), conditions.end(),
                                   [](const ConditionDefinition& one) { return one.depth.chain.has_value(); });
+  const bool painted = std::any_of(conditions.begin(), conditions.end(), [](const ConditionDefinition& one) {
+    return one.depth.albedo != MeshAlbedo::constant;
+  });
+  std::string albedo;
+  if (painted)
+    for (const ConditionDefinition& condition : conditions)
+      albedo += fmt::format("Albedo of the depth mesh{}: {}.\n",
+                            condition.name.empty() ? "" : " in the condition " + condition.name,
+                            mesh_albedo_text(condition.depth.albedo));
   if (exact)
     return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
            "it "
-           "jumps.\n";
+           "jumps.\n" +
+           albedo;
   std::string out;
   for (const ConditionDefinition& condition : conditions) {
     Rows rows;
@@ -136,7 +159,7 @@ std::string depth_text(const StudyDefinition& study) {
     out += condition.name.empty() ? "Depth:\n" : fmt::format("Depth of the condition {}:\n", condition.name);
     out += table(rows, 2);
   }
-  return out;
+  return out + albedo;
 }
 
 std::string millions(double number) {

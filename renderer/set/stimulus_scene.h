@@ -1,0 +1,14 @@
+#pragma once
+#include "renderer/depth/local_scene.h"
+#include "renderer/estimators/estimator.h"
+#include "renderer/scene/truth_scene.h"
+
+namespace seamline::renderer {
+
+/// The local scene of a stimulus of the object that the estimator has taken: its mesh from the truth without
+/// that object, and what else the settings want of it, guided by and painted from the estimator's
+/// photograph. `traces_rays`: see LocalSceneUse.
+[[nodiscard]] LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimator,
+                                        const DepthSettings& settings, bool traces_rays, int threads);
+
+}  // namespace seamline::renderer
