@@ -21,13 +21,17 @@ struct MeshCommandOptions {
 
 inline void add_mesh_options(CLI::App& command, MeshCommandOptions& options) {
   command.add_option("--mesh", options.density, "adaptive or full")
-      ->check(CLI::IsMember({"adaptive", "full"}));
-  add_number(command, "--tolerance", options.tolerance, {1e-9, 1}, "relative error of the adaptive mesh");
+      ->check(CLI::IsMember({"adaptive", "full"}))
+      ->capture_default_str();
+  add_number(command, "--tolerance", options.tolerance, {1e-9, 1},
+             "largest relative error of the adaptive mesh along a ray")
+      ->capture_default_str();
 }
 
 /// By which the panorama was turned.
 inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& options) {
-  return add_number(command, "--yaw", options.yaw_texels, any_yaw_texels, "by which the map was turned");
+  return add_number(command, "--yaw", options.yaw_texels, any_yaw_texels, "by which the map was turned")
+      ->capture_default_str();
 }
 
 [[nodiscard]] inline MeshDensity density_of(const MeshCommandOptions& options) {
@@ -45,7 +49,8 @@ inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& option
       {.density = density_of(options), .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
 }
 
-/// Refuses a file name whose ending does not say what will be in the file.
-void need_extension(const std::string& file, std::initializer_list<const char*> endings);
+/// Refuses a file name whose ending, in capitals or not, does not say what will be in the file.
+void need_extension(const std::string& file, std::initializer_list<const char*> endings,
+                    const char* option = "--out");
 
 }  // namespace seamline::renderer

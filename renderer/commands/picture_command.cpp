@@ -14,6 +14,7 @@
 
 #include "renderer/commands/mesh_options.h"
 #include "renderer/common/parallel.h"
+#include "renderer/composite/photograph.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/estimators/rig_photograph.h"
 #include "renderer/scene/truth_scene.h"
@@ -36,7 +37,7 @@ struct PictureOptions {
   std::optional<double> fov_deg;
   double sun_radius_deg = 0, rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
   int width_px = 960, height_px = 540, bounces = 4, spp = 64, seed = 1;
-  bool has_place = false, has_sun = false;
+  bool has_place = false, has_sun = false, panorama = false;
 };
 
 Eigen::Vector3d vector_of(const Three& v) {
@@ -126,6 +127,13 @@ void print_left_out(const SceneFile& file) {
 
 void run_picture(const PictureOptions& options) {
   need_extension(options.out, {".png", ".exr"});
+  if (options.panorama && options.width_px != 2 * options.height_px)
+    throw input_error({.field = "--height",
+                       .wanted = "half of --width, of a panorama",
+                       .found = fmt::format("{} x {}", options.width_px, options.height_px)});
+  if (options.panorama && options.fov_deg)
+    throw input_error(
+        {.field = "--fov", .wanted = "no --panorama beside it, which looks everywhere", .found = "both"});
   const std::filesystem::path path = resolve_named_file(options.scene, "SCENE");
   SceneDefinition scene = scene_of(options, path);
   const SceneFile file = read_scene_file(path, scene.materials);
@@ -147,17 +155,20 @@ void run_picture(const PictureOptions& options) {
   const double fov_deg =
       2 * std::atan(static_cast<double>(camera.tan_half_horizontal)) * 180 / std::numbers::pi;
   Progress progress("picture", 1.0);
-  const Image picture = photograph_scene(
-      geometry, light, sensors::pinhole_of_field_of_view(options.width_px, options.height_px, fov_deg),
-      world_from_photograph(camera),
-      {.spp = options.spp,
-       .seed = static_cast<std::uint64_t>(options.seed),
-       .threads = default_thread_count(),
-       .progress = [&, last = 0.0](double share) mutable {
-         progress.advance(share - last, "");
-         last = share;
-       }});
-  if (std::filesystem::path(options.out).extension() == ".exr")
+  const PhotographOptions how{.spp = options.spp,
+                              .seed = static_cast<std::uint64_t>(options.seed),
+                              .threads = default_thread_count(),
+                              .progress = [&, last = 0.0](double share) mutable {
+                                progress.advance(share - last, "");
+                                last = share;
+                              }};
+  const Image picture =
+      options.panorama
+          ? photograph_scene(geometry, light, panorama_camera(options.width_px, options.height_px), how)
+          : photograph_scene(geometry, light,
+                             sensors::pinhole_of_field_of_view(options.width_px, options.height_px, fov_deg),
+                             world_from_photograph(camera), how);
+  if (lower_case_ending(options.out) == ".exr")
     write_picture_exr(options.out, picture);
   else
     write_png(options.out, display_image(picture, options.exposure_ev));
@@ -174,6 +185,10 @@ void add_camera_options(CLI::App& command, PictureOptions& options) {
   look_at->needs(at);
   add_number(command, "--fov", options.fov_deg, {1, 170, "degrees"},
              "horizontal field of view (default: the camera's own, else 50)");
+  command.add_flag(
+      "--panorama", options.panorama,
+      "all directions from the camera's place, equirectangular, +Y up, the middle column towards -Z; "
+      "--height is then half of --width");
   add_number(command, "--width", options.width_px, {1, limits::largest_picture_side_px, "px"},
              "of the picture")
       ->capture_default_str();

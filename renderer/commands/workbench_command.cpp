@@ -60,13 +60,14 @@ void run_mesh(const MeshCommandOptions& options) {
 
 }  // namespace
 
-void need_extension(const std::string& file, std::initializer_list<const char*> endings) {
+void need_extension(const std::string& file, std::initializer_list<const char*> endings, const char* option) {
+  const std::string found = lower_case_ending(file);
   std::string wanted;
   for (const char* ending : endings) {
-    if (std::filesystem::path(file).extension() == ending) return;
+    if (found == ending) return;
     wanted += (wanted.empty() ? "" : " or ") + std::string(ending);
   }
-  throw input_error({.field = "--out", .wanted = "a name ending in " + wanted, .found = "\"" + file + "\""});
+  throw input_error({.field = option, .wanted = "a name ending in " + wanted, .found = "\"" + file + "\""});
 }
 
 void add_workbench_commands(CLI::App& app) {

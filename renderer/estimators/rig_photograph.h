@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "renderer/light/light.h"
+#include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "sensors/camera/pinhole_camera.h"
 #include "support/files/image.h"
@@ -21,6 +22,10 @@ struct PhotographOptions {
 [[nodiscard]] Image photograph_scene(const Geometry& scene, const Light& light,
                                      const sensors::PinholeCamera& camera,
                                      const Eigen::Isometry3d& world_from_camera,
+                                     const PhotographOptions& options);
+
+/// What a camera at the origin sees; a camera of directions of its own may be a panorama.
+[[nodiscard]] Image photograph_scene(const Geometry& scene, const Light& light, const Camera& camera,
                                      const PhotographOptions& options);
 
 }  // namespace seamline::renderer

@@ -11,6 +11,8 @@
 
 namespace seamline::renderer {
 
+class Geometry;
+
 /// A directional light; hard when the angular radius is 0.
 struct Sun {
   Eigen::Vector3f to_sun = Eigen::Vector3f::UnitY();  ///< unit
@@ -23,6 +25,10 @@ struct Light {
   std::vector<Sun> suns = {};
   Rgb environment_radiance = Rgb::Zero();  ///< constant, from every direction; with a map: zero
   std::shared_ptr<const EnvironmentMap> environment = {};  ///< null: `environment_radiance` everywhere
+  /// The local scene of a photographed panorama: the surfaces of the real world send what `environment`, the
+  /// panorama, shows in their direction from the origin, and nothing else, because all light is in it. Each
+  /// direction meets it once. Null: they send on what reaches them.
+  std::shared_ptr<const Geometry> photographed = {};
   std::vector<Lamp> lamps = {};
   std::shared_ptr<const GlowingSurfaces> glowing = {};  ///< null: no surface of the background glows
   /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.

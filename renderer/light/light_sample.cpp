@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/tracing/geometry.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -87,11 +89,43 @@ std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& p
   return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
 }
 
+/// The density, per steradian at a point, with which a place of the photographed surfaces is chosen by a
+/// direction from the origin of density `chosen_sr`.
+float density_of_place(const SurfacePoint& place, const Eigen::Vector3f& from_origin, float chosen_sr,
+                       const Eigen::Vector3f& from_point, float distance_m) {
+  const float facing = std::max(1e-12F, std::abs(place.geometric_normal.dot(from_point)));
+  const float seen = std::abs(place.geometric_normal.dot(from_origin));
+  const float ratio = distance_m / place.position_m.norm();
+  return chosen_sr * ratio * ratio * seen / facing;
+}
+
+/// The panorama's light that a direction from the origin shows, when it comes from a surface.
+std::optional<LightSample> photographed_sample(const Light& light, const SurfacePoint& place,
+                                               const EnvironmentMap::Direction& chosen,
+                                               const SurfacePoint& point, const Rgb& throughput) {
+  const Eigen::Vector3f to_place = place.position_m - point.position_m;
+  const float distance_m = to_place.norm();
+  if (!(distance_m > 0.0F)) return std::nullopt;
+  const Eigen::Vector3f direction = to_place / distance_m;
+  const float density_sr =
+      density_of_place(place, chosen.direction, chosen.density_sr, direction, distance_m);
+  if (!(density_sr > 0.0F)) return std::nullopt;
+  const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
+  const auto sent = sent_on(point, throughput,
+                            light.environment->radiance(chosen.direction) * (weight / density_sr), direction);
+  if (!sent || !is_finite(*sent)) return std::nullopt;
+  return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
+}
+
 std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
                                       const Sampler& sampler, int vertex) {
   const EnvironmentMap& map = *light.environment;
-  const auto [direction, density_sr] = map.sample(sampler.point(dimension::environment(vertex)));
+  const EnvironmentMap::Direction chosen = map.sample(sampler.point(dimension::environment(vertex)));
+  const auto& [direction, density_sr] = chosen;
   if (!(density_sr > 0.0F)) return std::nullopt;
+  if (light.photographed)
+    if (const auto place = light.photographed->nearest({Eigen::Vector3f::Zero(), direction}))
+      return photographed_sample(light, *place, chosen, point, throughput);
   const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
   const auto sent = sent_on(point, throughput, map.radiance(direction) * (weight / density_sr), direction);
   if (!sent) return std::nullopt;
@@ -138,6 +172,14 @@ Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from, const 
 
 FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction,
                      const SurfacePoint& hit) {
+  if (sends_photograph(light, hit)) {
+    const Eigen::Vector3f from_origin = hit.position_m.normalized();
+    const float chosen_sr = density_of_place(hit, from_origin, light.environment->density_sr(from_origin),
+                                             direction, hit.distance_m);
+    return {light.environment->radiance(from_origin) *
+                power_weight(scatter_density_sr(from, direction), chosen_sr),
+            true};
+  }
   const float density_m2 = light.glowing ? light.glowing->density_m2(hit) : 0.0F;
   if (!(density_m2 > 0.0F)) return {hit.emission, false};
   const float facing = std::max(1e-12F, std::abs(hit.geometric_normal.dot(direction)));

@@ -73,6 +73,12 @@ enum class GlowHits { found, unknown };
 [[nodiscard]] inline Rgb sky_found(const Light& light, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction);
 
+/// Whether a surface is one of those that send what a photograph shows (`Light::photographed`): paths end
+/// there.
+[[nodiscard]] inline bool sends_photograph(const Light& light, const SurfacePoint& hit) {
+  return light.photographed != nullptr && hit.object_index == 0;
+}
+
 /// What a surface that such a path met glows, less what `light_sample` counts of it. `is_lamp`: whether it is
 /// one of those that `light_sample` knows.
 struct FoundGlow {

@@ -1,10 +1,15 @@
 #pragma once
 #include <Eigen/Core>
+#include <functional>
+#include <memory>
 
 #include "renderer/common/sampler.h"
 #include "renderer/tracing/ray.h"
 
 namespace seamline::renderer {
+
+/// Unit direction through an image position in pixels; zero where a lens lets none through.
+using ImageDirections = std::function<Eigen::Vector3f(float x, float y)>;
 
 /// A pinhole camera at the origin of the renderer's frame (everything is recentred on it), axes of the world.
 struct Camera {
@@ -12,10 +17,14 @@ struct Camera {
   float tan_half_horizontal = 0.577F;                  ///< tangent of half the horizontal field of view
   int width_px = 960;
   int height_px = 540;
+  /// Of a camera that is no plain pinhole (a lens, a panorama); null: a pinhole. The axes are still whither
+  /// it looks.
+  std::shared_ptr<const ImageDirections> directions = {};
 
   /// Unit direction through image position (x, y) in pixels, (0, 0) being the upper left corner of the
   /// picture.
   [[nodiscard]] Eigen::Vector3f direction(float x, float y) const {
+    if (directions) return (*directions)(x, y);
     const float scale = 2.0F * tan_half_horizontal / static_cast<float>(width_px);
     const Eigen::Vector3f local((x - 0.5F * static_cast<float>(width_px)) * scale,
                                 (0.5F * static_cast<float>(height_px) - y) * scale, -1.0F);

@@ -34,7 +34,8 @@ Rgb rgb(const std::array<double, 3>& values) {
   return Eigen::Array3d(values[0], values[1], values[2]).cast<float>();
 }
 
-/// The study's own metallic and roughness of its objects, in place of the file's.
+}  // namespace
+
 void set_layer(const SceneDefinition& definition, FileMesh& mesh) {
   if (!definition.object_metallic && !definition.object_roughness) return;
   Material material;
@@ -49,8 +50,6 @@ void set_layer(const SceneDefinition& definition, FileMesh& mesh) {
   if (definition.object_roughness) material.roughness = static_cast<float>(*definition.object_roughness);
   mesh.material = std::make_shared<const Material>(std::move(material));
 }
-
-}  // namespace
 
 Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
                               Edges edges) const {

@@ -54,6 +54,10 @@ void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background,
 [[nodiscard]] Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, int width_px,
                                   int height_px, Eigen::Vector3d& camera_position_m);
 
+/// Gives a mesh of an object the metallic and roughness that the scene has for all objects, in place of its
+/// file's own.
+void set_layer(const SceneDefinition& definition, FileMesh& mesh);
+
 /// Meshes of a file placed in the world and moved so that `centre_m` becomes the origin.
 [[nodiscard]] std::vector<std::shared_ptr<const SurfaceMesh>> place_meshes(const SceneFile& file,
                                                                            const Eigen::Affine3d& placement,

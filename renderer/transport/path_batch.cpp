@@ -11,7 +11,7 @@ namespace seamline::renderer {
 void PathBatch::begin(const Worlds& worlds, const Light& light) {
   worlds_ = &worlds;
   light_ = &light;
-  emits_ = worlds.emits();
+  emits_ = worlds.emits() || light.photographed != nullptr;
   starts_.clear();
 }
 
@@ -178,7 +178,7 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
     const FoundGlow glow = glow_found(*light_, from.point, direction, *hit);
     add(from.path, set, sorted(from.path, glow.is_lamp && vertex == 0, from.throughput * glow.radiance));
   }
-  if (vertex >= light_->bounces) return;
+  if (vertex >= light_->bounces || sends_photograph(*light_, *hit)) return;
   next_vertices_.push_back({from.path, set, *hit, from.throughput});
   blur_after(from.spread, next_vertices_.back().point);
 }

@@ -48,13 +48,14 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
     if (!next) return sum;
     throughput *= next->weight;
     const Ray ray = leaving_ray(point, next->direction, light.sky_distance_m);
-    if (vertex >= light.bounces && !world.emits() && leaves_out_sky(light, world.counts)) return sum;
-    if (vertex >= light.bounces && !world.emits())
+    const bool emits = world.emits() || light.photographed != nullptr;
+    if (vertex >= light.bounces && !emits && leaves_out_sky(light, world.counts)) return sum;
+    if (vertex >= light.bounces && !emits)
       return world.occluded(ray) ? sum : Rgb(sum + throughput * sky_found(light, point, next->direction));
     const std::optional<SurfacePoint> hit = world.nearest(ray);
     if (!hit) return sum + throughput * sky_found(light, point, next->direction);
     sum += throughput * glow_found(light, point, next->direction, *hit).radiance;
-    if (vertex >= light.bounces) return sum;
+    if (vertex >= light.bounces || sends_photograph(light, *hit)) return sum;
     point = *hit;
     blur_after(next->spread, point);
   }
@@ -63,7 +64,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
 /// What arrives from a surface that a path hit at the end of vertex `vertex`, without what it glows itself.
 Rgb arriving(const World& world, SurfacePoint hit, float spread, const Light& light, const Sampler& sampler,
              int vertex) {
-  if (vertex >= light.bounces) return Rgb::Zero();
+  if (vertex >= light.bounces || sends_photograph(light, hit)) return Rgb::Zero();
   blur_after(spread, hit);
   return scattered(world, hit, light, sampler, vertex + 1);
 }
@@ -111,7 +112,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
   pair.without_object.direct = pair.with_object.direct = first.emission;
   const World world_without{real, nullptr, counts};
   const World world_with{real, object, counts};
-  const bool emits = world_with.emits();
+  const bool emits = world_with.emits() || light.photographed != nullptr;
   FoundLight without_object(pair.without_object), with_object(pair.with_object);
   SurfacePoint point = first;
   Rgb throughput = Rgb::Ones();
@@ -166,7 +167,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     }
     add_glow(*hit, without_object);
     add_glow(*hit, with_object);
-    if (vertex >= light.bounces) return pair;
+    if (vertex >= light.bounces || sends_photograph(light, *hit)) return pair;
     point = *hit;
     blur_after(next->spread, point);
   }
@@ -205,13 +206,12 @@ class ObjectLight {
 
   /// Whether anything but the sky can be found where `by` is asked.
   [[nodiscard]] bool bounces_matter(const RealQuestion& by) const {
-    return by.geometry != nullptr && (light_.bounces > 0 || by.geometry->emits() || object_.emits());
+    return by.geometry != nullptr && (light_.bounces > 0 || emits(by) || object_.emits());
   }
   /// Whether paths that are asked so find lamps with size. Asked of two geometries, these are known by their
   /// light samples alone.
   [[nodiscard]] GlowHits glow_hits(const RealQuestion& lit_past, const RealQuestion& by) const {
-    return same(lit_past, by) && bounces_matter(by) && by.geometry->emits() ? GlowHits::found
-                                                                            : GlowHits::unknown;
+    return same(lit_past, by) && bounces_matter(by) && emits(by) ? GlowHits::found : GlowHits::unknown;
   }
 
   /// Calls `take` with every light sample that reaches the point past the object and past the real world.
@@ -267,6 +267,10 @@ class ObjectLight {
   }
 
  private:
+  [[nodiscard]] bool emits(const RealQuestion& by) const {
+    return by.geometry->emits() || light_.photographed != nullptr;
+  }
+
   const Geometry& object_;
   const SurfacePoint& point_;
   const Light& light_;

@@ -59,7 +59,8 @@ class Reader final : public PictureReader {
             values_of(spec.format),
             spec.get_string_attribute("compression"),
             std::uint64_t{spec.image_bytes(true)},
-            input_->format_name()};
+            input_->format_name(),
+            spec.get_int_attribute("Orientation", 1)};
   }
 
   std::string read(float* values, bool (*stop)()) override {
@@ -104,6 +105,17 @@ OIIO::ImageSpec spec_of(const PictureToEncode& picture) {
   return spec;
 }
 
+bool reads_last_part(const std::string& path, const std::vector<OIIO::ImageSpec>& specs) {
+  const auto input = OIIO::ImageInput::create("openexr");
+  OIIO::ImageSpec first;
+  const int last = static_cast<int>(specs.size()) - 1;
+  if (!input || !input->open(path, first) || !input->seek_subimage(last, 0)) return false;
+  std::vector<float> values(static_cast<std::size_t>(specs.back().image_pixels()) *
+                            static_cast<std::size_t>(specs.back().nchannels));
+  return input->spec().image_pixels() == specs.back().image_pixels() &&
+         input->read_image(last, 0, 0, specs.back().nchannels, OIIO::TypeDesc::FLOAT, values.data());
+}
+
 class Codec final : public PictureCodec {
  public:
   std::unique_ptr<PictureReader> reader(const std::string& format, bool alpha_apart) const override {
@@ -125,6 +137,25 @@ class Codec final : public PictureCodec {
     if (!encoded) complaint = output ? output->geterror() : OIIO::geterror();
     if (!encoded && complaint.empty()) complaint = "another kind";
     return bytes.buffer();
+  }
+
+  std::string write_parts(const std::string& path, const std::vector<NamedPart>& parts,
+                          bool (*stop)()) const override {
+    std::vector<OIIO::ImageSpec> specs;
+    for (const NamedPart& part : parts) {
+      specs.push_back(spec_of(part.picture));
+      specs.back().attribute("oiio:subimagename", part.name);
+    }
+    const auto output = OIIO::ImageOutput::create("openexr");
+    bool written = output && output->open(path, static_cast<int>(specs.size()), specs.data());
+    for (std::size_t i = 0; i < parts.size() && written; ++i)
+      written = (i == 0 || output->open(path, specs[i], OIIO::ImageOutput::AppendSubimage)) &&
+                output->write_image(OIIO::TypeDesc::FLOAT, parts[i].picture.floats, OIIO::AutoStride,
+                                    OIIO::AutoStride, OIIO::AutoStride, asked_to_stop, &stop);
+    written = written && output->close();
+    if (written && reads_last_part(path, specs)) return {};
+    const std::string text = output ? output->geterror() : OIIO::geterror();
+    return text.empty() ? "a file that was cut" : text;
   }
 
   void draw_text(const PictureToEncode& picture, std::uint8_t* codes, int x, int y, const std::string& text,

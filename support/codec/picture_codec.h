@@ -17,6 +17,7 @@ struct CodedPicture {
   std::string compression;  ///< as the library names it, e.g. "zip"; may be empty
   std::uint64_t bytes = 0;  ///< of all its pixels, as they are in the file
   std::string format;       ///< openexr, png, jpeg, hdr
+  int orientation = 1;      ///< EXIF's, 1 to 8
 };
 
 /// One picture that is being read. Its functions may throw what image libraries throw at damaged bytes.
@@ -47,6 +48,12 @@ struct PictureToEncode {
   const std::uint8_t* codes = nullptr;  ///< or these, which are sRGB
 };
 
+/// A part of a file of several.
+struct NamedPart {
+  std::string name;
+  PictureToEncode picture;
+};
+
 /// What decodes and encodes pictures. It lies in a library of its own, which is loaded by the first picture:
 /// it draws in some 250 others, and whoever needs no picture does not wait for them (0.15 s).
 class PictureCodec {
@@ -62,6 +69,11 @@ class PictureCodec {
   /// The file's bytes: without any date, the same for the same picture. Sets `complaint` when it cannot.
   [[nodiscard]] virtual std::vector<unsigned char> encode(const PictureToEncode& picture, bool (*stop)(),
                                                           std::string& complaint) const = 0;
+  /// Writes pictures of floats as the named parts of one EXR file, and reads the last of them again: the
+  /// library has no other way for several parts than a file. Without any date. Returns a complaint, empty
+  /// when there is none.
+  [[nodiscard]] virtual std::string write_parts(const std::string& path, const std::vector<NamedPart>& parts,
+                                                bool (*stop)()) const = 0;
   /// Draws one line of text in a grey code, its baseline starting at (x, y).
   virtual void draw_text(const PictureToEncode& picture, std::uint8_t* codes, int x, int y,
                          const std::string& text, int height_px, const std::string& font,

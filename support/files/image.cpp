@@ -12,6 +12,7 @@
 #include "support/files/exr_header.h"
 #include "support/files/picture_library.h"
 #include "support/files/png_file.h"
+#include "support/files/temporary_folder.h"
 #include "support/files/word_image.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
@@ -201,13 +202,39 @@ Image read_image(const fs::path& path, const std::function<void(const ImageHeade
     const OpenedImage input = open_image(path);
     const CodedPicture& picture = input.picture;
     const bool floats = picture.values == CodedPicture::Values::floats;
-    if (accept) accept({picture.width_px, picture.height_px, picture.channels, floats});
+    if (accept) accept({picture.width_px, picture.height_px, picture.channels, floats, picture.orientation});
     Image image(picture.width_px, picture.height_px, picture.channels);
     decode(input, image.values.data(), path);
     if (!floats)
       for (float& value : image.values) value = linear_from_srgb(value);
     return image;
   });
+}
+
+std::string lower_case_ending(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& letter : ending)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return ending;
+}
+
+Image upright(const Image& image, int orientation) {
+  if (orientation < 2 || orientation > 8) return image;
+  // What the file's rows and columns are, by EXIF: row 0 is the visual top, or right, or so.
+  const bool turned = orientation >= 5;
+  const int width = turned ? image.height_px : image.width_px,
+            height = turned ? image.width_px : image.height_px;
+  Image out(width, height, image.channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      int from_x = turned ? y : x, from_y = turned ? x : y;
+      if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
+        from_x = image.width_px - 1 - from_x;
+      if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
+        from_y = image.height_px - 1 - from_y;
+      for (int c = 0; c < image.channels; ++c) out.at(x, y, c) = image.at(from_x, from_y, c);
+    }
+  return out;
 }
 
 PictureShape picture_shape(const fs::path& path) {
@@ -279,12 +306,33 @@ void write_picture_exr(const fs::path& path, const Image& image) {
   write_exr(path, image);
 }
 
+namespace {
+
+PictureToEncode floats_of(const Image& image) {
+  return {.extension = {},
+          .width_px = image.width_px,
+          .height_px = image.height_px,
+          .channels = image.channels,
+          .floats = image.values.data()};
+}
+
+}  // namespace
+
 void write_exr(const fs::path& path, const Image& image) {
-  write_image(path, {.extension = {},
-                     .width_px = image.width_px,
-                     .height_px = image.height_px,
-                     .channels = image.channels,
-                     .floats = image.values.data()});
+  write_image(path, floats_of(image));
+}
+
+void write_layers_exr(const fs::path& path, const std::vector<PictureLayer>& layers) {
+  std::vector<NamedPart> parts;
+  for (const PictureLayer& layer : layers) parts.push_back({layer.name, floats_of(*layer.image)});
+  const TemporaryFolder folder;
+  const std::string made = (folder / "layers.exr").string();
+  const std::string complaint = picture_codec().write_parts(made, parts, interrupted);
+  stop_if_interrupted();
+  if (!complaint.empty())
+    throw input_error(
+        {.file = path.string(), .wanted = "layers that can be written as one EXR file", .found = complaint});
+  write_file_atomically(path, read_file(made));
 }
 
 void draw_text(ByteImage& image, int x, int y, const std::string& text, int height_px, std::uint8_t code) {

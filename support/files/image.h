@@ -65,6 +65,7 @@ struct ImageHeader {
   int height_px = 0;
   int channels = 0;
   bool floating_point = false;  ///< EXR, HDR: the values are as they are meant, not sRGB codes
+  int orientation = 1;          ///< EXIF's, 1 to 8: how the camera was held; 1 is upright
 };
 
 /// Reads EXR, HDR, PNG or JPEG as float. 8- and 16-bit pictures are decoded from sRGB to linear. `accept`
@@ -72,6 +73,9 @@ struct ImageHeader {
 /// for it. Throws InputError naming the file.
 [[nodiscard]] Image read_image(const std::filesystem::path& path,
                                const std::function<void(const ImageHeader&)>& accept = {});
+
+/// A picture turned upright, of an EXIF orientation (1 to 8; any other number is taken as 1).
+[[nodiscard]] Image upright(const Image& image, int orientation);
 
 struct PictureShape {
   int width_px = 0, height_px = 0, channels = 0;
@@ -81,6 +85,9 @@ struct PictureShape {
 
 /// What the file's header says, which is all that is read. Throws InputError naming the file.
 [[nodiscard]] PictureShape picture_shape(const std::filesystem::path& path);
+
+/// What a file's name ends in, from the last dot on, in small letters: ".png" of "A.PNG".
+[[nodiscard]] std::string lower_case_ending(const std::filesystem::path& path);
 
 /// Reads an 8-bit PNG without any conversion. Throws InputError naming the file.
 [[nodiscard]] ByteImage read_bytes_image(const std::filesystem::path& path);
@@ -103,6 +110,15 @@ void write_picture_exr(const std::filesystem::path& path, const Image& image);
 /// Writes a 32-bit float EXR (1 channel: Y, 3 channels: R G B), atomically; the same picture always gives the
 /// same bytes. The values are not looked at.
 void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// A part of an EXR file.
+struct PictureLayer {
+  std::string name;
+  const Image* image = nullptr;  ///< 1 or 3 channels
+};
+/// Writes pictures of one size or several as the parts of one EXR file, 32-bit float, atomically; the same
+/// pictures always give the same bytes. The values are not looked at.
+void write_layers_exr(const std::filesystem::path& path, const std::vector<PictureLayer>& layers);
 
 /// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian:
 /// fonts-dejavu-core) nothing is drawn.

@@ -47,6 +47,11 @@ struct NumberIn<std::array<Number, size>> {
   using Type = Number;
 };
 
+template <class Target>
+inline constexpr bool is_array = false;
+template <class Number, std::size_t size>
+inline constexpr bool is_array<std::array<Number, size>> = true;
+
 void check_numbers(CLI::Option& option, NumberRange range, bool whole);
 
 }  // namespace number_option
@@ -59,6 +64,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Target& targ
   static_assert(std::is_arithmetic_v<Number>);
   CLI::Option* option = command.add_option(name, target, description);
   number_option::check_numbers(*option, range, std::is_integral_v<Number>);
+  if constexpr (number_option::is_array<Target>) option->delimiter(',');  // "0,-1,-3" as well as "0 -1 -3"
   return option;
 }
 

@@ -53,7 +53,7 @@ TEST(Sense, ItsFilesAreThoseThatRegisterAndCompositeRead) {
   const std::string composite =
       "composite --background " + in("colour.exr") + " --depth " + in("registered/registered.exr") +
       " --camera " + in("camera.toml") +
-      " --object builtin:statue --position 0 -1.5 -3.2 --scale 0.6 --spp 1 --bounces 0 ";
+      " --object builtin:statue --position 0 -1.5 -3.2 --scale 0.6 --environment 1 1 1 --spp 1 --bounces 0 ";
   const auto picture = [&](const std::string& occlusion) {
     const fs::path out = sensed() / ("composite-" + occlusion + ".exr");
     std::string options = composite + "--occlusion " + occlusion + " --out " + out.string();
@@ -77,7 +77,14 @@ TEST(Sense, OptionsThatWouldBeIgnoredAreRefused) {
   };
   const std::string composite =
       "composite --background p.png --depth d.exr --object builtin:statue --out o.png ";
-  refused(composite + "--occlusion none", "--camera");
+  refused(composite + "--occlusion none --occlusion-mask m.png", "--occlusion-mask");
+  refused(composite + "--to-sun 0 1 0", "--sun-irradiance");
+  refused(composite + "--objects o.toml", "found both");
+  refused(composite + "--height 1 --scale 2", "found both");
+  refused(composite + "--spp 4 --error 0.01", "found both");
+  refused(composite + "--environment 1 1 1 --environment-map m.exr", "--environment");
+  refused(composite + "--layers l.png", "--layers: wanted a name ending in .exr");
+  refused(composite + "--depth-width 7", "an even width");
   refused(composite + "--camera tof_160x120 --fov 40", "--fov");
   refused(composite + "--camera tof_160x120 --yaw 2", "--yaw");
   refused(composite + "--camera tof_160x120 --jump-ratio 2", "--jumps cut");

@@ -50,6 +50,21 @@ TEST(Workbench, AnObjectIsCompositedIntoAPhotographThroughItsDepthMap) {
   EXPECT_NE(read_image(folder / "additive.exr").values, ratio.values);
 }
 
+TEST(Workbench, PlacesAreWrittenWithBlanksOrCommasAndEndingsInAnyLetters) {
+  const fs::path folder = test::fresh_folder("workbench-commas");
+  const auto in = [&](const char* name) { return (folder / name).string(); };
+  write_exr(folder / "panorama.exr", Image(32, 16, 3, 0.5F));
+  write_exr(folder / "depth.exr", Image(32, 16, 1, 3.0F));
+  const std::string composite = "composite --background " + in("panorama.exr") + " --depth " +
+                                in("depth.exr") + " --object builtin:statue --height 1 --spp 2 --threads 1";
+  ASSERT_EQ(run_seamline(composite + " --position 0,-1,-2 --out " + in("a.PNG")).status, 0);
+  ASSERT_EQ(run_seamline(composite + " --position 0 -1 -2 --out " + in("b.png")).status, 0);
+  EXPECT_EQ(test::read_text(folder / "a.PNG"), test::read_text(folder / "b.png"));
+  const test::Outcome two = run_seamline(composite + " --position 0,-1 --out " + in("c.png"));
+  EXPECT_NE(two.status, 0);
+  EXPECT_THAT(two.output, testing::HasSubstr("--position"));
+}
+
 TEST(Workbench, WrongFilesAreExitStatusOne) {
   const fs::path folder = test::fresh_folder("workbench-wrong");
   write_exr(folder / "odd.exr", Image(10, 4, 1, 1.0F));

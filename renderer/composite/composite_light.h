@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "renderer/composite/photo_view.h"
+#include "renderer/light/light.h"
+
+namespace seamline::renderer {
+
+/// Light that is known before the local scene is.
+struct KnownLight {
+  Light light;                    ///< what was given, or the panorama's sky and sun
+  bool photographed = false;      ///< the local scene sends what the panorama shows of it
+  std::vector<std::string> text;  ///< what there is, a line each
+};
+
+/// The light that was given, or the panorama's. `depth`: the local scene, whose holes are sky. Throws
+/// InputError where there is none, or where things that were given exclude each other.
+[[nodiscard]] KnownLight known_light(const CompositeRequest& request, const Seen& seen, const Geometry& depth,
+                                     Notes& notes);
+
+/// Throws InputError where suns and environment are all the light, and the local scene is closed all round.
+void require_way_in(const KnownLight& known, const Geometry& depth, Notes& notes);
+
+}  // namespace seamline::renderer

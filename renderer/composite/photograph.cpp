@@ -1,0 +1,169 @@
+#include "renderer/composite/photograph.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/common/parallel.h"
+#include "renderer/depth/sensor/sensor_pose.h"
+#include "support/text/error.h"
+#include "support/text/limits.h"
+#include "support/text/printable.h"
+
+namespace seamline::renderer {
+namespace {
+
+bool is_colour(const Rgb& colour) {
+  return (colour.abs() <= static_cast<float>(limits::strongest_light)).all();  // false for NaN
+}
+
+void require_colours(const Image& picture, const std::filesystem::path& path) {
+  std::size_t wrong = 0;
+  std::string first;
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) {
+      const Rgb colour = picture.rgb(x, y);
+      if (is_colour(colour)) continue;
+      if (wrong++ == 0)
+        first = fmt::format("{:g} {:g} {:g} in ({}, {})", colour[0], colour[1], colour[2], x, y);
+    }
+  if (wrong > 0)
+    throw input_error(
+        {.file = path.string(),
+         .wanted = fmt::format("colours that are numbers, at most {:g}", limits::strongest_light),
+         .found =
+             fmt::format("{} pixel{} of another kind, the first {}", wrong, wrong == 1 ? "" : "s", first)});
+}
+
+Image three_channels(const Image& image) {
+  if (image.channels == 3) return image;
+  Image out(image.width_px, image.height_px, 3);
+  for (int y = 0; y < image.height_px; ++y)
+    for (int x = 0; x < image.width_px; ++x) out.set_rgb(x, y, image.rgb(x, y));
+  return out;
+}
+
+}  // namespace
+
+Photograph read_photograph(const std::filesystem::path& path, const std::optional<Projection>& projection) {
+  ImageHeader found;
+  Photograph photograph;
+  photograph.radiance = read_image(path, [&](const ImageHeader& header) {
+    found = header;
+    if (header.channels < 3)
+      throw input_error({.file = path.string(),
+                         .wanted = "three colour channels",
+                         .found = std::to_string(header.channels) + " channels"});
+  });
+  Image& picture = photograph.radiance;
+  require_colours(picture, path);
+  picture = upright(three_channels(picture), found.orientation);
+  photograph.was_codes = !found.floating_point;
+  if (photograph.was_codes) {
+    std::size_t clipped = 0;
+    for (int y = 0; y < picture.height_px; ++y)
+      for (int x = 0; x < picture.width_px; ++x) clipped += picture.rgb(x, y).maxCoeff() >= 1.0F ? 1 : 0;
+    photograph.clipped_share =
+        static_cast<double>(clipped) / (static_cast<double>(picture.width_px) * picture.height_px);
+  }
+  const bool twice_as_wide = picture.width_px == 2 * picture.height_px;
+  photograph.projection = projection.value_or(twice_as_wide ? Projection::panorama : Projection::perspective);
+  if (photograph.projection == Projection::panorama && !twice_as_wide)
+    throw input_error({.file = path.string(),
+                       .wanted = "a panorama twice as wide as high",
+                       .found = fmt::format("{} x {}", picture.width_px, picture.height_px)});
+  return photograph;
+}
+
+std::string codes_warning(const Photograph& photograph, const std::string& file) {
+  if (!photograph.was_codes) return {};
+  return fmt::format(
+      "{}: whole numbers, taken as sRGB codes (IEC 61966-2-1, white is 1 W/m2/sr); {:.2g} % of the pixels "
+      "are "
+      "white in some channel, and how bright these were is lost",
+      printable(file), 100 * photograph.clipped_share);
+}
+
+Camera panorama_camera(int width_px, int height_px) {
+  Camera camera;
+  camera.width_px = width_px;
+  camera.height_px = height_px;
+  camera.directions = std::make_shared<const ImageDirections>(
+      [width = static_cast<float>(width_px), height = static_cast<float>(height_px)](
+          float x, float y) -> Eigen::Vector3f {
+        constexpr float pi = std::numbers::pi_v<float>;
+        const float azimuth = (x / width - 0.5F) * 2 * pi, elevation = (0.5F - y / height) * pi;
+        return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                -std::cos(azimuth) * std::cos(elevation)};
+      });
+  return camera;
+}
+
+Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view) {
+  Camera camera = view;
+  camera.width_px = lens.width_px;
+  camera.height_px = lens.height_px;
+  const Eigen::Matrix3d turn = world_from_photograph(view).linear();
+  camera.tan_half_horizontal = static_cast<float>(
+      std::tan(0.5 * sensors::horizontal_field_of_view_deg(lens) * std::numbers::pi / 180));
+  camera.directions =
+      std::make_shared<const ImageDirections>([lens, turn](float x, float y) -> Eigen::Vector3f {
+        const auto direction = sensors::direction_through(lens, {double{x}, double{y}});
+        if (!direction) return Eigen::Vector3f::Zero();
+        return (turn * *direction).normalized().cast<float>();
+      });
+  return camera;
+}
+
+Rgb panorama_radiance(const Image& panorama, const Eigen::Vector3f& direction) {
+  constexpr float pi = std::numbers::pi_v<float>;
+  const int width = panorama.width_px, height = panorama.height_px;
+  const float column =
+      (std::atan2(direction.x(), -direction.z()) / (2 * pi) + 0.5F) * static_cast<float>(width) - 0.5F;
+  const float row =
+      (0.5F - std::asin(std::clamp(direction.y(), -1.0F, 1.0F)) / pi) * static_cast<float>(height) - 0.5F;
+  const float left = std::floor(column), top = std::floor(row);
+  const int x = (static_cast<int>(left) + width) % width, next = (x + 1) % width;
+  const int y = std::clamp(static_cast<int>(top), 0, height - 1),
+            below = std::clamp(static_cast<int>(top) + 1, 0, height - 1);
+  const float across = column - left, down = row - top;
+  return (1 - down) * ((1 - across) * panorama.rgb(x, y) + across * panorama.rgb(next, y)) +
+         down * ((1 - across) * panorama.rgb(x, below) + across * panorama.rgb(next, below));
+}
+
+Image view_of_panorama(const Image& panorama, const Camera& camera, int threads) {
+  constexpr int side = 4;
+  Image view(camera.width_px, camera.height_px, 3);
+  parallel_for(camera.height_px, threads, [&](int y) {
+    for (int x = 0; x < camera.width_px; ++x) {
+      Rgb sum = Rgb::Zero();
+      for (int i = 0; i < side * side; ++i)
+        sum += panorama_radiance(
+            panorama, camera.direction(static_cast<float>(x) + (static_cast<float>(i % side) + 0.5F) / side,
+                                       static_cast<float>(y) + (static_cast<float>(i / side) + 0.5F) / side));
+      view.set_rgb(x, y, sum / static_cast<float>(side * side));
+    }
+  });
+  return view;
+}
+
+ViewMatch match_view(const Image& photograph, const Camera& camera, const Image& panorama) {
+  const int step = std::max(1, std::min(camera.width_px, camera.height_px) / 64);
+  const auto bright = [](const Rgb& colour) { return std::log(std::max(1e-6, double{colour.mean()})); };
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (int y = step / 2; y < camera.height_px; y += step)
+    for (int x = step / 2; x < camera.width_px; x += step) {
+      const Eigen::Vector3f direction = camera.centre_direction(x, y);
+      if (direction.isZero()) continue;
+      const double shown = bright(photograph.rgb(x, y)),
+                   around = bright(panorama_radiance(panorama, direction));
+      n += 1, a += shown, b += around, aa += shown * shown, bb += around * around, ab += shown * around;
+    }
+  const double spread = (aa - a * a / n) * (bb - b * b / n);
+  return {.likeness = spread > 0 ? (ab - a * b / n) / std::sqrt(spread) : 0,
+          .scale = n > 0 ? std::exp((a - b) / n) : 1};
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,50 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "renderer/scene/camera.h"
+#include "sensors/camera/pinhole_camera.h"
+#include "support/files/image.h"
+
+namespace seamline::renderer {
+
+/// What the pixels of a photograph are directions of.
+enum class Projection {
+  perspective,  ///< a pinhole, or a lens
+  panorama      ///< all directions, equirectangular: the middle column looks along -Z, the right half is +X
+};
+
+struct Photograph {
+  Image radiance;  ///< three channels, linear; whatever unit the file has
+  Projection projection = Projection::perspective;
+  bool was_codes = false;    ///< whole numbers, taken as sRGB: light above white is lost
+  double clipped_share = 0;  ///< of the pixels, of whole numbers: white in some channel
+};
+
+/// Reads a photograph and turns it upright as its EXIF orientation says. `projection`: none: a picture twice
+/// as wide as high is a panorama. Throws InputError naming the file where it has no colour or a pixel that is
+/// no number, and where a panorama is of another shape.
+[[nodiscard]] Photograph read_photograph(const std::filesystem::path& path,
+                                         const std::optional<Projection>& projection);
+
+/// One sentence about a photograph of whole numbers, or empty: which curve was taken, and what is lost.
+[[nodiscard]] std::string codes_warning(const Photograph& photograph, const std::string& file);
+
+/// A camera for each projection. The panorama's axes are the world's; a lens looks whither `view` does.
+[[nodiscard]] Camera panorama_camera(int width_px, int height_px);
+[[nodiscard]] Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view);
+
+/// What a panorama shows in a direction, bilinear.
+[[nodiscard]] Rgb panorama_radiance(const Image& panorama, const Eigen::Vector3f& direction);
+/// What a camera in its middle sees of a panorama: 16 directions a pixel.
+[[nodiscard]] Image view_of_panorama(const Image& panorama, const Camera& camera, int threads);
+
+/// A photograph beside the panorama around it, in the photograph's view.
+struct ViewMatch {
+  double likeness =
+      0;             ///< correlation of the logarithms of their luminance, -1 to 1, which no exposure changes
+  double scale = 1;  ///< by which the panorama is as bright as the photograph, in the mean of the logarithms
+};
+[[nodiscard]] ViewMatch match_view(const Image& photograph, const Camera& camera, const Image& panorama);
+
+}  // namespace seamline::renderer

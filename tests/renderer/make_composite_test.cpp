@@ -1,0 +1,303 @@
+// `make_composite` on files: the right picture, or one sentence.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "renderer/composite/composite_request.h"
+#include "renderer/composite/objects_file.h"
+#include "renderer/composite/seamless_width.h"
+#include "renderer/depth/depth_map.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/files/image.h"
+#include "tests/complaint.h"
+
+namespace seamline::renderer {
+namespace {
+
+namespace fs = std::filesystem;
+using test::complaint_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr float hole = std::numeric_limits<float>::infinity();
+
+/// A room 3 m around the camera, closed or open above, photographed as a panorama and as a view.
+class MakeComposite : public testing::Test {
+ protected:
+  MakeComposite() : folder_(fs::path(SEAMLINE_TEST_OUTPUT) / "make-composite") {
+    fs::create_directories(folder_);
+    write_depth("closed.exr", 3.0F, 3.0F);
+    write_depth("open.exr", 3.0F, hole);
+    write_exr(folder_ / "panorama.exr", Image(64, 32, 3, 0.5F));
+    write_exr(folder_ / "view.exr", Image(40, 30, 3, 0.5F));
+  }
+  void write_depth(const char* name, float below, float above) const {
+    Image depth(64, 32, 1, below);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 64; ++x) depth.at(x, y) = above;
+    write_exr(folder_ / name, depth);
+  }
+  [[nodiscard]] std::string in(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// A panorama of a closed room, that is its own light, and a statue.
+  [[nodiscard]] CompositeRequest panorama() const {
+    CompositeRequest request;
+    request.photograph = in("panorama.exr");
+    request.depth.file = in("closed.exr");
+    PlacedModel statue;
+    statue.file = "builtin:statue";
+    statue.path = resolve_named_file("builtin:statue", "--object");
+    statue.position_m = {0, -1, -2};
+    statue.height_m = 1;
+    statue.stands = true;
+    request.objects = {statue};
+    request.spp = 2;
+    request.bounces = 1;
+    request.threads = 2;
+    request.light.given.environment_radiance = {0, 0, 0};
+    request.out = in("out.exr");
+    return request;
+  }
+  /// The same as a view under a given sky.
+  [[nodiscard]] CompositeRequest view() const {
+    CompositeRequest request = panorama();
+    request.photograph = in("view.exr");
+    request.depth.file = in("open.exr");
+    request.light.given.environment_radiance = {1, 1, 1};
+    return request;
+  }
+  static std::string said(const CompositeRequest& request) {
+    return complaint_of([&] { make_composite(request); });
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(MakeComposite, APanoramaOfAClosedRoomIsItsOwnLight) {
+  for (const auto estimator : {Estimator::fast, Estimator::path}) {
+    CompositeRequest request = panorama();
+    request.estimator = estimator;
+    ASSERT_EQ(said(request), "no complaint");
+    const Image made = read_image(folder_ / "out.exr");
+    ASSERT_EQ(made.width_px, 64);
+    ASSERT_EQ(made.height_px, 32);
+    int changed = 0, black = 0;
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 64; ++x) {
+        changed += std::abs(made.at(x, y) - 0.5F) > 1e-3F ? 1 : 0;
+        black += made.at(x, y) < 0.02F ? 1 : 0;
+      }
+    EXPECT_GT(changed, 20);
+    EXPECT_EQ(black, 0);
+  }
+}
+
+TEST_F(MakeComposite, APanoramaIsNeverDrawnAsAPerspectiveViewUnlessItIsSaidToBeOne) {
+  CompositeRequest request = panorama();
+  request.look_at_m = Eigen::Vector3d(0, 0, -1);
+  EXPECT_THAT(said(request), AllOf(HasSubstr("--look-at"), HasSubstr("--view")));
+  request.view_px = std::pair(48, 27);
+  EXPECT_EQ(said(request), "no complaint");
+  EXPECT_EQ(read_image(folder_ / "out.exr").width_px, 48);
+  CompositeRequest square = view();
+  square.projection = Projection::panorama;
+  EXPECT_THAT(said(square), HasSubstr("twice as wide as high, found 40 x 30"));
+}
+
+TEST_F(MakeComposite, EqualRequestsGiveEqualBytesForAnyNumberOfThreads) {
+  std::map<std::string, std::string> first;
+  for (const int threads : {1, 2}) {
+    for (const char* out : {"same.exr", "same.png"}) {
+      CompositeRequest request = panorama();
+      request.threads = threads;
+      request.out = in(out);
+      request.layers = in("same-layers.exr");
+      ASSERT_EQ(said(request), "no complaint");
+      for (const std::string& file : {request.out, request.layers}) {
+        const std::string bytes = read_file(file);
+        const auto [known, is_new] = first.try_emplace(file, bytes);
+        EXPECT_EQ(known->second, bytes) << file;
+      }
+    }
+  }
+}
+
+TEST_F(MakeComposite, LightThatCannotComeInOrIsNotThereIsRefused) {
+  CompositeRequest request = panorama();
+  request.light.given.environment_radiance = {1, 1, 1};
+  EXPECT_THAT(said(request), AllOf(HasSubstr("closed all round"), HasSubstr("--lamp")));
+  request = view();
+  request.light.given.environment_radiance = {0, 0, 0};
+  EXPECT_THAT(said(request), AllOf(HasSubstr("--to-sun"), HasSubstr("--light-panorama")));
+  request.light.from_photograph = true;
+  EXPECT_THAT(said(request), HasSubstr("--light-from-photograph: wanted a panorama"));
+  request.light.from_photograph = false;
+  Image elsewhere(64, 32, 3, 0.5F);
+  for (std::size_t i = 0; i < elsewhere.values.size(); ++i) elsewhere.values[i] = i % 7 < 3 ? 0.1F : 3.0F;
+  write_exr(folder_ / "elsewhere.exr", elsewhere);
+  request.light.panorama = in("elsewhere.exr");
+  EXPECT_THAT(said(request), HasSubstr("likeness"));
+}
+
+TEST_F(MakeComposite, AnObjectThatChangesNothingIsRefusedAndNoPictureIsWritten) {
+  fs::remove(folder_ / "nothing.exr");
+  CompositeRequest request = view();
+  request.out = in("nothing.exr");
+  request.objects[0].position_m = {0, -1, -30};  // behind the wall
+  request.light.given.environment_radiance = {0, 0, 0};
+  request.light.given.suns = {SunDefinition{Eigen::Vector3d(0, 1, 0), {1, 1, 1}, 0}};
+  EXPECT_THAT(said(request), HasSubstr("not one pixel"));
+  EXPECT_FALSE(fs::exists(folder_ / "nothing.exr"));
+}
+
+TEST_F(MakeComposite, DepthThatIsNoneOrOfAnotherShapeIsRefused) {
+  CompositeRequest request = view();
+  write_exr(folder_ / "holes.exr", Image(64, 32, 1, hole));
+  request.depth.file = in("holes.exr");
+  EXPECT_THAT(said(request), HasSubstr("nothing but holes"));
+  write_exr(folder_ / "square.exr", Image(64, 64, 1, 2.0F));
+  request.depth.file = in("square.exr");
+  EXPECT_THAT(said(request), AllOf(HasSubstr("64 x 64"), HasSubstr("40 x 30")));
+  request.depth.file = in("open.exr");
+  request.depth.convention = sensors::DepthConvention::planar;
+  EXPECT_THAT(said(request), HasSubstr("--depth-kind: wanted radial"));
+}
+
+TEST_F(MakeComposite, PlanarMillimetresOfTheViewAreAsGoodAsMetres) {
+  Image metres(40, 30, 1, 2.5F);
+  write_exr(folder_ / "planar.exr", metres);
+  std::string pgm = "P5\n40 30\n65535\n";
+  for (int i = 0; i < 40 * 30; ++i) pgm += {static_cast<char>(2500 >> 8), static_cast<char>(2500 & 255)};
+  std::ofstream(folder_ / "planar.pgm", std::ios::binary) << pgm;
+  CompositeRequest request = view();
+  request.depth.file = in("planar.exr");
+  ASSERT_EQ(said(request), "no complaint");
+  const Image first = read_image(folder_ / "out.exr");
+  request.depth.file = in("planar.pgm");
+  EXPECT_THAT(said(request), HasSubstr("metres_per_step"));
+  request.depth.metres_per_step = 0.001;
+  ASSERT_EQ(said(request), "no complaint");
+  EXPECT_EQ(read_image(folder_ / "out.exr").values, first.values);
+}
+
+TEST_F(MakeComposite, PixelsThatAreNoNumbersAreNamed) {
+  Image photograph(40, 30, 3, 0.5F);
+  photograph.at(7, 3, 1) = std::numeric_limits<float>::quiet_NaN();
+  write_exr(folder_ / "nan.exr", photograph);
+  CompositeRequest request = view();
+  request.photograph = in("nan.exr");
+  EXPECT_THAT(said(request), AllOf(HasSubstr("nan.exr"), HasSubstr("(7, 3)")));
+}
+
+TEST_F(MakeComposite, AMaskOfAnotherShapeOrBeyondOneIsRefused) {
+  CompositeRequest request = view();
+  write_exr(folder_ / "mask.exr", Image(17, 30, 1, 0.0F));
+  request.occlusion_mask = in("mask.exr");
+  EXPECT_THAT(said(request), AllOf(HasSubstr("mask.exr"), HasSubstr("17 x 30")));
+  write_exr(folder_ / "mask.exr", Image(40, 30, 1, 2.0F));
+  EXPECT_THAT(said(request), HasSubstr("from 0 to 1, found 2"));
+  write_exr(folder_ / "mask.exr", Image(40, 30, 1, 0.0F));
+  request.estimator = Estimator::fast;
+  EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path"));
+  request.estimator.reset();
+  EXPECT_EQ(said(request), "no complaint");
+  request.shadow_matte = in("mask.exr");
+  EXPECT_THAT(said(request), HasSubstr("--shadow-matte: wanted a sun"));
+}
+
+TEST_F(MakeComposite, ASmallerWidthIsComparedWithAllDepthInTheReport) {
+  CompositeRequest request = panorama();
+  request.depth_width_px = 16;
+  request.report = in("report.html");
+  request.layers = in("layers.exr");
+  ASSERT_EQ(said(request), "no complaint");
+  EXPECT_THAT(
+      read_file(folder_ / "report.html"),
+      AllOf(HasSubstr("FLIP between the two"), HasSubstr("a panorama of 16 x 8"), HasSubstr("triangles")));
+  request.seamless = true;
+  request.depth_width_px.reset();
+  request.layers.clear();
+  ASSERT_EQ(said(request), "no complaint");
+  EXPECT_THAT(read_file(folder_ / "report.html"), HasSubstr("PT: not noticed"));
+}
+
+TEST(ObjectsFile, IsReadAsItWasWrittenAndRefusesWhatItDoesNotKnow) {
+  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "objects.toml";
+  PlacedModel model;
+  model.file = "builtin:lion";
+  model.position_m = {0.25, -1, -3.5};
+  model.rotation_deg = {0, 30, 0};
+  model.height_m = 0.75;
+  model.stands = true;
+  model.roughness = 0.25;
+  const ObjectsFile read = parse_objects_file(objects_file_text({model}), path, {});
+  ASSERT_EQ(read.objects.size(), 1U);
+  EXPECT_EQ(objects_file_text(read.objects), objects_file_text({model}));
+  EXPECT_FALSE(read.has_light);
+  const auto said = [&](const std::string& text) {
+    return complaint_of([&] { static_cast<void>(parse_objects_file(text, path, {})); });
+  };
+  const std::string object = "[[object]]\nfile = \"builtin:lion\"\nposition_m = [0, 0, -3]\n";
+  EXPECT_EQ(said(object), "no complaint");
+  EXPECT_THAT(said(object + "hight_m = 1\n"), AllOf(HasSubstr("object[0].hight_m"), HasSubstr("height_m")));
+  EXPECT_THAT(said(object + "height_m = 1\nscale = 2\n"), HasSubstr("not both"));
+  EXPECT_THAT(said(object + "materials = \"diffuse\"\nroughness = 0.2\n"), HasSubstr("roughness"));
+  EXPECT_THAT(said("[[object]]\nfile = \"builtin:lion\"\n"), HasSubstr("position_m"));
+  EXPECT_THAT(said("[[object]]\nfile = \"none.glb\"\nposition_m = [0, 0, 0]\n"), HasSubstr("none.glb"));
+  EXPECT_THAT(said(""), HasSubstr("[[object]]"));
+  EXPECT_THAT(said("albedo = 0.3\n" + object), HasSubstr("--albedo"));
+  const ObjectsFile lit =
+      parse_objects_file("suns = [{ to_sun = [0, 1, 0], irradiance_w_m2 = [1, 1, 1] }]\n" + object, path, {});
+  EXPECT_TRUE(lit.has_light);
+  EXPECT_EQ(lit.light.suns->size(), 1U);
+}
+
+TEST(SeamThresholds, AreReadFromAReport) {
+  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "thresholds.json";
+  const auto read = [&](const std::string& text, const std::string& condition = "") {
+    write_file_atomically(path, text);
+    return read_thresholds(path, condition);
+  };
+  const std::string artifacts =
+      R"("artifacts":[{"artifact":"receiver","perceptual_threshold_px":{"estimate":300.5,"reason":null},)"
+      R"("slightly_noticeable_px":{"estimate":null,"reason":"below at every width"},"curve":[{"width_px":64}]},)"
+      R"({"artifact":"occlusion","perceptual_threshold_px":{"estimate":null,"reason":"above at every width"},)"
+      R"("slightly_noticeable_px":{"estimate":900}}])";
+  const auto found = read(R"({"format":"seamline thresholds","version":1,)" + artifacts + "}");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].perceptual_px, 300.5);
+  EXPECT_EQ(found[0].slightly_px, 64);
+  EXPECT_FALSE(found[1].perceptual_px.has_value());
+  EXPECT_EQ(seamless_width({.receiver = true}, found).width_px, 302);
+  EXPECT_EQ(seamless_width({.occlusion = true}, found).width_px, 900);
+  const auto said = [&](const std::string& text, const std::string& condition = "") {
+    return complaint_of([&] { static_cast<void>(read(text, condition)); });
+  };
+  EXPECT_THAT(said("{}"), HasSubstr("thresholds.json"));
+  EXPECT_THAT(said("[1"), HasSubstr("another kind of file"));
+  const std::string conditions =
+      R"({"format":"seamline thresholds","conditions":["soft","hard"],)" + artifacts + "}";
+  EXPECT_THAT(said(conditions), HasSubstr("one of soft, hard"));
+  EXPECT_THAT(said(R"({"format":"seamline thresholds","level":{},)" + artifacts + "}"),
+              HasSubstr("depth widths"));
+}
+
+TEST(Upright, TurnsAsTheOrientationSays) {
+  Image image(3, 2, 1);
+  for (int i = 0; i < 6; ++i) image.values[static_cast<std::size_t>(i)] = static_cast<float>(i);
+  EXPECT_EQ(upright(image, 1).values, image.values);
+  EXPECT_EQ(upright(image, 99).values, image.values);
+  // Held with its right side down: the file's left column is the upper row, from below to above.
+  const Image turned = upright(image, 6);
+  EXPECT_EQ(turned.width_px, 2);
+  EXPECT_EQ(turned.values, (std::vector<float>{3, 0, 4, 1, 5, 2}));
+  EXPECT_EQ(upright(turned, 8).values, image.values);
+  for (const int itself : {2, 3, 4, 5, 7})
+    EXPECT_EQ(upright(upright(image, itself), itself).values, image.values);
+}
+
+}  // namespace
+}  // namespace seamline::renderer
