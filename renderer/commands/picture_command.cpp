@@ -90,9 +90,10 @@ SceneDefinition scene_of(const PictureOptions& options, const std::filesystem::p
     scene.sun = SunDefinition{to_sun.normalized(), options.irradiance, options.sun_radius_deg};
   }
   if (!options.environment_map.empty())
-    scene.environment = EnvironmentDefinition{.file = options.environment_map,
-                                              .path = options.environment_map,
-                                              .rotation_deg = options.rotation_deg};
+    scene.environment = EnvironmentDefinition{
+        .file = options.environment_map,
+        .path = resolve_named_file(options.environment_map, "--environment-map", BuiltinKind::environment),
+        .rotation_deg = options.rotation_deg};
   return scene;
 }
 
@@ -202,10 +203,10 @@ void add_light_options(CLI::App& command, PictureOptions& options) {
       add_number(command, "--environment", options.environment, {0, limits::strongest_light, "W/m2/sr"},
                  "radiance R G B from every direction")
           ->capture_default_str();
-  CLI::Option* map =
-      command.add_option("--environment-map", options.environment_map,
-                         "radiance by direction: .exr or .hdr, equirectangular, +Y up, its middle "
-                         "column towards -Z");
+  CLI::Option* map = command.add_option(
+      "--environment-map", options.environment_map,
+      "radiance by direction: .exr, .hdr or builtin:NAME, equirectangular, +Y up, its middle "
+      "column towards -Z");
   map->excludes(constant);
   add_number(command, "--environment-rotation", options.rotation_deg, {-360, 360, "degrees"},
              "of the map about +Y, counter-clockwise seen from above")

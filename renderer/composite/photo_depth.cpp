@@ -111,6 +111,11 @@ PhotoDepth read_photo_depth(const PhotoDepthRequest& request, const Photograph& 
     return depth;
   }
   const PictureShape shape = depth_shape(request.file);
+  if (lower_case_ending(request.file) != ".exr" && !request.metres_per_step)
+    throw input_error({.file = request.file,
+                       .field = "--metres-per-step",
+                       .wanted = "how many metres a step of its whole numbers is (0.001: millimetres)",
+                       .found = "nothing"});
   const Image& picture = photograph.radiance;
   const bool is_panorama = shape.width_px == 2 * shape.height_px && request.view != DepthView::photograph;
   const double ratio = shape.height_px > 0 ? static_cast<double>(shape.width_px) / shape.height_px : 0;

@@ -177,7 +177,7 @@ TEST_F(MakeComposite, PlanarMillimetresOfTheViewAreAsGoodAsMetres) {
   ASSERT_EQ(said(request), "no complaint");
   const Image first = read_image(folder_ / "out.exr");
   request.depth.file = in("planar.pgm");
-  EXPECT_THAT(said(request), HasSubstr("metres_per_step"));
+  EXPECT_THAT(said(request), HasSubstr("--metres-per-step"));
   request.depth.metres_per_step = 0.001;
   ASSERT_EQ(said(request), "no complaint");
   EXPECT_EQ(read_image(folder_ / "out.exr").values, first.values);
