@@ -37,6 +37,17 @@ void require_colours(const Image& picture, const std::filesystem::path& path) {
              fmt::format("{} pixel{} of another kind, the first {}", wrong, wrong == 1 ? "" : "s", first)});
 }
 
+/// The share of pixels that are white in some channel: 1 of codes, else the picture's largest value.
+double share_at_white(const Image& picture, bool was_codes) {
+  float white = was_codes ? 1.0F : 0.0F;
+  if (!was_codes)
+    for (const float value : picture.values) white = std::max(white, value);
+  std::size_t clipped = 0;
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) clipped += picture.rgb(x, y).maxCoeff() >= white ? 1 : 0;
+  return static_cast<double>(clipped) / (static_cast<double>(picture.width_px) * picture.height_px);
+}
+
 Image three_channels(const Image& image) {
   if (image.channels == 3) return image;
   Image out(image.width_px, image.height_px, 3);
@@ -61,13 +72,7 @@ Photograph read_photograph(const std::filesystem::path& path, const std::optiona
   require_colours(picture, path);
   picture = upright(three_channels(picture), found.orientation);
   photograph.was_codes = !found.floating_point;
-  if (photograph.was_codes) {
-    std::size_t clipped = 0;
-    for (int y = 0; y < picture.height_px; ++y)
-      for (int x = 0; x < picture.width_px; ++x) clipped += picture.rgb(x, y).maxCoeff() >= 1.0F ? 1 : 0;
-    photograph.clipped_share =
-        static_cast<double>(clipped) / (static_cast<double>(picture.width_px) * picture.height_px);
-  }
+  photograph.clipped_share = share_at_white(picture, photograph.was_codes);
   const bool twice_as_wide = picture.width_px == 2 * picture.height_px;
   photograph.projection = projection.value_or(twice_as_wide ? Projection::panorama : Projection::perspective);
   if (photograph.projection == Projection::panorama && !twice_as_wide)
@@ -78,7 +83,15 @@ Photograph read_photograph(const std::filesystem::path& path, const std::optiona
 }
 
 std::string codes_warning(const Photograph& photograph, const std::string& file) {
-  if (!photograph.was_codes) return {};
+  // Of a picture of one value nothing can be said.
+  const bool ends_at_one_value = photograph.clipped_share > 0.002 && photograph.clipped_share < 0.5;
+  if (!photograph.was_codes)
+    return ends_at_one_value ? fmt::format(
+                                   "{}: {:.2g} % of its pixels have the same largest value, as a picture "
+                                   "that was clipped has: "
+                                   "how bright these were is lost",
+                                   printable(file), 100 * photograph.clipped_share)
+                             : "";
   return fmt::format(
       "{}: whole numbers, taken as sRGB codes (IEC 61966-2-1, white is 1 W/m2/sr); {:.2g} % of the pixels "
       "are "

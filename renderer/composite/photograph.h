@@ -17,8 +17,9 @@ enum class Projection {
 struct Photograph {
   Image radiance;  ///< three channels, linear; whatever unit the file has
   Projection projection = Projection::perspective;
-  bool was_codes = false;    ///< whole numbers, taken as sRGB: light above white is lost
-  double clipped_share = 0;  ///< of the pixels, of whole numbers: white in some channel
+  bool was_codes = false;  ///< whole numbers, taken as sRGB: light above white is lost
+  /// Of the pixels: white in some channel (1 of whole numbers, else the largest value of all).
+  double clipped_share = 0;
 };
 
 /// Reads a photograph and turns it upright as its EXIF orientation says. `projection`: none: a picture twice
@@ -27,7 +28,8 @@ struct Photograph {
 [[nodiscard]] Photograph read_photograph(const std::filesystem::path& path,
                                          const std::optional<Projection>& projection);
 
-/// One sentence about a photograph of whole numbers, or empty: which curve was taken, and what is lost.
+/// One sentence about a photograph of whole numbers (which curve was taken, and what is lost), or about one
+/// that was clipped; else empty.
 [[nodiscard]] std::string codes_warning(const Photograph& photograph, const std::string& file);
 
 /// A camera for each projection. The panorama's axes are the world's; a lens looks whither `view` does.

@@ -224,6 +224,40 @@ TEST_F(MakeComposite, ASmallerWidthIsComparedWithAllDepthInTheReport) {
   EXPECT_THAT(read_file(folder_ / "report.html"), HasSubstr("PT: not noticed"));
 }
 
+TEST_F(MakeComposite, SaysWhatAPhotographHasLost) {
+  Image clipped(64, 32, 3, 0.25F);
+  for (int x = 0; x < 64; ++x) clipped.set_rgb(x, 3, Rgb::Ones());
+  write_exr(folder_ / "clipped.exr", clipped);
+  const auto said_of = [](const fs::path& file) {
+    return codes_warning(read_photograph(file, std::nullopt), "it");
+  };
+  EXPECT_THAT(said_of(folder_ / "clipped.exr"), HasSubstr("3.1 % of its pixels have the same largest value"));
+  EXPECT_EQ(said_of(folder_ / "panorama.exr"), "");
+  write_png(folder_ / "codes.png", display_image(clipped));
+  EXPECT_THAT(said_of(folder_ / "codes.png"), AllOf(HasSubstr("sRGB"), HasSubstr("3.1 %")));
+}
+
+TEST_F(MakeComposite, ARealPanoramaLightsAScan) {
+  const fs::path assets = fs::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets";
+  if (!fs::exists(assets)) GTEST_SKIP() << "there is no " << assets;
+  CompositeRequest request = panorama();
+  request.photograph = (assets / "environments" / "leadenhall_market_1k.hdr").string();
+  request.objects[0].file = "nefertiti";
+  request.objects[0].path = assets / "meshes" / "nefertiti-lowres.glb";
+  request.view_px = std::pair(96, 96);
+  request.look_at_m = Eigen::Vector3d(0, -0.25, -1);
+  request.fov_deg = 40;
+  request.spp = 16;
+  ASSERT_EQ(said(request), "no complaint");
+  // A bust of albedo 0.5 in the middle is neither black nor brighter than the sky over the market.
+  const Image made = read_image(folder_ / "out.exr");
+  double sum = 0;
+  for (int y = 40; y < 60; ++y)
+    for (int x = 42; x < 54; ++x) sum += double{made.rgb(x, y).mean()} / (20 * 12);
+  EXPECT_GT(sum, 0.05);
+  EXPECT_LT(sum, 1.5);
+}
+
 TEST(ObjectsFile, IsReadAsItWasWrittenAndRefusesWhatItDoesNotKnow) {
   const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "objects.toml";
   PlacedModel model;
