@@ -25,7 +25,7 @@ std::string three(const Rgb& v) {
 }
 
 /// The light that was given, or the scene file's.
-Light given_light(const CompositeRequest& request, const Seen& seen) {
+Light given_light(const CompositeRequest& request, const SeenPhoto& seen) {
   SceneDefinition definition = request.light.given;
   definition.name = "composite";
   definition.path = request.scene_file;
@@ -53,7 +53,7 @@ void describe(const Light& light, std::vector<std::string>& text) {
 
 /// The panorama whose texels are light: the photograph's own, or one that was taken at its place, scaled to
 /// it.
-Image light_panorama(const CompositeRequest& request, const Seen& seen, Notes& notes) {
+Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, Notes& notes) {
   if (request.light.panorama.empty()) {
     if (seen.panorama.width_px > 0) return seen.panorama;
     throw input_error(
@@ -81,7 +81,7 @@ Image light_panorama(const CompositeRequest& request, const Seen& seen, Notes& n
 
 }  // namespace
 
-KnownLight known_light(const CompositeRequest& request, const Seen& seen, const Geometry& depth,
+KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, const Geometry& depth,
                        Notes& notes) {
   KnownLight known{.light = given_light(request, seen), .text = {}};
   const bool has_given = shines(known.light);

@@ -16,8 +16,8 @@ struct KnownLight {
 
 /// The light that was given, or the panorama's. `depth`: the local scene, whose holes are sky. Throws
 /// InputError where there is none, or where things that were given exclude each other.
-[[nodiscard]] KnownLight known_light(const CompositeRequest& request, const Seen& seen, const Geometry& depth,
-                                     Notes& notes);
+[[nodiscard]] KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen,
+                                     const Geometry& depth, Notes& notes);
 
 /// Throws InputError where suns and environment are all the light, and the local scene is closed all round.
 void require_way_in(const KnownLight& known, const Geometry& depth, Notes& notes);

@@ -62,7 +62,7 @@ struct GivenAnswers {
   }
 };
 
-GivenAnswers given_answers(const CompositeRequest& request, const Seen& seen, const PhotoDepth& depth) {
+GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& seen, const PhotoDepth& depth) {
   GivenAnswers given;
   const Camera& camera = seen.camera;
   const bool whole =
@@ -230,7 +230,7 @@ void make_composite(const CompositeRequest& asked) {
   if (request.threads == 0) request.threads = default_thread_count();
   request.depth.threads = request.threads;
   Notes notes;
-  const Seen seen = see(request, notes);
+  const SeenPhoto seen = see(request, notes);
   const PhotoObjects objects = place_objects(request.objects, seen.centre_m);
   for (const std::string& sentence : objects.left_out) notes.say(sentence);
   MadeComposite made;

@@ -25,7 +25,7 @@ void require_view(const CompositeRequest& request) {
 }
 
 /// A pinhole of the photograph's or the view's size: the scene file's camera, or what the options say.
-Camera pinhole_camera(const CompositeRequest& request, Seen& seen, int width_px, int height_px) {
+Camera pinhole_camera(const CompositeRequest& request, SeenPhoto& seen, int width_px, int height_px) {
   SceneDefinition scene;
   scene.path = request.scene_file;
   if (request.scene_file.empty())
@@ -55,9 +55,9 @@ void Notes::say(const std::string& note) {
   said.push_back(note);
 }
 
-Seen see(const CompositeRequest& request, Notes& notes) {
+SeenPhoto see(const CompositeRequest& request, Notes& notes) {
   require_view(request);
-  Seen seen;
+  SeenPhoto seen;
   seen.photograph = read_photograph(request.photograph, request.projection);
   if (const std::string warning = codes_warning(seen.photograph, request.photograph); !warning.empty())
     notes.say(warning);

@@ -16,7 +16,7 @@ class Notes {
 };
 
 /// The photograph as its camera sees it, and the panorama that it may be a view of.
-struct Seen {
+struct SeenPhoto {
   Photograph photograph;
   Image panorama;  ///< empty where there is none
   Camera camera;
@@ -28,6 +28,6 @@ struct Seen {
 
 /// Reads the photograph, and finds its camera. Throws InputError where options and photograph do not go
 /// together.
-[[nodiscard]] Seen see(const CompositeRequest& request, Notes& notes);
+[[nodiscard]] SeenPhoto see(const CompositeRequest& request, Notes& notes);
 
 }  // namespace seamline::renderer
