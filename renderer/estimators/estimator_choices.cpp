@@ -50,7 +50,8 @@ EstimatorChoices fast_choices(const LightFacts& light, double exposure_ev, const
   // Few samples, filtered more. Where there is nothing but sky a ratio of few samples is noisiest and its
   // light smoothest: a weaker filter would leave blotches.
   if (omit.bounce_filter)
-    choices.ratio_filter = choices.bounces > 0 ? FilterStrength{2, 3.0F} : FilterStrength{3, 2.0F};
+    choices.ratio_filter =
+        choices.bounces > 0 ? FilterStrength{2, 3.0F, false} : FilterStrength{3, 2.0F, false};
   // A tile's bias is known to a fifteenth of its unfiltered noise (it is the product of two halves' changes,
   // over a thousand pixels). What is less than three times that may be none.
   choices.surely_biased = 0.2;

@@ -48,6 +48,9 @@ struct Surface {
 struct FilterStrength {
   int levels = 2;
   float reach_divisor = 2.0F;
+  /// Whether pixels exchange light, so that its sum stays; else each is a mean over those like it, in half
+  /// the time: enough for a ratio, whose two lights lose and gain alike.
+  bool keeps_sum = true;
 
   bool operator==(const FilterStrength&) const = default;
 };
@@ -55,8 +58,11 @@ inline constexpr FilterStrength no_filter{.levels = 0};
 
 /// Filters bounce light among pixels that show like surfaces: a-trous levels (Dammertz et al., HPG 2010) with
 /// a cubic B-spline kernel, weights falling with the angle between the normals, with the distance from the
-/// pixel's tangent plane and with the distance along it, never with colour. Row by row, `texels` in place;
-/// those outside the tiles of `where` stay as they are.
+/// pixel's tangent plane and with the distance along it, never with colour. Weights are the same from either
+/// side, and pixels exchange light, so that of pixels with as many samples the sum stays what it was
+/// (`keeps_sum`). A mean over like neighbours counts pixels in creases, which are dark and have few, for two
+/// thirds of what they are: it is too bright there, however many samples it has. Row by row, `texels` in
+/// place; those outside the tiles of `where` stay as they are.
 void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
                    int threads, std::vector<BounceTexel>& texels, const TileSet& where);
 /// The same everywhere.

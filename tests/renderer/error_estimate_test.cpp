@@ -146,5 +146,53 @@ TEST(BounceFilter, ReachesNoFartherThanBounceLightIsAlike) {
   EXPECT_NEAR(texels[8 * 32 + 8].without_object(0)[0] / texels[8 * 32 + 8].without_samples(0), 1.0F, 1e-6F);
 }
 
+/// A landscape of creases: normals, distances and reaches that change from pixel to pixel, and holes.
+std::vector<Surface> rough_ground(const TileGrid& grid, Random& random) {
+  std::vector<Surface> surfaces;
+  for (int y = 0; y < grid.height_px; ++y)
+    for (int x = 0; x < grid.width_px; ++x) {
+      const auto tilt = static_cast<float>(0.4 * random.uniform());
+      Surface surface{
+          .normal = Eigen::Vector3f(tilt, 1, -tilt).normalized(),
+          .position_m = {0.01F * static_cast<float>(x), 0.004F * static_cast<float>(random.uniform()),
+                         0.01F * static_cast<float>(y)},
+          .distance_m = 1.0F + static_cast<float>(random.uniform())};
+      surface.inverse_reach = static_cast<float>(20 * random.uniform());
+      surfaces.push_back(random.uniform() < 0.1 ? Surface{} : surface);
+    }
+  return surfaces;
+}
+
+TEST(BounceFilter, KeepsTheSumOfAllLight) {
+  const TileGrid grid{80, 70};
+  Random random(11);
+  const std::vector<Surface> surfaces = rough_ground(grid, random);
+  std::vector<BounceTexel> texels(surfaces.size());
+  const auto light = [&] {
+    Eigen::Array<double, 16, 1> sum = Eigen::Array<double, 16, 1>::Zero();
+    for (const BounceTexel& texel : texels) sum += texel.sums.cast<double>();
+    return sum;
+  };
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t half = 0; half < 2; ++half) {
+      if (surfaces[i].normal.isZero()) continue;
+      // Creases are dark.
+      texels[i].without_object(half) =
+          Rgb::Constant(static_cast<float>(random.uniform()) / (1 + surfaces[i].inverse_reach));
+      texels[i].change(half) = Rgb::Constant(static_cast<float>(random.uniform()) - 0.5F);
+      texels[i].without_samples(half) = texels[i].change_samples(half) = 3.0F;
+    }
+  const auto before = light();
+  const std::vector<BounceTexel> sampled = texels;
+  filter_bounce(surfaces, grid, {.levels = 2, .reach_divisor = 2.0F}, 2, texels);
+  EXPECT_LT(((light() - before) / before.abs().max(1)).abs().maxCoeff(), 1e-5);
+  double changed = 0;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    changed += static_cast<double>((texels[i].sums - sampled[i].sums).abs().maxCoeff());
+    if (!surfaces[i].normal.isZero()) EXPECT_NEAR(texels[i].without_samples(0), 3.0F, 1e-4F);
+  }
+  EXPECT_GT(changed, 1) << "it does filter";
+}
+
 }  // namespace
 }  // namespace seamline::renderer
