@@ -59,6 +59,11 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
                        .field = "mesh_albedo",
                        .wanted = "\"constant\", which is measured here",
                        .found = "\"" + std::string(word(stimulus.depth.albedo)) + "\""});
+  if (stimulus.depth.mitigation != Mitigation{})
+    throw input_error({.file = study.file.string(),
+                       .field = "mitigation",
+                       .wanted = "none: bare depth is measured here",
+                       .found = canonical_text(stimulus.depth.mitigation)});
   if (stimulus.depth.chain)
     throw input_error({.file = study.file.string(),
                        .field = "depth",

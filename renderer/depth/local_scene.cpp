@@ -3,6 +3,7 @@
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/panorama_chain.h"
+#include "renderer/depth/panorama_layers.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 
 namespace seamline::renderer {
@@ -18,11 +19,13 @@ struct Rebuilt {
 
 /// The paper's: an exact panorama, and nothing done to it.
 Rebuilt from_exact_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
-  return {.mesh = build_depth_mesh(capture_depth(truth, settings.width_px, settings.yaw_texels, threads),
-                                   {.density = settings.mesh,
-                                    .tolerance = settings.mesh_tolerance,
-                                    .yaw_texels = settings.yaw_texels,
-                                    .threads = threads})};
+  const DepthMap map = capture_depth(truth, settings.width_px, settings.yaw_texels, threads);
+  const MeshOptions options{.density = settings.mesh,
+                            .tolerance = settings.mesh_tolerance,
+                            .yaw_texels = settings.yaw_texels,
+                            .threads = threads};
+  if (settings.mitigation.blockers == Blockers::layers) return {.mesh = layered_mesh(truth, map, options)};
+  return {.mesh = build_depth_mesh(map, options)};
 }
 
 Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
@@ -63,7 +66,8 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
 
 LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
   Rebuilt made = rebuilt(truth, settings, use);
-  const bool in_place = !settings.chain || is_seen_from_its_place(*settings.chain);
+  const bool in_place = (!settings.chain || is_seen_from_its_place(*settings.chain)) &&
+                        settings.mitigation.blockers == Blockers::sheets;
   return {Geometry(made.mesh, Rgb::Constant(static_cast<float>(use.albedo)),
                    use.traces_rays || !in_place ? TreeQuality::for_light : TreeQuality::for_few_rays,
                    in_place ? CentreRays::by_table : CentreRays::by_tree),

@@ -15,8 +15,11 @@ struct LocalScene {
   Geometry geometry;
   MeshRecord mesh;
   std::optional<OcclusionTest> occlusion = {};  ///< who is in front, where not the mesh decides
+  std::optional<ShadowMatte> matte = {};        ///< which real surfaces suns light, likewise
 
-  [[nodiscard]] DepthWorld world() const { return {&geometry, occlusion ? &*occlusion : nullptr}; }
+  [[nodiscard]] DepthWorld world() const {
+    return {&geometry, occlusion ? &*occlusion : nullptr, matte ? &*matte : nullptr};
+  }
 };
 
 /// What a local scene is made for.

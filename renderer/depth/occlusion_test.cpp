@@ -45,6 +45,7 @@ struct Hides {
 }  // namespace
 
 bool hides(const OcclusionTest& test, const Eigen::Vector3f& direction, float distance_m) {
+  if (test.mask) return masks(*test.mask, direction);
   const Hides asked{test, direction.cast<double>().normalized(), static_cast<double>(distance_m)};
   return std::any_of(test.sights.begin(), test.sights.end(),
                      [&](const DepthSight& sight) { return std::visit(asked, sight); });

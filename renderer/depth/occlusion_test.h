@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/depth/depth_map.h"
+#include "renderer/material/direction_mask.h"
 #include "sensors/frame/depth_frame.h"
 #include "sensors/frame/depth_test.h"
 
@@ -33,19 +34,23 @@ struct OcclusionTest {
   std::vector<DepthSight> sights;
   Eigen::Vector3f forward = {0, 0, -1};             ///< unit; the photograph's axis in the world
   std::optional<sensors::DepthBuffer> buffer = {};  ///< none: metres
+  std::optional<DirectionMask> mask = {};           ///< decides alone, whatever the distance
 };
 
 /// Whether the real world hides a virtual point at this distance in this direction (unit, in the world).
 [[nodiscard]] bool hides(const OcclusionTest& test, const Eigen::Vector3f& direction, float distance_m);
 
-/// What answers in place of the truth: the depth mesh, and who is in front where something else decides it.
+/// What answers in place of the truth: the depth mesh, and who is in front and which real surface the suns
+/// light where something else decides that.
 struct DepthWorld {
   const Geometry* mesh = nullptr;            ///< null where nothing is asked of it
   const OcclusionTest* occlusion = nullptr;  ///< null: the mesh decides
+  const ShadowMatte* matte = nullptr;  ///< how much of suns reaches real surfaces; null: the mesh decides
 
   // A mesh alone is a world of depth.
-  DepthWorld(const Geometry* depth_mesh, const OcclusionTest* test = nullptr)
-      : mesh(depth_mesh), occlusion(test) {}
+  DepthWorld(const Geometry* depth_mesh, const OcclusionTest* test = nullptr,
+             const ShadowMatte* shadow_matte = nullptr)
+      : mesh(depth_mesh), occlusion(test), matte(shadow_matte) {}
   DepthWorld(std::nullptr_t) {}
 };
 

@@ -168,27 +168,6 @@ class TexelJumps {
   double yaw_texels_, ratio_;
 };
 
-/// The mesh without the triangles that jump, and without the vertices that only they used.
-DepthMesh without_jumps(const DepthMesh& mesh, const TexelJumps& jumps) {
-  constexpr std::uint32_t unused = 0xffffffff;
-  DepthMesh kept{.vertices_m = {}, .triangles = {}, .max_relative_error = mesh.max_relative_error};
-  std::vector<std::uint32_t> number(mesh.vertices_m.size(), unused);
-  for (const Triangle& t : mesh.triangles) {
-    if (jumps.at(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]])) continue;
-    Triangle renumbered{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& n = number[t[i]];
-      if (n == unused) {
-        n = static_cast<std::uint32_t>(kept.vertices_m.size());
-        kept.vertices_m.push_back(mesh.vertices_m[t[i]]);
-      }
-      renumbered[i] = n;
-    }
-    kept.triangles.push_back(renumbered);
-  }
-  return kept;
-}
-
 double relative_sigma(const DepthSettings& settings) {
   const SourceNoise* noise = noise_of(settings.chain->sources.front());
   if (noise == nullptr) return 0;
@@ -256,7 +235,7 @@ DepthMesh map_mesh(const DepthMap& map, const DepthSettings& settings, int threa
                                           .yaw_texels = settings.yaw_texels,
                                           .threads = threads});
   if (settings.chain->jumps != Jumps::cut) return mesh;
-  return without_jumps(mesh, TexelJumps(map, settings.yaw_texels, settings.chain->jump_ratio));
+  return without_jumps(mesh, map, settings.yaw_texels, settings.chain->jump_ratio);
 }
 
 /// The lower median of the larger side of the largest jump; of all where none is by more than a tenth.
@@ -275,6 +254,27 @@ float middle_of_larger_side(std::vector<float>& distances_m) {
 }
 
 }  // namespace
+
+DepthMesh without_jumps(const DepthMesh& mesh, const DepthMap& map, double yaw_texels, double ratio) {
+  const TexelJumps jumps(map, yaw_texels, ratio);
+  constexpr std::uint32_t unused = 0xffffffff;
+  DepthMesh kept{.vertices_m = {}, .triangles = {}, .max_relative_error = mesh.max_relative_error};
+  std::vector<std::uint32_t> number(mesh.vertices_m.size(), unused);
+  for (const Triangle& t : mesh.triangles) {
+    if (jumps.at(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]])) continue;
+    Triangle renumbered{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& n = number[t[i]];
+      if (n == unused) {
+        n = static_cast<std::uint32_t>(kept.vertices_m.size());
+        kept.vertices_m.push_back(mesh.vertices_m[t[i]]);
+      }
+      renumbered[i] = n;
+    }
+    kept.triangles.push_back(renumbered);
+  }
+  return kept;
+}
 
 DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int threads) {
   DepthMap map{.width_px = finer.width_px / factor, .height_px = finer.height_px / factor, .distance_m = {}};

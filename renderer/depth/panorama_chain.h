@@ -19,6 +19,11 @@ struct MeasuredPanorama {
 [[nodiscard]] MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings,
                                              int threads);
 
+/// The mesh of a map without the triangles, of about a texel and smaller, that lie between texels whose
+/// distances differ by more than the ratio, and without the vertices that only they used.
+[[nodiscard]] DepthMesh without_jumps(const DepthMesh& mesh, const DepthMap& map, double yaw_texels,
+                                      double ratio);
+
 /// A map of a `factor`-th of the size, whose texels stand for factor x factor of the finer one's. Exposed for
 /// tests.
 [[nodiscard]] DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int threads);

@@ -41,6 +41,7 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       geometry_(geometry),
       depth_(needs_mesh(recipe.answers, depth) ? depth.mesh : nullptr),
       occlusion_(depth.occlusion),
+      matte_(recipe.answers.real_lit == Who::depth ? depth.matte : nullptr),
       recipe_(recipe),
       answers_(recipe.answers),
       depth_worlds_{depth_, &geometry.object, {}, 1},
@@ -172,11 +173,11 @@ void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> sa
     points.push_back({.receiver = answers_.receiver == Who::depth ? &*sample.depth : &*sample.real,
                       .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real},
-                      .shaded_as = &*sample.real,
+                      .shaded_as = answers_.bounce == Who::depth ? &*sample.depth : &*sample.real,
                       .sampler = sample.sampler});
   }
   lit.resize(points.size());
-  direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
+  direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_, matte_);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].shows != StimulusSample::Shows::uncovered) continue;

@@ -121,7 +121,7 @@ class StimulusSampler {
   }
   /// Whether one path through the depth mesh answers everything off the object.
   [[nodiscard]] bool uncovered_is_one_path() const {
-    return answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
+    return matte_ == nullptr && answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
            answers_.real_lit == Who::depth;
   }
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
@@ -138,6 +138,7 @@ class StimulusSampler {
   const ObjectGeometry& geometry_;
   const Geometry* depth_;           ///< the mesh; null where nothing is asked of it
   const OcclusionTest* occlusion_;  ///< null: the mesh decides
+  const ShadowMatte* matte_;        ///< null: the mesh decides, or nobody asks
   const Recipe& recipe_;
   const Answers& answers_;
   Worlds depth_worlds_;

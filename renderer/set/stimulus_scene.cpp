@@ -1,15 +1,46 @@
 #include "renderer/set/stimulus_scene.h"
 
 #include "renderer/estimators/mesh_albedo.h"
+#include "renderer/estimators/mitigation_masks.h"
 
 namespace seamline::renderer {
+
+namespace {
+
+bool looks_at_photograph(const DepthSettings& settings) {
+  return (settings.chain && guided_by_photograph(*settings.chain)) ||
+         settings.albedo == MeshAlbedo::photograph ||
+         settings.mitigation.occlusion == OcclusionMitigation::edges ||
+         settings.mitigation.shadow == ShadowMitigation::detected;
+}
+
+/// What answers in place of the mesh. `photograph` is empty where nothing looks at it.
+void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const DepthSettings& settings,
+               const Image& photograph, int threads, LocalScene& local) {
+  const Mitigation& mitigation = settings.mitigation;
+  const DetectedFrom detected_from{photograph, scene.camera, threads};
+  if (mitigation.occlusion != OcclusionMitigation::none) {
+    const MaskedObject object(geometry.object);
+    local.occlusion.emplace();
+    local.occlusion->mask = mitigation.occlusion == OcclusionMitigation::mask
+                                ? occlusion_mask(geometry.truth, object, mitigation.mask_width_px, threads)
+                                : detected_mask(local.geometry, object, settings.width_px,
+                                                mitigation.mask_width_px, detected_from);
+  }
+  if (mitigation.shadow != ShadowMitigation::none)
+    local.matte =
+        mitigation.shadow == ShadowMitigation::matte
+            ? shadow_matte(geometry.truth, scene.light, scene.camera, mitigation.matte_width_px, threads)
+            : detected_matte(local.geometry, scene.light, mitigation.matte_width_px, detected_from);
+}
+
+}  // namespace
 
 LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimator,
                           const DepthSettings& settings, bool traces_rays, int threads) {
   const Geometry& truth = estimator.geometry().truth;
   Image photograph;
-  if ((settings.chain && guided_by_photograph(*settings.chain)) || settings.albedo == MeshAlbedo::photograph)
-    photograph = background_image(estimator.truth());
+  if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
   LocalScene local = make_local_scene(truth, settings,
                                       {.albedo = scene.definition.albedo,
                                        .traces_rays = traces_rays,
@@ -19,6 +50,8 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
   if (settings.albedo != MeshAlbedo::constant)
     paint_mesh(local.geometry, truth, settings,
                {photograph, scene.camera, scene.light, scene.definition.albedo, threads});
+  if (settings.mitigation != Mitigation{})
+    add_masks(scene, estimator.geometry(), settings, photograph, threads, local);
   return local;
 }
 

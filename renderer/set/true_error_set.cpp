@@ -27,8 +27,8 @@ using Groups = std::map<Key, std::vector<ManifestStimulus>>;
 Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const TrueErrorRequest& request,
                   const TrueErrors& known) {
   // A manifest says how depth was captured as a text only.
-  std::map<std::string, std::optional<DepthChain>> chains;
-  for (const Stimulus& stimulus : list_stimuli(study)) chains[stimulus_id(stimulus)] = stimulus.depth.chain;
+  std::map<std::string, DepthSettings> settings;
+  for (const Stimulus& stimulus : list_stimuli(study)) settings[stimulus_id(stimulus)] = stimulus.depth;
   Groups groups;
   bool any = false;
   for (const ManifestStimulus& record : manifest.stimuli) {
@@ -39,7 +39,10 @@ Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const 
         found->second.reference_spp == request.spp)
       continue;
     DepthSettings depth = record.stimulus.depth;
-    if (const auto chain = chains.find(record.id); chain != chains.end()) depth.chain = chain->second;
+    if (const auto of_study = settings.find(record.id); of_study != settings.end()) {
+      depth.chain = of_study->second.chain;
+      depth.mitigation = of_study->second.mitigation;
+    }
     groups[{truth_of(record.stimulus), record.stimulus.object_index, depth}].push_back(record);
   }
   if (!any)

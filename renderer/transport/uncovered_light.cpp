@@ -7,10 +7,11 @@ namespace seamline::renderer {
 namespace {
 
 /// Adds the light of the rays that the real world lets through, without and with the object, and begins anew.
-void trace(const Geometry& object, const Geometry& real, Coherence coherence, Rgb Split::*part,
+/// `real`: null where nothing real is asked.
+void trace(const Geometry& object, const Geometry* real, Coherence coherence, Rgb Split::*part,
            LightRays& rays, RayCounts* counts, std::span<RadiancePair> pairs) {
   if (rays.empty()) return;
-  rays.drop_blocked_by_real(real, coherence, counts);
+  if (real != nullptr) rays.drop_blocked_by_real(*real, coherence, counts);
   for (const LightRays::Arriving& light : rays.arriving())
     pairs[light.index].without_object.*part += light.radiance;
   rays.drop_blocked_by_object(object, coherence, counts);
@@ -32,7 +33,8 @@ SurfacePoint shaded_receiver(const UncoveredPoint& point) {
 }  // namespace
 
 void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
-                         std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts) {
+                         std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts,
+                         const ShadowMatte* matte) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Split emitted{.direct = points[i].shaded_as->emission};
     pairs[i] = {emitted, emitted};
@@ -40,20 +42,28 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
   if (points.empty()) return;
   const Geometry& real = *points.front().lit.geometry;
   rays.clear();
+  const auto suns = static_cast<int>(light.suns.size());  // whose rays lie together
   const auto add_samples = [&](int from, int to) {
     for (int number = from; number < to; ++number)
       for (std::size_t i = 0; i < points.size(); ++i) {
         const SurfacePoint receiver = shaded_receiver(points[i]);
-        if (const auto sample =
-                light_sample(light, number, receiver, Rgb::Ones(), points[i].sampler, 0, GlowHits::unknown))
+        const auto sample =
+            light_sample(light, number, receiver, Rgb::Ones(), points[i].sampler, 0, GlowHits::unknown);
+        if (!sample) continue;
+        if (matte == nullptr || number >= suns) {
           rays.add(receiver, points[i].lit, sample->direction, sample->far_m, {i, sample->radiance});
+          continue;
+        }
+        const float arrives = matte->of_suns[static_cast<std::size_t>(number)].at(receiver.position_m);
+        if (arrives > 0.0F)
+          rays.add(receiver, {nullptr, &receiver}, sample->direction, sample->far_m,
+                   {i, arrives * sample->radiance});
       }
   };
-  const auto suns = static_cast<int>(light.suns.size());  // whose rays lie together
   add_samples(0, suns);
-  trace(object, real, Coherence::together, &Split::direct, rays, counts, pairs);
+  trace(object, matte == nullptr ? &real : nullptr, Coherence::together, &Split::direct, rays, counts, pairs);
   add_samples(suns, light_samples(light));
-  trace(object, real, Coherence::scattered, &Split::direct, rays, counts, pairs);
+  trace(object, &real, Coherence::scattered, &Split::direct, rays, counts, pairs);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint receiver = shaded_receiver(points[i]);
     const auto next = scatter(receiver, points[i].sampler.point(dimension::direction(0)));
@@ -66,7 +76,7 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
   }
   // A map's light has edges, which no filter of bounce light may touch.
   Rgb Split::*const part = light.environment ? &Split::direct : &Split::bounce;
-  trace(object, real, Coherence::scattered, part, rays, counts, pairs);
+  trace(object, &real, Coherence::scattered, part, rays, counts, pairs);
 }
 
 }  // namespace seamline::renderer

@@ -60,6 +60,7 @@ std::string shown_text(const StudyDefinition& study) {
 std::string chain_line(const DepthSettings& depth) {
   std::string out = depth.chain ? "depth " + canonical_text(depth.chain) + "\n" : std::string();
   if (depth.albedo != MeshAlbedo::constant) out += fmt::format("mesh albedo {}\n", word(depth.albedo));
+  if (depth.mitigation != Mitigation{}) out += "mitigation " + canonical_text(depth.mitigation) + "\n";
   return out;
 }
 

@@ -19,6 +19,7 @@
 #include "stimuli/definition/light_definition.h"
 #include "stimuli/definition/material_model.h"
 #include "stimuli/definition/mesh_albedo.h"
+#include "stimuli/definition/mitigation.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "stimuli/definition/quantity.h"
 #include "stimuli/definition/session_definition.h"
@@ -48,6 +49,7 @@ struct DepthSettings {
   double mesh_tolerance = 1e-4;          ///< relative error along the ray that the adaptive mesh may make
   std::optional<DepthChain> chain = {};  ///< none: the paper's exact panorama
   MeshAlbedo albedo = MeshAlbedo::constant;
+  Mitigation mitigation = {};
 
   [[nodiscard]] int height_px() const;  ///< of the panorama W / 2
   auto operator<=>(const DepthSettings&) const = default;

@@ -21,7 +21,7 @@ constexpr int widest_depth_px = 16384;  ///< as in study files
 bool is_varied(const Stimulus& stimulus) {
   return stimulus.quantity != Quantity::depth_width_px || !stimulus.condition.empty() ||
          truth_of(stimulus) != stimulus.scene || stimulus.depth.chain.has_value() ||
-         stimulus.depth.albedo != MeshAlbedo::constant;
+         stimulus.depth.albedo != MeshAlbedo::constant || stimulus.depth.mitigation != Mitigation{};
 }
 
 /// Whole numbers are written as such, as they were when only these were allowed.
@@ -47,6 +47,8 @@ Json to_json(const ManifestStimulus& record) {
     if (stimulus.depth.chain) json["condition"]["depth"] = canonical_text(stimulus.depth.chain);
     if (stimulus.depth.albedo != MeshAlbedo::constant)
       json["condition"]["mesh_albedo"] = word(stimulus.depth.albedo);
+    if (stimulus.depth.mitigation != Mitigation{})
+      json["condition"]["mitigation"] = canonical_text(stimulus.depth.mitigation);
     json["level"] = {{"quantity", facts(stimulus.quantity).key}, {"value", stimulus.level}};
     json["truth"] = truth_of(stimulus);
   }

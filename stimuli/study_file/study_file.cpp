@@ -6,6 +6,7 @@
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
+#include "stimuli/study_file/study_file_mitigation.h"
 #include "stimuli/study_file/study_file_people.h"
 #include "stimuli/study_file/study_file_procedure.h"
 #include "stimuli/study_file/study_file_scene.h"
@@ -167,6 +168,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   if (assets == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
   check_mesh_albedo_is_seen(table, study);
+  check_mitigations_are_seen(table, study);
   const auto observer = table.table("observer");
   study.observer =
       observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);

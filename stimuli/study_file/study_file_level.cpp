@@ -9,6 +9,7 @@
 
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
+#include "stimuli/study_file/study_file_mitigation.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -142,6 +143,7 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
     depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
   }
   depth.albedo = read_mesh_albedo(table, depth.albedo);
+  depth.mitigation = read_mitigation(table, depth.mitigation);
   if (has_sensor(depth)) {
     for (const char* key : {"depth_width_px", "yaw_texels"})
       if (table.has(key) && !width_is_level(level.quantity))
@@ -170,7 +172,8 @@ std::string meaning(const ConditionDefinition& condition) {
   std::string text =
       fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
                   condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
-      canonical_text(condition.depth.chain) + fmt::format(" {}\n", word(condition.depth.albedo));
+      canonical_text(condition.depth.chain) +
+      fmt::format(" {} {}\n", word(condition.depth.albedo), canonical_text(condition.depth.mitigation));
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
   return text;
 }

@@ -139,17 +139,22 @@ std::string depth_text(const StudyDefinition& study) {
   const bool painted = std::any_of(conditions.begin(), conditions.end(), [](const ConditionDefinition& one) {
     return one.depth.albedo != MeshAlbedo::constant;
   });
-  std::string albedo;
+  std::string beside;
   if (painted)
     for (const ConditionDefinition& condition : conditions)
-      albedo += fmt::format("Albedo of the depth mesh{}: {}.\n",
+      beside += fmt::format("Albedo of the depth mesh{}: {}.\n",
                             condition.name.empty() ? "" : " in the condition " + condition.name,
                             mesh_albedo_text(condition.depth.albedo));
+  for (const ConditionDefinition& condition : conditions)
+    if (condition.depth.mitigation != Mitigation{})
+      beside += fmt::format("Mitigation{}: {}.\n",
+                            condition.name.empty() ? "" : " in the condition " + condition.name,
+                            canonical_text(condition.depth.mitigation));
   if (exact)
     return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
            "it "
            "jumps.\n" +
-           albedo;
+           beside;
   std::string out;
   for (const ConditionDefinition& condition : conditions) {
     Rows rows;
@@ -159,7 +164,7 @@ std::string depth_text(const StudyDefinition& study) {
     out += condition.name.empty() ? "Depth:\n" : fmt::format("Depth of the condition {}:\n", condition.name);
     out += table(rows, 2);
   }
-  return out + albedo;
+  return out + beside;
 }
 
 std::string millions(double number) {
