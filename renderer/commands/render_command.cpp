@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <tuple>
 
+#include "renderer/cluster/job_scripts.h"
+#include "renderer/cluster/set_status.h"
 #include "renderer/commands/asset_root_option.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/pages/errors_page.h"
@@ -16,12 +19,15 @@
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
 namespace seamline::renderer {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct RenderOptions {
   std::string study, asset_root, set, only, mesh, shard, estimator = "fast";
@@ -31,7 +37,12 @@ struct RenderOptions {
   bool dry_run = false, explain = false, layers = false, contact_sheet = false;
   std::string true_error;
   int true_error_spp = 64;
+  std::string slurm, parallel, job, element, status, html;
+  int elements = 0;
 };
+
+/// How long the probe of a job may take.
+constexpr double probe_s = 60;
 
 /// Part I of N, from "I/N".
 std::pair<int, int> shard_of(const std::string& text) {
@@ -58,7 +69,75 @@ void print_plan(const StudyDefinition& study, const RenderRequest& request) {
   std::fflush(stdout);
 }
 
+/// The options that decide what is rendered, as they were given: for the pieces of a job.
+std::vector<std::string> options_for_pieces(const RenderOptions& options) {
+  std::vector<std::string> out = {"--estimator", options.estimator};
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) out.insert(out.end(), {name, value});
+  };
+  if (!options.asset_root.empty()) add("--asset-root", fs::absolute(options.asset_root).string());
+  add("--only", options.only);
+  add("--mesh", options.mesh);
+  if (options.spp > 0) add("--spp", std::to_string(options.spp));
+  if (options.error > 0) add("--error", fmt::format("{}", options.error));
+  for (const std::string& name : options.no_omit) add("--no-omit", name);
+  if (options.layers) out.emplace_back("--layers");
+  return out;
+}
+
+void make_job(const RenderOptions& options, const StudyDefinition& study, const RenderRequest& asked) {
+  if (!options.slurm.empty() && !options.parallel.empty())
+    throw input_error({.field = "--parallel", .wanted = "one of --slurm and --parallel", .found = "both"});
+  if (!options.shard.empty() || !options.true_error.empty() || options.contact_sheet)
+    throw input_error(
+        {.field = options.slurm.empty() ? "--parallel" : "--slurm",
+         .wanted = "no --shard, --true-error or --contact-sheet, which are for single processes",
+         .found = "one of them"});
+  RenderRequest request = asked;
+  request.threads = options.threads > 0 ? options.threads : 1;
+  const fs::path folder = fs::absolute(options.slurm.empty() ? options.parallel : options.slurm);
+  prepare_output_folder(folder);
+  const JobCosts costs = measure_costs(study, request, probe_s);
+  const RenderJob job = plan_job(study, request, costs, options.elements);
+  const JobPlace place{.folder = folder,
+                       .set_folder = fs::absolute(options.set),
+                       .study = fs::absolute(options.study),
+                       .options = options_for_pieces(options)};
+  write_job(folder, job);
+  if (options.slurm.empty())
+    write_parallel_scripts(place, job);
+  else
+    write_slurm_scripts(place, job);
+  double all_s = 0, elements_s = 0;
+  for (const JobTruth& truth : job.truths) all_s += truth.seconds;
+  for (const JobElement& element : job.elements) elements_s += element.seconds;
+  all_s += elements_s;
+  fmt::print(
+      "{}: {} truths, then {} elements of {} to {} (mean {}), then join; {} in all on {} thread{} each, {} "
+      "MB; "
+      "from a probe of {}\nrun {}\n",
+      folder.string(), job.truths.size(), job.elements.size(),
+      duration_text(std::min_element(job.elements.begin(), job.elements.end(),
+                                     [](const auto& a, const auto& b) { return a.seconds < b.seconds; })
+                        ->seconds),
+      duration_text(job.longest_element_s()),
+      duration_text(elements_s / static_cast<double>(job.elements.size())), duration_text(all_s), job.threads,
+      job.threads == 1 ? "" : "s", job.memory_bytes >> 20, duration_text(costs.measured_s),
+      (folder / (options.slurm.empty() ? "run" : "submit")).string());
+}
+
+void run_status(const RenderOptions& options) {
+  const SetStatus status = read_status(options.status);
+  if (options.html.empty())
+    fmt::print("{}", status_text(options.status, status));
+  else
+    write_status_page(options.html, options.status, status);
+}
+
 void run_render(const RenderOptions& options) {
+  if (!options.status.empty()) return run_status(options);
+  if (options.study.empty())
+    throw input_error({.field = "study", .wanted = "a study file (or --status SET)", .found = "nothing"});
   const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
   if (options.dry_run) {
     for (const Stimulus& stimulus : list_stimuli(study))
@@ -82,6 +161,12 @@ void run_render(const RenderOptions& options) {
     request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
   if (!options.shard.empty()) std::tie(request.shard, request.shard_count) = shard_of(options.shard);
   request.omit = omissions_without(options.no_omit);
+  if (options.elements > 0 && options.slurm.empty() && options.parallel.empty())
+    throw input_error(
+        {.field = "--elements", .wanted = "--slurm DIR or --parallel DIR with it", .found = "neither"});
+  if (!options.slurm.empty() || !options.parallel.empty()) return make_job(options, study, request);
+  if (!options.element.empty())
+    take_element(read_job(options.job), options.job, options.element, study, request);
   if (options.explain) print_plan(study, request);
   if (options.set.empty()) return;
   const RenderSummary summary = render_set(study, request);
@@ -96,7 +181,7 @@ void run_render(const RenderOptions& options) {
                                 .spp = options.true_error_spp,
                                 .threads = options.threads,
                                 .mesh = request.mesh});
-  write_errors_page(options.set);
+  if (request.part == JobPart::whole || request.part == JobPart::join) write_errors_page(options.set);
 }
 
 void run_verify(const std::string& set) {
@@ -112,7 +197,7 @@ void run_verify(const std::string& set) {
 void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* render = app.add_subcommand("render", "render a study's stimuli into a set");
-  render->add_option("study", options->study, "study file (.toml)")->required();
+  render->add_option("study", options->study, "study file (.toml)");
   add_asset_root_option(*render, options->asset_root);
   render->add_option("--out", options->set, "folder of the set; an interrupted job continues there");
   render->add_option("--only", options->only, "only stimuli whose id matches; * stands for any text");
@@ -150,6 +235,31 @@ void add_render_command(CLI::App& app) {
              "samples per pixel of these references")
       ->capture_default_str()
       ->needs(true_error);
+  CLI::Option* slurm = render->add_option(
+      "--slurm", options->slurm,
+      "render nothing but samples for about a minute, and write a Slurm job that makes the set of --out: an "
+      "array of truths, an array of elements, a job that joins; DIR must be seen by all machines");
+  slurm->type_name("DIR");
+  CLI::Option* parallel = render->add_option("--parallel", options->parallel,
+                                             "the same for GNU parallel, on this machine or over ssh");
+  parallel->type_name("DIR");
+  add_number(*render, "--elements", options->elements, {1, most_elements},
+             "pieces that the stimuli of such a job are cut into (default: of ten minutes each)");
+  CLI::Option* job =
+      render->add_option("--job", options->job, "folder of the job that --element is a piece of");
+  job->type_name("DIR");
+  CLI::Option* element =
+      render->add_option("--element", options->element,
+                         "do one piece of a job: truth-N, stimuli-N or join (its scripts do this)");
+  element->type_name("NAME")->needs(job);
+  job->needs(element);
+  CLI::Option* status = render->add_option(
+      "--status", options->status,
+      "render nothing: say what of a set is done, running, failed and left, from any machine");
+  status->type_name("SET");
+  render->add_option("--html", options->html, "write what --status says as a page")
+      ->type_name("FILE")
+      ->needs(status);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 

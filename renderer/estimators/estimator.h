@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/common/byte_stream.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/picture/composite.h"
@@ -59,6 +60,14 @@ class SceneEstimator {
   /// A stimulus of the object taken. The mesh of `depth` may be null when the recipe asks nothing of it.
   [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                                                    const ReportProgress& progress) = 0;
+  /// Into how many pieces its truth is written: one for all objects, or one for each of the three.
+  [[nodiscard]] virtual int truth_pieces() const = 0;
+  /// What was made of the truth, so that other processes need not make it again; piece 1 to `truth_pieces`.
+  /// Makes it where it is not there yet.
+  virtual void write_truth(int piece, ByteWriter& out, const ReportProgress& progress) = 0;
+  /// Takes a piece that was written of the same inputs, before anything else is asked. Stimuli have the same
+  /// bytes as if it had been made here. False, with nothing changed, when it is not whole.
+  [[nodiscard]] virtual bool read_truth(int piece, ByteReader& in) = 0;
   /// What was left out so far; nothing by an estimator that leaves nothing out.
   [[nodiscard]] virtual Savings savings() const { return {}; }
 };

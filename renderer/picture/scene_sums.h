@@ -58,6 +58,9 @@ class ObjectOnRays {
     found_.reserve(size);  // and no more
     found_.resize(size, Is::absent);
   }
+  /// All of them, as they are kept.
+  [[nodiscard]] const std::vector<Is>& all() const { return found_; }
+  [[nodiscard]] std::vector<Is>& all() { return found_; }
   [[nodiscard]] Is at(int sample, int x, int y) const {
     const std::size_t i = place(sample, x, y);
     return i < found_.size() ? found_[i] : Is::absent;

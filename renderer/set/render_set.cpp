@@ -9,11 +9,14 @@
 #include "renderer/scene/visible_objects.h"
 #include "renderer/set/contact_sheet.h"
 #include "renderer/set/render_plan.h"
-#include "renderer/set/set_claim.h"
 #include "renderer/set/set_layers.h"
 #include "renderer/set/set_manifest.h"
 #include "renderer/set/set_pictures.h"
 #include "renderer/set/set_work.h"
+#include "renderer/set/sharing/set_claim.h"
+#include "renderer/set/sharing/set_running.h"
+#include "renderer/set/sharing/set_truths.h"
+#include "renderer/set/sharing/work_list.h"
 #include "renderer/set/stimulus_scene.h"
 #include "renderer/set/timings.h"
 #include "stimuli/study_file/carried_files.h"
@@ -27,6 +30,12 @@ namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
+/// A name for the files of one process; empty when it renders everything.
+std::string part_name(const RenderRequest& request) {
+  if (!request.element.empty()) return request.element;
+  return request.shard_count == 1 ? std::string() : fmt::format("{}of{}", request.shard, request.shard_count);
+}
+
 /// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
 /// object, width.
 class SetRenderer {
@@ -38,30 +47,65 @@ class SetRenderer {
         hashes_(study, settings_),
         records_(request.set_folder),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
-        timings_(request.set_folder, threads_, request.shard, request.shard_count) {}
+        timings_(request.set_folder, threads_, part_name(request)) {}
 
   RenderSummary run() {
     const Stopwatch watch;
     check_existing_set();
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
+    if (request_.part == JobPart::truth) work_.pending.clear();
+    if (request_.part == JobPart::join) require_nothing_pending();
     for (const SceneDefinition& truth : truths_) load_and_check(truth);
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
-    progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
-    for (const SceneDefinition& truth : truths_) {
-      render_scene(truth);
-      give_back_freed_memory();
+    list_work();
+    const std::string part = part_name(request_);
+    mark_.emplace(request_.set_folder, part.empty() ? "whole" : part, static_cast<int>(work_.pending.size()));
+    try {
+      render_scenes();
+    } catch (const InputError& error) {
+      mark_->failed(error.what());
+      throw;
     }
-    progress_.reset();
-    write_set();
+    if (request_.part == JobPart::whole || request_.part == JobPart::join) write_set();
+    if (request_.part == JobPart::join) truths_of_others_.remove_all();
+    mark_.reset();
     summary_.seconds = watch.seconds();
     timings_.write(summary_.seconds);
     return summary_;
   }
 
  private:
+  /// What the whole set is going to hold, for `--status`. The same bytes by every process of a job.
+  void list_work() const {
+    if (request_.part == JobPart::join || !request_.only.empty()) return;
+    WorkList list{.study = study_.name, .stimuli = {}, .references = {}};
+    for (const Stimulus& stimulus : list_stimuli(study_))
+      list.stimuli.push_back({stimulus_id(stimulus), hashes_.of_stimulus(stimulus), truth_of(stimulus)});
+    for (const SceneDefinition& truth : truths_)
+      list.references.push_back({truth.truth, hashes_.of_reference(truth.truth)});
+    write_work_list(request_.set_folder, list);
+  }
+
+  void render_scenes() {
+    progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
+    for (const SceneDefinition& truth : truths_) {
+      render_scene(truth);
+      give_back_freed_memory();
+    }
+    progress_.reset();
+  }
+
+  void require_nothing_pending() const {
+    if (work_.pending.empty()) return;
+    throw input_error({.file = request_.set_folder.string(),
+                       .wanted = "a set whose stimuli are all rendered",
+                       .found = fmt::format("{} that are not, the first being {}", work_.pending.size(),
+                                            stimulus_id(work_.pending.front().stimulus))});
+  }
+
   void check_existing_set() {
     if (!fs::exists(request_.set_folder / "manifest.json")) return;
     const Manifest existing = read_manifest(request_.set_folder);
@@ -93,6 +137,7 @@ class SetRenderer {
 
   ReportProgress report(double work, const std::string& what) {
     return [this, work, what, last = 0.0](double share) mutable {
+      mark_->alive();
       if (share < last) last = share;  // a further round over the same picture
       progress_->advance((share - last) * work, what);
       last = share;
@@ -106,8 +151,9 @@ class SetRenderer {
 
   /// Every wrong input is found before the first long computation.
   void load_and_check(const SceneDefinition& definition) {
-    if (!work_.selected_truths.contains(definition.truth)) return;
-    if (!work_.is_pending(definition.truth) &&
+    if (!work_.selected_truths.contains(definition.truth) || request_.part == JobPart::join) return;
+    if (request_.part == JobPart::truth && definition.truth != request_.truth) return;
+    if (request_.part != JobPart::truth && !work_.is_pending(definition.truth) &&
         records_.finished_reference(definition.truth, hashes_.of_reference(definition.truth)))
       return;
     TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
@@ -122,11 +168,35 @@ class SetRenderer {
     if (found == scenes_.end()) return;
     const TruthScene& scene = found->second;
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
+    if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
     finish_reference(scene, *estimator);
+    if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
     give_back_freed_memory();
     for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
     summary_.savings.emplace_back(definition.truth, estimator->savings());
     scenes_.erase(found);
+  }
+
+  /// What another process made of the truth; what is not there is made here.
+  void take_truth(const TruthScene& scene, int piece, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.truth;
+    const std::optional<std::string> bytes = truths_of_others_.read(name, piece, hashes_.of_reference(name));
+    if (!bytes) return;
+    ByteReader in(*bytes);
+    if (!estimator.read_truth(piece, in))
+      throw input_error({.file = (request_.set_folder / "truths").string(),
+                         .wanted = "truth passes of this program",
+                         .found = "another's of " + name + ": remove the folder"});
+  }
+
+  void leave_truth(const TruthScene& scene, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.truth;
+    for (int piece = 1; piece <= estimator.truth_pieces(); ++piece) {
+      if (truths_of_others_.has(name, piece, hashes_.of_reference(name))) continue;
+      ByteWriter out;
+      estimator.write_truth(piece, out, report(weights_.truth, name + " truth"));
+      truths_of_others_.write(name, piece, hashes_.of_reference(name), out.bytes());
+    }
   }
 
   void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
@@ -148,6 +218,8 @@ class SetRenderer {
     if (by_mesh.empty()) return;
     const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    if (request_.part == JobPart::stimuli && estimator.truth_pieces() > 1)
+      take_truth(scene, object_index, estimator);
     const Stopwatch watch;
     estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
@@ -197,6 +269,7 @@ class SetRenderer {
     records_.finish(record, work.inputs);
     timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
     ++summary_.rendered;
+    mark_->finished_one();
   }
 
   [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }
@@ -214,6 +287,8 @@ class SetRenderer {
   std::size_t earlier_stimuli_ = 0;
   std::map<std::string, TruthScene> scenes_;
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
+  SetTruths truths_of_others_{request_.set_folder};
+  std::optional<RunningMark> mark_;
   std::optional<Progress> progress_;
   RenderSummary summary_;
 };

@@ -1,11 +1,20 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "renderer/set/set_records.h"
 
 namespace seamline::renderer {
+
+/// What one process of a job does (renderer/cluster). A whole render does all of it.
+enum class JobPart {
+  whole,
+  truth,    ///< one truth: its reference, and its truth pass for the others
+  stimuli,  ///< some stimuli; the set's manifest is left to `join`
+  join      ///< nothing is rendered: the manifest of a set whose stimuli are all there
+};
 
 /// What `seamline render` was asked for.
 struct RenderRequest {
@@ -18,8 +27,12 @@ struct RenderRequest {
   Omissions omit = {};                   ///< what the fast estimator leaves out
   std::optional<MeshDensity> mesh = {};  ///< overrides the study's mesh
   int shard = 1, shard_count = 1;        ///< this process renders every shard_count-th object of a scene
-  bool layers = false;                   ///< also write the float EXR layers of every stimulus
-  bool contact_sheet = false;            ///< also write one contact sheet for each artifact
+  JobPart part = JobPart::whole;
+  std::string element = {};        ///< its name, where the job has several
+  std::string truth = {};          ///< of `JobPart::truth`
+  std::set<std::string> ids = {};  ///< only these stimuli; empty: all
+  bool layers = false;             ///< also write the float EXR layers of every stimulus
+  bool contact_sheet = false;      ///< also write one contact sheet for each artifact
 };
 
 struct RenderSummary {

@@ -23,6 +23,7 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
     const auto [object, added] =
         objects.emplace(truth_of(stimulus) + "/" + stimulus.object, static_cast<int>(objects.size()));
     if (object->second % request.shard_count != request.shard - 1) continue;
+    if (!request.ids.empty() && !request.ids.contains(stimulus_id(stimulus))) continue;
     const std::string inputs = hashes.of_stimulus(stimulus);
     if (records.finished(stimulus_id(stimulus), inputs) &&
         !(request.layers && !has_layers(request.set_folder, stimulus, inputs)))

@@ -11,12 +11,10 @@ namespace seamline::renderer {
 /// in its worst tile. Not part of the manifest, because it differs from run to run.
 class Timings {
  public:
-  /// A shard writes `timings-IofN.json` of its own, because shards run at once.
-  Timings(const std::filesystem::path& set_folder, int threads, int shard, int shard_count)
-      : path_(set_folder / (shard_count == 1 ? std::string("timings.json")
-                                             : "timings-" + std::to_string(shard) + "of" +
-                                                   std::to_string(shard_count) + ".json")),
-        threads_(threads) {}
+  /// A process that renders a part of the set writes `timings-PART.json` of its own, because parts are
+  /// rendered at once; `part` is empty for the whole.
+  Timings(const std::filesystem::path& set_folder, int threads, const std::string& part)
+      : path_(set_folder / ("timings" + (part.empty() ? part : "-" + part) + ".json")), threads_(threads) {}
   void add(const std::string& piece, double seconds, std::int64_t rays,
            std::optional<double> worst_tile = {}) {
     pieces_.push_back({piece, seconds, rays, worst_tile});

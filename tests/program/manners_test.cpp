@@ -44,7 +44,7 @@ TEST(Manners, OneFunctionWritesFiles) {
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
   // name, and the lock beside it; the lock of a set; gnuplot's messages.
-  const std::set<std::string> openers = {"renderer/set/set_claim.cpp",  "support/files/atomic_file.cpp",
+  const std::set<std::string> openers = {"renderer/set/sharing/set_claim.cpp",  "support/files/atomic_file.cpp",
                                          "support/files/gnuplot.cpp",   "study/app/pictures/frame_times.cpp",
                                          "study/app/screens/trace.cpp", "study/log/log_create.cpp",
                                          "study/log/session_claims.cpp"};

@@ -6,6 +6,7 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/estimators/fast/truth_sums.h"
 
 namespace seamline::renderer {
@@ -67,6 +68,37 @@ class FastEstimator : public SceneEstimator {
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
     add(made.saved);
     return {std::move(made.sums), made.error.rmse(), made.error.worst_tile()};
+  }
+
+  [[nodiscard]] int truth_pieces() const override { return 1; }
+
+  void write_truth(int, ByteWriter& out, const ReportProgress& progress) override {
+    sample(progress);
+    out.put(std::uint64_t{judged_.strength});
+    for (const ErrorEstimate& error : judged_.errors) {
+      out.put(error.image);
+      out.put_all(error.tiles);
+      out.put_all(error.blocks);
+    }
+    write_sums(sums_, out);
+  }
+
+  [[nodiscard]] bool read_truth(int, ByteReader& in) override {
+    PhotographJudgement judged;
+    std::uint64_t strength = 0;
+    in.get(strength);
+    for (ErrorEstimate& error : judged.errors) {
+      in.get(error.image);
+      in.get_all(error.tiles, static_cast<std::size_t>(sums_.grid.count()));
+      in.get_all(error.blocks, static_cast<std::size_t>(sums_.blocks().count()));
+    }
+    SceneSums sums = empty_sums(scene_.camera);
+    if (!read_sums(in, sums) || strength >= choices_.filters.size()) return false;
+    judged.strength = static_cast<std::size_t>(strength);
+    judged_ = std::move(judged);
+    sums_ = std::move(sums);
+    scene_geometry_.reset();
+    return true;
   }
 
   [[nodiscard]] Savings savings() const override {

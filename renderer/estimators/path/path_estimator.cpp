@@ -7,6 +7,31 @@
 namespace seamline::renderer {
 namespace {
 
+// Numbers without gaps between them: equal sums have equal bytes.
+static_assert(sizeof(TruthPixel) == 35 * sizeof(float));
+static_assert(sizeof(Guide) == 4 * sizeof(float));
+
+void write_sums(const TruthSums& sums, ByteWriter& out) {
+  out.put(sums.spp);
+  for (const auto& half : sums.halves) out.put_all(half);
+  out.put_all(sums.guides);
+  out.put_all(sums.object_ids);
+  out.put(sums.rays);
+}
+
+/// Of a picture of the camera; none when the bytes are none of these.
+std::optional<TruthSums> read_sums(ByteReader& in, const Camera& camera) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  TruthSums sums{.width_px = camera.width_px, .height_px = camera.height_px};
+  in.get(sums.spp);
+  for (auto& half : sums.halves) in.get_all(half, pixels);
+  in.get_all(sums.guides, pixels);
+  in.get_all(sums.object_ids, pixels);
+  in.get(sums.rays);
+  return in.is_done() ? std::optional(std::move(sums)) : std::nullopt;
+}
+
 class PathEstimator : public SceneEstimator {
  public:
   PathEstimator(const TruthScene& scene, const EstimateOptions& options)
@@ -27,7 +52,30 @@ class PathEstimator : public SceneEstimator {
     geometry_.reset();
     find_spp(progress);
     geometry_.emplace(object_geometry(scene_, object_index));
+    if (given_ && given_->object == object_index) {
+      truth_ = std::move(given_->truth);
+      given_.reset();
+      return;
+    }
     truth_ = render_truth(scene_, *geometry_, pass(progress));
+  }
+
+  [[nodiscard]] int truth_pieces() const override { return 3; }
+
+  void write_truth(int piece, ByteWriter& out, const ReportProgress& progress) override {
+    take_object(piece, progress);
+    out.put(*spp_);
+    write_sums(truth_, out);
+  }
+
+  [[nodiscard]] bool read_truth(int piece, ByteReader& in) override {
+    int spp = 0;
+    in.get(spp);
+    std::optional<TruthSums> truth = read_sums(in, scene_.camera);
+    if (!truth || truth->spp != spp || spp < 1) return false;
+    spp_ = spp;
+    given_ = Given{piece, std::move(*truth)};
+    return true;
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
@@ -73,6 +121,13 @@ class PathEstimator : public SceneEstimator {
   const std::uint64_t seed_;
   const int threads_;
   std::optional<int> spp_;  ///< when it is found
+
+  /// An object's truth that another process made.
+  struct Given {
+    int object = 0;
+    TruthSums truth;
+  };
+  std::optional<Given> given_;
   std::optional<ObjectGeometry> geometry_;
   TruthSums truth_;
 };

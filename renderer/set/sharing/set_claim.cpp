@@ -1,4 +1,4 @@
-#include "renderer/set/set_claim.h"
+#include "renderer/set/sharing/set_claim.h"
 
 #include <fcntl.h>
 #include <unistd.h>

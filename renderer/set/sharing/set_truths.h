@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace seamline::renderer {
+
+/// Truth passes that one process made and others take instead of making them again:
+/// `SET/truths/TRUTH-PIECE.pass`. Large (of a picture of 960 x 540 pixels about 200 MB), and removed when the
+/// set is joined.
+class SetTruths {
+ public:
+  explicit SetTruths(const std::filesystem::path& set_folder) : folder_(set_folder / "truths") {}
+
+  /// `inputs` is the hash of what it was made from.
+  void write(const std::string& truth, int piece, const std::string& inputs, const std::string& bytes) const;
+  /// None when it is not there, not whole, or of other inputs: then it is made again.
+  [[nodiscard]] std::optional<std::string> read(const std::string& truth, int piece,
+                                                const std::string& inputs) const;
+  [[nodiscard]] bool has(const std::string& truth, int piece, const std::string& inputs) const;
+  void remove_all() const;
+
+ private:
+  [[nodiscard]] std::filesystem::path path(const std::string& truth, int piece) const;
+  std::filesystem::path folder_;
+};
+
+}  // namespace seamline::renderer
