@@ -96,7 +96,9 @@ RenderJob plan_job(const StudyDefinition& study, const RenderRequest& request, c
                 .instruction_set = RayDevice::instruction_set(),
                 .inputs = InputHashes(study, render_settings(study, request)).of_set(),
                 .threads = request.threads,
-                .memory_bytes = costs.memory_bytes};
+                .memory_bytes = costs.memory_bytes,
+                .truths = {},
+                .elements = {}};
   std::vector<std::pair<std::string, std::vector<MeshGroup>>> truths;
   double all_s = 0, longest_group_s = 0;
   int groups = 0;

@@ -21,7 +21,7 @@ namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// A record's inputs, without reading more of it than it takes: it begins with them.
 bool is_record_of(const fs::path& path, const std::string& inputs) {

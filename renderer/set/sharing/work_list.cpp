@@ -42,10 +42,10 @@ std::optional<WorkList> read_work_list(const fs::path& set_folder) {
   WorkList list;
   try {
     list.study = json.at("study").get<std::string>();
-    const auto text = [](const Json& row, std::size_t i) { return row.at(i).get<std::string>(); };
+    const auto word = [](const Json& row, std::size_t i) { return row.at(i).get<std::string>(); };
     for (const Json& row : json.at("stimuli"))
-      list.stimuli.push_back({text(row, 0), text(row, 1), text(row, 2)});
-    for (const Json& row : json.at("references")) list.references.push_back({text(row, 0), text(row, 1)});
+      list.stimuli.push_back({word(row, 0), word(row, 1), word(row, 2)});
+    for (const Json& row : json.at("references")) list.references.push_back({word(row, 0), word(row, 1)});
   } catch (const Json::exception&) {
     throw input_error({.file = path.string(),
                        .wanted = "what a set is going to hold, as `seamline render` writes it",
