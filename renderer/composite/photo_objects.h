@@ -6,7 +6,7 @@
 
 #include "renderer/scene/scene_file.h"
 #include "renderer/scene/truth_scene.h"
-#include "stimuli/definition/material_model.h"
+#include "stimuli/definition/surface/material_model.h"
 
 namespace seamline::renderer {
 

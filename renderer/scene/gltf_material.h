@@ -7,7 +7,7 @@
 
 #include "renderer/material/material.h"
 #include "renderer/scene/gltf_textures.h"
-#include "stimuli/definition/material_model.h"
+#include "stimuli/definition/surface/material_model.h"
 
 namespace tinygltf {
 class Model;

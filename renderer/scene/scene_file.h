@@ -10,7 +10,7 @@
 
 #include "renderer/material/material.h"
 #include "renderer/tracing/mesh.h"
-#include "stimuli/definition/material_model.h"
+#include "stimuli/definition/surface/material_model.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {

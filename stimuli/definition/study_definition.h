@@ -17,12 +17,12 @@
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/light_definition.h"
-#include "stimuli/definition/material_model.h"
-#include "stimuli/definition/mesh_albedo.h"
 #include "stimuli/definition/mitigation.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "stimuli/definition/quantity.h"
 #include "stimuli/definition/session_definition.h"
+#include "stimuli/definition/surface/material_model.h"
+#include "stimuli/definition/surface/mesh_albedo.h"
 
 namespace seamline::inline stimuli {
 
