@@ -108,7 +108,7 @@ SetStatus read_status(const fs::path& set_folder) {
   const std::optional<WorkList> list = read_work_list(set_folder);
   if (!list)
     throw input_error({.file = set_folder.string(),
-                       .wanted = "a set that `seamline render` has begun",
+                       .wanted = "a set that a job of `seamline render` has begun",
                        .found = "no records/work.json in it"});
   SetStatus status{.study = list->study, .truths = {}, .elements = {}};
   const fs::path records = set_folder / "records";

@@ -235,31 +235,25 @@ void add_render_command(CLI::App& app) {
              "samples per pixel of these references")
       ->capture_default_str()
       ->needs(true_error);
-  CLI::Option* slurm = render->add_option(
+  render->add_option(
       "--slurm", options->slurm,
       "render nothing but samples for about a minute, and write a Slurm job that makes the set of --out: an "
-      "array of truths, an array of elements, a job that joins; DIR must be seen by all machines");
-  slurm->type_name("DIR");
-  CLI::Option* parallel = render->add_option("--parallel", options->parallel,
-                                             "the same for GNU parallel, on this machine or over ssh");
-  parallel->type_name("DIR");
+      "array of truths, an array of elements, a job that joins; the folder must be seen by all machines");
+  render->add_option("--parallel", options->parallel,
+                     "the same for GNU parallel, on this machine or over ssh");
   add_number(*render, "--elements", options->elements, {1, most_elements},
              "pieces that the stimuli of such a job are cut into (default: of ten minutes each)");
   CLI::Option* job =
       render->add_option("--job", options->job, "folder of the job that --element is a piece of");
-  job->type_name("DIR");
   CLI::Option* element =
       render->add_option("--element", options->element,
                          "do one piece of a job: truth-N, stimuli-N or join (its scripts do this)");
-  element->type_name("NAME")->needs(job);
+  element->needs(job);
   job->needs(element);
   CLI::Option* status = render->add_option(
       "--status", options->status,
-      "render nothing: say what of a set is done, running, failed and left, from any machine");
-  status->type_name("SET");
-  render->add_option("--html", options->html, "write what --status says as a page")
-      ->type_name("FILE")
-      ->needs(status);
+      "render nothing: say what of a job's set is done, running, failed and left, from any machine");
+  render->add_option("--html", options->html, "write what --status says as a page")->needs(status);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   render->callback([options] { run_render(*options); });
 

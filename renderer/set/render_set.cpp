@@ -60,13 +60,13 @@ class SetRenderer {
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
-    list_work();
-    const std::string part = part_name(request_);
-    mark_.emplace(request_.set_folder, part.empty() ? "whole" : part, static_cast<int>(work_.pending.size()));
+    if (!request_.element.empty()) list_work();
+    if (!request_.element.empty())
+      mark_.emplace(request_.set_folder, request_.element, static_cast<int>(work_.pending.size()));
     try {
       render_scenes();
     } catch (const InputError& error) {
-      mark_->failed(error.what());
+      if (mark_) mark_->failed(error.what());
       throw;
     }
     if (request_.part == JobPart::whole || request_.part == JobPart::join) write_set();
@@ -137,7 +137,7 @@ class SetRenderer {
 
   ReportProgress report(double work, const std::string& what) {
     return [this, work, what, last = 0.0](double share) mutable {
-      mark_->alive();
+      if (mark_) mark_->alive();
       if (share < last) last = share;  // a further round over the same picture
       progress_->advance((share - last) * work, what);
       last = share;
@@ -269,7 +269,7 @@ class SetRenderer {
     records_.finish(record, work.inputs);
     timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
     ++summary_.rendered;
-    mark_->finished_one();
+    if (mark_) mark_->finished_one();
   }
 
   [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }

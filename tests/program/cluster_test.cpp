@@ -33,7 +33,7 @@ struct Job {
   std::string options;
 
   [[nodiscard]] Outcome piece(const std::string& name) const {
-    return run_program((folder / "task").string(), name);
+    return run_program("\"" + (folder / "task").string() + "\"", name);
   }
 };
 
@@ -88,7 +88,7 @@ TEST(Cluster, ADamagedTruthPassIsMadeAgain) {
 TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const Job job = make_job(fresh_folder("cluster-status"), "--spp 2");
   const std::string status = "render --status " + job.set.string();
-  EXPECT_THAT(run_seamline(status).output, HasSubstr("wanted a set that `seamline render` has begun"));
+  EXPECT_THAT(run_seamline(status).output, HasSubstr("wanted a set that a job of `seamline render` has begun"));
   ASSERT_EQ(job.piece("truth-1").status, 0);
   EXPECT_THAT(run_seamline(status).output, HasSubstr("0 of 6 stimuli done"));
   ASSERT_EQ(job.piece("stimuli-1").status, 0);
