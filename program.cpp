@@ -9,6 +9,7 @@
 #include "renderer/commands/commands.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
+#include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
 #include "study/app/run_participant.h"
@@ -29,6 +30,8 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
 #else
   study::add_study_commands(*app);
 #endif
+  study::online::add_serve_command(*app);
+  study::online::add_gathering_commands(*app);
   analysis::add_analysis_commands(*app);
   registration::add_registration_commands(*app);
   stability::add_stability_command(*app, any_case_failed);

@@ -1,5 +1,7 @@
 #include "study/log/log.h"
 
+#include <map>
+
 #include "study/log/log_database.h"
 #include "study/log/log_values.h"
 #include "study/log/session_claims.h"
@@ -95,6 +97,27 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
   return participants;
 }
 
+/// In a log that knows browsers.
+void read_origins(SQLite::Database& database, const fs::path& file,
+                  std::vector<ParticipantRecord>& participants) {
+  if (!has_online_tables(schema_version_of(database))) return;
+  SQLite::Statement row(database,
+                        "SELECT code, origin FROM online_participants JOIN participants USING (participant)");
+  std::map<std::string, Origin> origin_of;
+  while (row.executeStep()) {
+    const std::optional<Origin> origin = origin_from_word(row.getColumn(1).getString());
+    if (!origin)
+      throw input_error({.file = file.string(),
+                         .field = "online_participants.origin",
+                         .wanted = "a known origin",
+                         .found = "\"" + printable(row.getColumn(1).getString(), 40) + "\""});
+    origin_of[row.getColumn(0).getString()] = *origin;
+  }
+  for (ParticipantRecord& participant : participants)
+    if (const auto found = origin_of.find(participant.code); found != origin_of.end())
+      participant.origin = found->second;
+}
+
 Artifact artifact_of(const std::string& text, const fs::path& file) {
   const std::optional<Artifact> artifact = artifact_from_word(text);
   if (!artifact)
@@ -178,6 +201,7 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   log.file = path;
   read_study_row(database, log);
   log.participants = read_participants(database, path);
+  read_origins(database, path, log.participants);
   log.answers = read_answers(database, path, log.quantity);
   log.catches = read_catches(database, path);
   log.forgotten_participants = database.execAndGet("SELECT count(*) FROM deletions").getInt();

@@ -9,6 +9,7 @@
 #include "stimuli/definition/axis.h"
 #include "stimuli/definition/form_definition.h"
 #include "stimuli/definition/quantity.h"
+#include "study/log/origin.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {
@@ -66,6 +67,7 @@ struct ParticipantRecord {
   int restarts = 0;                       ///< how often the earlier answers were set aside
   std::int64_t last_seen_unix_s = 0;      ///< last answer or beginning of a session
   std::vector<FormAnswer> form = {};
+  Origin origin = Origin::window;  ///< how they came to the study
 };
 
 /// Everything the analysis needs from a log.

@@ -57,9 +57,24 @@ std::optional<OpenSession> LogWriter::Tables::find_participant(const Enrolment& 
                        .field = "participant " + enrolment.code,
                        .wanted = in_log + ", as in the log (or another code or log)",
                        .found = kind_text(enrolment)});
+  check_not_in_a_browser(enrolment.code);
   read_trials(session);
   read_answers(session);
   return session;
+}
+
+/// Their messages come numbered from the browser, which would know nothing of answers given here.
+void LogWriter::Tables::check_not_in_a_browser(const std::string& code) {
+  if (!has_online_tables(schema_version_of(database))) return;
+  SQLite::Statement row(
+      database,
+      "SELECT origin FROM online_participants JOIN participants USING (participant) WHERE code = ?");
+  SQLite::bind(row, code);
+  if (!row.executeStep()) return;
+  throw input_error({.file = path.string(),
+                     .field = "participant " + code,
+                     .wanted = "a participant of the window",
+                     .found = "one who takes part in a browser (" + row.getColumn(0).getString() + ")"});
 }
 
 OpenSession LogWriter::Tables::enter_participant(const Enrolment& enrolment) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stimuli/definition/artifact.h"
+#include "study/log/origin.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {
@@ -189,13 +190,45 @@ constexpr const char* stimuli_since_3 = R"sql(,
   condition       TEXT NOT NULL,                               -- '' where the study has one condition
   level           REAL NOT NULL CHECK (level >= 0 AND level < 9e999))sql";
 
+// What browsers need is in tables of its own, so that a log of the window becomes one of both by adding them.
+constexpr const char* online_schema = R"sql(
+CREATE TABLE online_participants (  -- who takes part in a browser; the others in the window
+  participant     INTEGER PRIMARY KEY REFERENCES participants ON DELETE CASCADE,
+  origin          TEXT NOT NULL CHECK (origin IN ({origins})),
+  secret_sha256   TEXT UNIQUE CHECK (length(secret_sha256) = 64)  -- of what their browser proves itself with
+) STRICT;
+
+CREATE TABLE online_messages (  -- every message that is stored, so that none is stored twice
+  id              TEXT PRIMARY KEY CHECK (length(id) = 36),
+  participant     INTEGER REFERENCES participants ON DELETE CASCADE,  -- NULL: somebody declined
+  sequence        INTEGER NOT NULL CHECK (sequence >= 0),             -- of the participant's messages
+  kind            TEXT NOT NULL CHECK (length(kind) > 0),
+  trial_index     INTEGER CHECK (trial_index >= 0),                   -- of an answer
+  content_sha256  TEXT NOT NULL CHECK (length(content_sha256) = 64),
+  UNIQUE (participant, sequence)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE online_sittings (  -- sessions that were in a browser
+  session         INTEGER PRIMARY KEY REFERENCES sessions ON DELETE CASCADE,
+  user_agent      TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE online_tokens (  -- invitations that were used; not by whom
+  token_sha256    TEXT PRIMARY KEY CHECK (length(token_sha256) = 64)
+) STRICT, WITHOUT ROWID;
+)sql";
+
 }  // namespace
+
+std::string online_tables_sql() {
+  return fmt::format(fmt::runtime(online_schema), fmt::arg("origins", word_list(every_web_origin)));
+}
 
 namespace {
 
 std::vector<Artifact> artifacts_of(int version) {
   std::vector<Artifact> known(every_artifact.begin(), every_artifact.end());
-  if (version < 4) std::erase(known, Artifact::reflection);
+  if (!knows_reflection(version)) std::erase(known, Artifact::reflection);
   return known;
 }
 
@@ -204,14 +237,14 @@ std::vector<Artifact> artifacts_of(int version) {
 std::string log_schema_sql(int version) {
   const bool since_3 = version >= 3;
   return fmt::format(
-      "{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
+      "{}{}PRAGMA application_id = {};\nPRAGMA user_version = {};\n",
       fmt::format(fmt::runtime(schema), fmt::arg("artifacts", word_list(artifacts_of(version))),
                   fmt::arg("kinds", word_list(every_trial_kind)),
                   fmt::arg("yaw_check", since_3 ? " CHECK (typeof(yaw_texels) IN ('integer', 'real'))" : ""),
                   fmt::arg("yaw", since_3 ? "ANY" : "INTEGER"),
                   fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
                   fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : "")),
-      log_application_id, version);
+      has_online_tables(version) ? online_tables_sql() : "", log_application_id, version);
 }
 
 }  // namespace seamline::study

@@ -13,9 +13,26 @@ namespace seamline::study {
 inline constexpr int log_application_id = 0x5345414d;  // "SEAM"
 inline constexpr int log_schema_version = 3;
 /// Version 4 is version 3 with the artifact `reflection`; a log is made of it when its study has that
-/// artifact, so that the logs of all others are what they were.
-inline constexpr int newest_log_schema_version = 4;
+/// artifact, so that the logs of all others are what they were. Versions 5 and 6 are 3 and 4 with the tables
+/// of people who take part in a browser (`online_tables_sql`): a log becomes one when the first of them is
+/// entered, and goes on being one for the window too.
+inline constexpr int newest_log_schema_version = 6;
 inline constexpr int oldest_log_schema_version = 2;
+
+/// Whether a version since `log_schema_version` has tables of people in browsers, and whether it knows the
+/// artifact `reflection`; the version that has both as asked.
+[[nodiscard]] constexpr bool has_online_tables(int version) {
+  return version >= 5;
+}
+[[nodiscard]] constexpr bool knows_reflection(int version) {
+  return version == 4 || version == 6;
+}
+[[nodiscard]] constexpr int log_schema_version_with(bool online, bool reflection) {
+  return log_schema_version + (online ? 2 : 0) + (reflection ? 1 : 0);
+}
+
+/// The tables that version 5 adds to those of version 3, and 6 to those of version 4, as SQL.
+[[nodiscard]] std::string online_tables_sql();
 
 /// The tables of a schema version since `oldest_log_schema_version`, as SQL: word for word what logs of that
 /// version were made with.

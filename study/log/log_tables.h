@@ -47,8 +47,10 @@ struct LogWriter::Tables {
   /// into a file that nobody can find again.
   void check_still_there() const;
 
- private:
   void read_trials(OpenSession& session);
+
+ private:
+  void check_not_in_a_browser(const std::string& code);
   void read_answers(OpenSession& session);
 };
 

@@ -118,7 +118,7 @@ LogWriter::LogWriter(fs::path path, const RenderedSet& set) : path_(std::move(pa
     return one.stimulus.artifact == Artifact::reflection;
   });
   SQLite::Database database =
-      open_or_create_log_database(path_, fill, {}, mirrors ? newest_log_schema_version : log_schema_version);
+      open_or_create_log_database(path_, fill, {}, log_schema_version_with(false, mirrors));
   with_log_errors(path_, [&] {
     check_undamaged(database, path_);
     claim_log(database, path_, set);

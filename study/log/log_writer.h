@@ -149,6 +149,7 @@ class LogWriter {
   void transaction(const std::function<void()>& work);
 
  private:
+  friend class OnlineLog;  // study/log/online: people in browsers
   struct Tables;
   std::filesystem::path path_;
   std::unique_ptr<Tables> tables_;

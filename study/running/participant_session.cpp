@@ -27,26 +27,31 @@ void store_due_trial(const TrialSequence& trials, LogWriter& log, OpenSession& p
   if (due) log.append_trials(place, std::span<const Trial>(&*due, 1));
 }
 
-int store_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,
-                      std::int64_t now_ns) {
+EdgeEvents edge_events(const Procedure& procedure, std::int64_t now_ns) {
   const auto* quest_plus = std::get_if<QuestPlusProcedure>(&procedure);
-  if (quest_plus == nullptr) return 0;
+  if (quest_plus == nullptr) return {};
   const QuestPlusDesign& design = *quest_plus->design;
-  std::vector<RawEvent> events;
-  int thresholds = 0;
+  EdgeEvents found;
   for (std::size_t t = 0; t < design.tracks.size(); ++t) {
     const std::vector<EdgeAlarm> alarms =
         edge_alarms(design.grid, quest_plus->tracks[t].posterior, design.definition.edge_share);
     for (const EdgeAlarm& alarm : alarms)
-      events.push_back({.monotonic_ns = now_ns,
-                        .kind = "edge_alarm",
-                        .trial_index = {},
-                        .detail = name_of(design.tracks[t]) + ": " + text(alarm)});
-    thresholds += std::any_of(alarms.begin(), alarms.end(),
-                              [](const EdgeAlarm& alarm) { return alarm.parameter == Parameter::threshold; });
+      found.events.push_back({.monotonic_ns = now_ns,
+                              .kind = "edge_alarm",
+                              .trial_index = {},
+                              .detail = name_of(design.tracks[t]) + ": " + text(alarm)});
+    found.thresholds += std::any_of(alarms.begin(), alarms.end(), [](const EdgeAlarm& alarm) {
+      return alarm.parameter == Parameter::threshold;
+    });
   }
-  if (!events.empty()) log.append_events(place, events);
-  return thresholds;
+  return found;
+}
+
+int store_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,
+                      std::int64_t now_ns) {
+  const EdgeEvents found = edge_events(procedure, now_ns);
+  if (!found.events.empty()) log.append_events(place, found.events);
+  return found.thresholds;
 }
 
 }  // namespace seamline::study

@@ -28,6 +28,14 @@ namespace seamline::study {
 /// shown goes on with the same image. The log always has those of constant stimuli.
 void store_due_trial(const TrialSequence& trials, LogWriter& log, OpenSession& place);
 
+/// An event `edge_alarm` for each track whose posterior leans on the grid's edge (`edge_alarms`), and how
+/// many tracks' thresholds do.
+struct EdgeEvents {
+  std::vector<RawEvent> events = {};
+  int thresholds = 0;
+};
+[[nodiscard]] EdgeEvents edge_events(const Procedure& procedure, std::int64_t now_ns);
+
 /// Writes an event `edge_alarm` for each track whose posterior leans on the grid's edge (`edge_alarms`);
 /// returns the number of tracks whose threshold does.
 int store_edge_alarms(const Procedure& procedure, LogWriter& log, const OpenSession& place,

@@ -121,7 +121,7 @@ TEST_F(LogTest, FilesThatAreNotLogsAreRefused) {
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
   refused("written by an older seamline");
   { LogWriter log(path, set); }
-  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 5");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
   refused("written by a newer seamline");
   { LogWriter log(path, set); }
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE)

@@ -27,6 +27,13 @@ std::int64_t number(const LogRow& row, std::size_t column) {
   return value == nullptr ? -1 : *value;
 }
 
+bool has_browsers(const SalvagedLog& log) {
+  return std::any_of(online_log_tables().begin(), online_log_tables().end(), [&](const LogTable& table) {
+    const auto rows = log.find(table.name);
+    return rows != log.end() && !rows->second.empty();
+  });
+}
+
 /// Fills a new log with the rows that were read.
 class Refill {
  public:
@@ -34,7 +41,7 @@ class Refill {
       : database_(database), log_(log), recovery_(recovery) {}
 
   void fill(const std::optional<RenderedSet>& set) {
-    for (const LogTable& table : log_tables()) {
+    for (const LogTable& table : log_tables_with(has_browsers(log_))) {
       if (std::string(table.name) == "trials") enter_lost_participants();
       if (std::string(table.name) == "answers") enter_lost_sessions();
       if (std::string(table.name) == "stimuli" && set)
@@ -178,15 +185,16 @@ std::optional<RenderedSet> find_set(const SalvagedLog& log, const fs::path& give
   return std::nullopt;
 }
 
-/// What the recovered log is made of: its artifacts decide (`newest_log_schema_version`).
+/// What the recovered log is made of: its artifacts decide, and whether anybody took part in a browser.
 int schema_version_for(const SalvagedLog& log) {
+  const bool online = has_browsers(log);
   const std::string word_of_4(word(Artifact::reflection));
   if (const auto stimuli = log.find("stimuli"); stimuli != log.end())
     for (const LogRow& row : stimuli->second)
       for (const auto& value : row)
         if (const auto* text = std::get_if<std::string>(&value); text != nullptr && *text == word_of_4)
-          return newest_log_schema_version;
-  return log_schema_version;
+          return log_schema_version_with(online, true);
+  return log_schema_version_with(online, false);
 }
 
 void check_whole_study(SQLite::Database& database, const fs::path& damaged) {

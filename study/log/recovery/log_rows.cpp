@@ -31,6 +31,17 @@ LogRow row_of(SQLite::Statement& statement) {
   return row;
 }
 
+void bind_row(SQLite::Statement& statement, const LogRow& row) {
+  statement.reset();
+  statement.clearBindings();
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const int place = static_cast<int>(i) + 1;
+    if (const auto* whole = std::get_if<std::int64_t>(&row[i])) statement.bind(place, *whole);
+    if (const auto* real = std::get_if<double>(&row[i])) statement.bind(place, *real);
+    if (const auto* text = std::get_if<std::string>(&row[i])) statement.bind(place, *text);
+  }
+}
+
 LogRow row_of_today(const std::string& table, LogRow row) {
   constexpr std::size_t study_columns = 7, stimuli_columns = 9, width = 6;
   if (table == "study")
@@ -60,6 +71,20 @@ const std::vector<LogTable>& log_tables() {
       {"set_aside_answers", {"participant", "attempt", "trial_index"}},
       {"events", {"event"}},
       {"deletions", {"deletion"}}};
+  return tables;
+}
+
+const std::vector<LogTable>& online_log_tables() {
+  static const std::vector<LogTable> tables = {{"online_participants", {"participant"}},
+                                               {"online_messages", {"id"}},
+                                               {"online_sittings", {"session"}},
+                                               {"online_tokens", {"token_sha256"}}};
+  return tables;
+}
+
+std::vector<LogTable> log_tables_with(bool online) {
+  std::vector<LogTable> tables = log_tables();
+  if (online) tables.insert(tables.end(), online_log_tables().begin(), online_log_tables().end());
   return tables;
 }
 

@@ -144,7 +144,7 @@ void make_schema_ours(const fs::path& copy) {
       database, "UPDATE sqlite_schema SET tbl_name = name, sql = ? WHERE type = 'table' AND name = ?");
   SQLite::Statement forget(database, "DELETE FROM sqlite_schema WHERE rowid = ?");
   std::set<std::string> tables, indexes;
-  for (const auto& [type, name, table, sql] : log_schema()) {
+  for (const auto& [type, name, table, sql] : log_schema(newest_log_schema_version)) {
     if (type == "table") run(rename, sql, name);
     (type == "table" ? tables : indexes).insert(name);
   }
@@ -160,6 +160,11 @@ void make_schema_ours(const fs::path& copy) {
   transaction.commit();
 }
 
+bool knows_browsers(SQLite::Database& database) {
+  SQLite::Statement row(database, "SELECT 1 FROM sqlite_schema WHERE name = 'online_participants'");
+  return row.executeStep();
+}
+
 /// What one way to read a file finds.
 struct Reading {
   SalvagedLog log;
@@ -172,7 +177,7 @@ Reading read_all(const fs::path& copy) {
     make_schema_ours(copy);
     SQLite::Database database = open_to_salvage(copy);
     reading.whole = true;
-    for (const LogTable& table : log_tables()) {
+    for (const LogTable& table : log_tables_with(knows_browsers(database))) {
       TableReader reader(database, table, fs::file_size(copy));
       reading.log[table.name] = reader.read();
       reading.whole = reading.whole && reader.whole();
@@ -248,7 +253,7 @@ fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahe
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   const bool has_ahead = fs::exists(ahead_file(damaged));
   SalvagedLog best;
-  for (const int new_schema : {0, log_schema_version, newest_log_schema_version, oldest_log_schema_version})
+  for (const int new_schema : {0, 3, 4, 5, 6, 2})  // as they are, or a version's, the likely ones first
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
       Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));

@@ -28,17 +28,6 @@ SQLite::Statement rows_of(SQLite::Database& database, const LogTable& table) {
   return {database, fmt::format("SELECT * FROM {} ORDER BY {}", table.name, key_of(table))};
 }
 
-void bind_row(SQLite::Statement& insert, const LogRow& row) {
-  insert.reset();
-  insert.clearBindings();
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const int place = static_cast<int>(i) + 1;
-    if (const auto* whole = std::get_if<std::int64_t>(&row[i])) insert.bind(place, *whole);
-    if (const auto* real = std::get_if<double>(&row[i])) insert.bind(place, *real);
-    if (const auto* text = std::get_if<std::string>(&row[i])) insert.bind(place, *text);
-  }
-}
-
 std::int64_t copy_table(SQLite::Database& from, SQLite::Database& into, const LogTable& table) {
   SQLite::Statement read = rows_of(from, table);
   std::optional<SQLite::Statement> insert;

@@ -1,0 +1,121 @@
+#include "study/online/commands/serve_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "study/log/online/log_merge.h"
+#include "study/online/intake/import.h"
+#include "study/online/serving/nginx_configuration.h"
+#include "study/online/serving/serve.h"
+#include "study/online/serving/tokens.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+
+namespace seamline::study::online {
+namespace fs = std::filesystem;
+namespace {
+
+struct ServeOptions {
+  std::string folder, log, set, address = "127.0.0.1", tokens, nginx;
+  int port = 8080, make_tokens = 0;
+};
+
+struct GatheringOptions {
+  std::string log, set;
+  std::vector<std::string> files;
+};
+
+void refuse_beside(const ServeOptions& options, const std::string& flag) {
+  for (const auto& [given, name] :
+       {std::pair(!options.folder.empty(), "a folder"), std::pair(!options.log.empty(), "--log"),
+        std::pair(!options.set.empty(), "--set")})
+    if (given)
+      throw input_error({.field = flag, .wanted = "nothing served by the same command", .found = name});
+}
+
+void run_serve(const ServeOptions& options) {
+  if (options.make_tokens > 0) {
+    refuse_beside(options, "--make-tokens");
+    if (options.tokens.empty())
+      throw input_error(
+          {.field = "--make-tokens", .wanted = "--tokens FILE for their hashes", .found = "none"});
+    for (const std::string& token : make_tokens(options.make_tokens, options.tokens))
+      fmt::print("{}\n", token);
+    return;
+  }
+  if (!options.nginx.empty()) {
+    refuse_beside(options, "--nginx");
+    write_file_atomically(options.nginx, nginx_configuration(options.port));
+    fmt::print("{}: written for port {}; fill in the host's name and certificate\n", options.nginx,
+               options.port);
+    return;
+  }
+  if (options.folder.empty() || options.log.empty())
+    throw input_error({.field = "seamline serve",
+                       .wanted = "a folder of seamline export --web and --log LOG",
+                       .found = options.folder.empty() ? "no folder" : "no log"});
+  serve({.folder = options.folder,
+         .log = options.log,
+         .set = options.set,
+         .address = options.address,
+         .port = options.port,
+         .tokens = options.tokens},
+        [](const std::string& line) {
+          fmt::print("{}\n", line);
+          std::fflush(stdout);
+        });
+}
+
+void run_import(const GatheringOptions& options) {
+  const RenderedSet set = set_for_log(options.log, options.set);
+  const std::vector<fs::path> files(options.files.begin(), options.files.end());
+  fmt::print("{}", import_text(import_messages(set, options.log, files), options.log));
+}
+
+void run_merge(const GatheringOptions& options) {
+  const std::vector<fs::path> logs(options.files.begin(), options.files.end());
+  fmt::print("{}", merge_text(merge_logs(options.log, logs), options.log));
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& app) {
+  const auto options = std::make_shared<ServeOptions>();
+  CLI::App* command = app.add_subcommand("serve", "Host a study for browsers; answers go into a log");
+  command->add_option("folder", options->folder, "what seamline export --web wrote");
+  command->add_option("--log", options->log, "SQLite log of answers; made when it is missing");
+  command->add_option("--set", options->set, "the rendered set; else where the log says");
+  add_number(*command, "--port", options->port, {0, 65535}, "0: any that is free")->capture_default_str();
+  command
+      ->add_option("--listen", options->address, "address of this computer; the default is for itself alone")
+      ->capture_default_str();
+  command->add_option("--tokens", options->tokens, "hashes of invitations: only who has one may take part");
+  add_number(*command, "--make-tokens", options->make_tokens, {1, 100000},
+             "print so many new invitations, and add their hashes to --tokens FILE");
+  command->add_option("--nginx", options->nginx, "write a configuration for nginx, for a wider network");
+  command->callback([options] { run_serve(*options); });
+}
+
+void add_gathering_commands(CLI::App& app) {
+  const auto imported = std::make_shared<GatheringOptions>();
+  CLI::App* import =
+      app.add_subcommand("import", "Store results of JATOS, or downloads of a page, into a log");
+  import->add_option("log", imported->log, "the log; made when it is missing")->required();
+  import->add_option("files", imported->files, "files of messages")->required();
+  import->add_option("--set", imported->set, "the rendered set; else where the log says");
+  import->callback([imported] { run_import(*imported);
+});
+
+const auto merged = std::make_shared<GatheringOptions>();
+CLI::App* merge =
+    app.add_subcommand("merge", "Add the participants of other logs of the same study to a log");
+merge->add_option("into", merged->log, "the log that gets them")->required();
+merge->add_option("from", merged->files, "the other logs, which stay as they are")->required();
+merge->callback([merged] { run_merge(*merged); });
+}  // namespace seamline::study::online
+
+}  // namespace seamline::study::online

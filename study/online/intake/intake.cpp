@@ -1,0 +1,385 @@
+#include "study/online/intake/intake.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "study/log/now.h"
+#include "study/online/messages/message_writer.h"
+#include "study/placement/overloaded.h"
+#include "study/running/participant_session.h"
+#include "support/files/hash.h"
+#include "support/text/printable.h"
+
+namespace seamline::study::online {
+namespace {
+
+/// Beliefs of an adaptive procedure are large; those of more people than this are made again when needed.
+constexpr std::size_t most_remembered_sequences = 128;
+/// A slot that a page on a host of files may draw where everybody has an order of their own.
+constexpr int most_own_orders = 1'000'000;
+
+Refusal conflict(const std::string& field, const std::string& wanted, const std::string& found) {
+  return {RefusalKind::conflict, {.field = field, .wanted = wanted, .found = found}};
+}
+
+Refusal wrong(const std::string& field, const std::string& wanted, const std::string& found) {
+  return {RefusalKind::wrong, {.field = field, .wanted = wanted, .found = found}};
+}
+
+std::optional<int> trial_of(const MessageBody& body) {
+  if (const auto* answer = std::get_if<AnswerBody>(&body)) return answer->trial_index;
+  return std::nullopt;
+}
+
+MessageNote note_of(const Message& message, const std::string& content) {
+  return {.id = message.id,
+          .sequence = message.sequence,
+          .kind = std::string(kind_word(message.body)),
+          .trial_index = trial_of(message.body),
+          .content_sha256 = content};
+}
+
+std::string in_quotes(const std::string& text) {
+  return "\"" + printable(text, 60) + "\"";
+}
+
+DisplayFacts facts_of(const DisplayBody& body) {
+  return {.machine = {},
+          .monitor = {},
+          .renderer = "browser",
+          .mode_width_px = body.screen_width_px,
+          .mode_height_px = body.screen_height_px,
+          .refresh_hz = body.refresh_hz,
+          .content_scale = body.device_pixel_ratio,
+          .framebuffer_width_px = body.viewport_width_px,
+          .framebuffer_height_px = body.viewport_height_px,
+          .mm_per_px = body.mm_per_px,
+          .viewing_distance_mm = body.viewing_distance_mm,
+          .pixels_per_degree = body.pixels_per_degree,
+          .gamma_confirmed = body.gamma_confirmed,
+          .scaling_allowed = body.image_scale != 1,
+          .image_scale = body.image_scale};
+}
+
+TrialAnswer answer_of(int index, const PictureAnswer& answer) {
+  return {.trial_index = index,
+          .chosen_index = answer.chosen_index,
+          .rating = answer.rating,
+          .choice_ns = answer.choice_ns,
+          .rating_ns = answer.rating_ns};
+}
+
+std::string_view text(FormFault fault) {
+  switch (fault) {
+    case FormFault::missing:
+      return "nothing";
+    case FormFault::not_a_number:
+      return "no number";
+    case FormFault::out_of_range:
+      return "a number out of range";
+    case FormFault::not_an_option:
+      return "none of the options";
+  }
+  return {};
+}
+
+}  // namespace
+
+Intake::Intake(const RenderedSet& set, const std::filesystem::path& log)
+    : set_(set),
+      rules_(make_trial_rules(set)),
+      script_(make_visit_script(set)),
+      consent_sha256_(sha256(set.study.consent.text)),
+      log_(log, set) {}
+
+void Intake::transaction(const std::function<void()>& work) {
+  try {
+    log_.transaction(work);
+  } catch (...) {
+    people_.clear();  // what is remembered of them may not be stored
+    sequences_ = 0;
+    throw;
+  }
+}
+
+Intake::Person* Intake::find(const std::string& code) {
+  if (const auto known = people_.find(code); known != people_.end()) return &known->second;
+  try {
+    std::optional<OnlinePerson> found = log_.find(code);
+    if (!found) return nullptr;
+    return &people_.emplace(code, Person{.stored = *std::move(found)}).first->second;
+  } catch (const Refusal&) {
+    throw;
+  } catch (const InputError& error) {
+    throw Refusal(RefusalKind::conflict, {.field = error.what()});
+  }
+}
+
+Intake::Person& Intake::person(const std::string& code) {
+  if (Person* found = find(code)) return *found;
+  throw Refusal(RefusalKind::unknown,
+                {.field = "participant", .wanted = "one who is enrolled", .found = in_quotes(code)});
+}
+
+void Intake::check_study(const Message& message) const {
+  if (message.study_hash != set_.manifest.study_hash)
+    throw conflict("study_hash", set_.manifest.study_hash + ", this log's study", in_quotes(message.study_hash));
+  if (message.set_hash != set_.set_hash)
+    throw conflict("set_hash", set_.set_hash + ", this log's set", in_quotes(message.set_hash));
+}
+
+void Intake::check_consent(const EnrolBody& body) const {
+  if (body.consent_sha256 != consent_sha256_)
+    throw conflict("body.consent_sha256", consent_sha256_ + ", of this study's consent",
+                   in_quotes(body.consent_sha256));
+  if (!body.pilot && is_default_consent(set_.study.consent))
+    throw wrong("body.pilot", "a pilot, since the study has the shipped consent text", "a participant");
+}
+
+bool Intake::is_known(const Message& message, const std::string& content) {
+  const std::optional<KnownMessage> known = log_.message(message.id);
+  if (!known) return false;
+  if (known->content_sha256 == content &&
+      (message.participant.empty() || known->participant == message.participant))
+    return true;
+  throw conflict("id", "an id of its own", "that of another message, " + message.id);
+}
+
+void Intake::check_sequence(const Person& person, const Message& message) {
+  if (!log_.has_sequence(person.stored, message.sequence)) return;
+  throw conflict("sequence", "a number of its own",
+                 fmt::format("{}, which another message of {} has", message.sequence, person.stored.code));
+}
+
+Intake::Person& Intake::enter(const OnlineNewcomer& newcomer, const EnrolBody& body) {
+  const std::int64_t begun_unix_s = newcomer.origin == Origin::serve ? now_unix_s() : body.accepted_unix_s;
+  Person entered{.stored = log_.enter(newcomer)};
+  log_.begin_sitting(entered.stored, body.user_agent, begun_unix_s);
+  log_.record_consent(entered.stored, set_.study.consent.text, body.accepted_unix_s);
+  const std::vector<Trial> decided = decided_trials(rules_, newcomer.slot, {});
+  if (!decided.empty()) log_.append_trials(entered.stored, decided);
+  return people_.insert_or_assign(newcomer.code, std::move(entered)).first->second;
+}
+
+EnrolledPerson Intake::enrol(const Message& message, const GivenIdentity& given) {
+  check_study(message);
+  const auto& body = std::get<EnrolBody>(message.body);
+  const std::string content = content_sha256(message);
+  if (!message.participant.empty() || body.slot != -1 || body.origin != Origin::serve ||
+      message.sequence != 0)
+    throw wrong("body", "an enrolment whose code and slot the server gives, number 0 of origin serve",
+                "another one");
+  if (is_known(message, content)) {
+    Person& known = person(log_.message(message.id)->participant);
+    if (known.stored.next_sequence != 1)
+      throw conflict("id", "an enrolment that is new", "that of somebody who has begun");
+    log_.set_secret(known.stored, given.secret_sha256);
+    return {.code = known.stored.code, .slot = known.stored.place.slot, .next_sequence = 1};
+  }
+  check_consent(body);
+  if (!given.token_sha256.empty() && !log_.use_token(given.token_sha256))
+    throw Refusal(RefusalKind::unknown,
+                  {.field = "token", .wanted = "an invitation that was not used", .found = "a used one"});
+  const std::vector<HeldSlot> held = log_.held_slots(body.pilot);
+  int slot = newcomer_slot(set_.study.session.orders, held);
+  if (slot >= given.slots) slot = newcomer_slot(given.slots, held);  // people share what the page has
+  Person& entered = enter({.code = given.code,
+                           .slot = slot,
+                           .pilot = body.pilot,
+                           .origin = Origin::serve,
+                           .secret_sha256 = given.secret_sha256},
+                          body);
+  log_.note_message(entered.stored, note_of(message, content));
+  return {.code = given.code, .slot = slot, .next_sequence = entered.stored.next_sequence, .is_new = true};
+}
+
+bool Intake::enrol_elsewhere(const Message& message, const std::string& content) {
+  const auto& body = std::get<EnrolBody>(message.body);
+  const int orders = set_.study.session.orders > 0 ? set_.study.session.orders : most_own_orders;
+  if (body.origin == Origin::serve)
+    throw wrong("body.origin", "static or jatos (a server enrols its own)", "serve");
+  if (rules_.quest_plus)
+    throw wrong("body.origin", "serve, since the study places trials by the answers",
+                std::string(word(body.origin)));
+  if (body.slot < 0 || body.slot >= orders)
+    throw wrong("body.slot", fmt::format("a slot from 0 to {}", orders - 1), std::to_string(body.slot));
+  check_consent(body);
+  if (find(message.participant) != nullptr)
+    throw conflict("participant", "a code that nobody has", in_quotes(message.participant));
+  Person& entered = enter(
+      {.code = message.participant, .slot = body.slot, .pilot = body.pilot, .origin = body.origin}, body);
+  log_.note_message(entered.stored, note_of(message, content));
+  return true;
+}
+
+bool Intake::take(const Message& message) {
+  check_study(message);
+  const std::string content = content_sha256(message);
+  if (is_known(message, content)) return false;
+  if (std::holds_alternative<DeclineBody>(message.body)) {
+    log_.note_decline(note_of(message, content));
+    return true;
+  }
+  if (std::holds_alternative<EnrolBody>(message.body)) return enrol_elsewhere(message, content);
+  Person& who = person(message.participant);
+  if (who.stored.place.excluded)
+    throw conflict("participant", "one who takes part", in_quotes(who.stored.code) + ", who is excluded");
+  check_sequence(who, message);
+  store(who, message.body);
+  log_.note_message(who.stored, note_of(message, content));
+  return true;
+}
+
+void Intake::store(Person& who, const MessageBody& body) {
+  std::visit(Overloaded{[](const EnrolBody&) {}, [](const DeclineBody&) {},
+                        [&](const CompletionBody&) { store_completion(who); },
+                        [&](const auto& other) { store(who, other); }},
+             body);
+}
+
+void Intake::store(Person& who, const BeginBody& body) {
+  log_.begin_sitting(who.stored, body.user_agent, time_of(who));
+}
+
+void Intake::store(Person& who, const FormBody& body) {
+  if (who.stored.place.form_done) throw conflict("body.answers", "one form of a participant", "another one");
+  std::vector<FormAnswer> answers;
+  for (const FormAnswer& answer : body.answers) {
+    const auto is_field = [&](const FormField& field) { return field.name == answer.field; };
+    const auto is_same = [&](const FormAnswer& other) { return other.field == answer.field; };
+    if (std::none_of(script_.form.begin(), script_.form.end(), is_field))
+      throw wrong("body.answers", "fields of the study's form", in_quotes(answer.field));
+    if (std::any_of(answers.begin(), answers.end(), is_same))
+      throw wrong("body.answers", "each field once", in_quotes(answer.field) + " twice");
+    answers.push_back(answer);
+  }
+  for (const FormField& field : script_.form) {
+    std::string value;
+    for (const FormAnswer& answer : answers)
+      if (answer.field == field.name) value = answer.value;
+    if (const std::optional<FormFault> fault = fault_of(field, value))
+      throw wrong("body.answers." + field.name, "an answer to the question", std::string(text(*fault)));
+  }
+  log_.record_form(who.stored, answers);
+}
+
+void Intake::store(Person& who, const DisplayBody& body) {
+  log_.record_display(who.stored, facts_of(body));
+}
+
+void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
+  const std::string& id = set_.manifest.stimuli[static_cast<std::size_t>(planned.stimulus)].id;
+  if (answer.kind == planned.kind && answer.stimulus_id == id) return;
+  throw conflict(which, fmt::format("the planned {} {}", word(planned.kind), id),
+                 fmt::format("{} {}", word(answer.kind), in_quotes(answer.stimulus_id)));
+}
+
+void Intake::store(Person& who, const TrainingBody& body) {
+  const std::string which = fmt::format("training_index {}", body.training_index);
+  if (body.training_index >= static_cast<int>(script_.training.size()))
+    throw wrong("body.training_index", fmt::format("one of {} practice trials", script_.training.size()),
+                std::to_string(body.training_index));
+  const Trial& planned = script_.training[static_cast<std::size_t>(body.training_index)];
+  check_shown(planned, body.answer, which);
+  if (!log_.append_training(who.stored,
+                            {.trial = planned, .answer = answer_of(body.training_index, body.answer)}))
+    throw conflict(which, "one answer in a sitting", "another one");
+}
+
+void Intake::store(Person& who, const AnswerBody& body) {
+  OnlinePerson& stored = who.stored;
+  const std::string which = fmt::format("trial_index {}", body.trial_index);
+  if (stored.place.completed)
+    throw conflict(which, "a participant who has not finished", "an answer after the end");
+  if (stored.answered.contains(body.trial_index))
+    throw conflict(which, "one answer to a trial", "another one, with another id");
+  if (body.trial_index >= static_cast<int>(stored.place.trials.size()))
+    throw conflict(which, fmt::format("one of {} planned trials", stored.place.trials.size()),
+                   "one that is not planned");
+  check_shown(stored.place.trials[static_cast<std::size_t>(body.trial_index)], body.answer, which);
+  if (rules_.quest_plus && body.trial_index != stored.place.answered)
+    throw conflict(which, fmt::format("the trial that is due, {}", stored.place.answered), "another one");
+  const TrialAnswer answer = answer_of(body.trial_index, body.answer);
+  if (rules_.quest_plus) {
+    TrialSequence& sequence = sequence_of(who);  // before the answer is among those it is made of
+    sequence = after_answer(std::move(sequence), answer);
+  }
+  log_.append_answer(stored, answer, body.image_scale, time_of(who));
+}
+
+void Intake::store(Person& who, const EventBody& body) {
+  const RawEvent event{.monotonic_ns = body.monotonic_ns,
+                       .kind = body.kind,
+                       .trial_index = body.trial_index,
+                       .detail = body.detail};
+  log_.append_events(who.stored, std::span<const RawEvent>(&event, 1));
+}
+
+void Intake::store_completion(Person& who) {
+  const OpenSession& place = who.stored.place;
+  if (place.completed) throw conflict("kind", "one completion", "another one");
+  const bool over = rules_.quest_plus ? !current_trial(sequence_of(who))
+                                      : place.answered == static_cast<int>(place.trials.size());
+  if (!over)
+    throw conflict("kind", "a completion when every trial is answered",
+                   fmt::format("{} of {} answered", place.answered, place.trials.size()));
+  if (rules_.quest_plus)
+    if (const EdgeEvents edges = edge_events(sequence_of(who).procedure, 0); !edges.events.empty())
+      log_.append_events(who.stored, edges.events);
+  log_.complete(who.stored);
+}
+
+TrialSequence& Intake::sequence_of(Person& who) {
+  if (who.sequence) return *who.sequence;
+  if (sequences_ >= most_remembered_sequences) {
+    for (auto& [code, other] : people_) other.sequence.reset();
+    sequences_ = 0;
+  }
+  const OpenSession& place = who.stored.place;
+  who.sequence =
+      trial_sequence(rules_, {.slot = place.slot, .trials = place.trials, .answers = place.answers});
+  ++sequences_;
+  return *who.sequence;
+}
+
+std::int64_t Intake::time_of(const Person& who) {
+  return who.stored.origin == Origin::serve ? now_unix_s() : who.stored.accepted_unix_s;
+}
+
+Whereabouts Intake::where(const std::string& code) {
+  const OnlinePerson& stored = person(code).stored;
+  return {.participant = code,
+          .origin = stored.origin,
+          .slot = stored.place.slot,
+          .answered = {stored.answered.begin(), stored.answered.end()},
+          .trials = static_cast<int>(stored.place.trials.size()),
+          .form_done = stored.place.form_done,
+          .training_done = stored.training_done,
+          .completed = stored.place.completed,
+          .next_sequence = stored.next_sequence};
+}
+
+std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code) {
+  Person& who = person(code);
+  if (!rules_.quest_plus)
+    throw wrong("seamline", "a study that places trials by the answers", "one whose orders are fixed");
+  if (who.stored.place.completed) return std::nullopt;
+  const std::optional<Trial> due = current_trial(sequence_of(who));
+  if (!due) return std::nullopt;
+  if (static_cast<int>(who.stored.place.trials.size()) <= who.stored.place.answered)
+    log_.append_trials(who.stored, std::span<const Trial>(&*due, 1));
+  return std::pair(who.stored.place.answered, *due);
+}
+
+std::vector<std::int64_t> Intake::gaps(const std::string& code) {
+  std::vector<std::int64_t> missing;
+  std::int64_t due = 0;
+  for (const std::int64_t stored : log_.sequences(person(code).stored)) {
+    for (; due < stored && missing.size() < 10000; ++due) missing.push_back(due);
+    due = stored + 1;
+  }
+  return missing;
+}
+
+}  // namespace seamline::study::online

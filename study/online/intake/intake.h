@@ -1,0 +1,125 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "study/log/online/online_log.h"
+#include "study/online/intake/refusal.h"
+#include "study/online/messages/message.h"
+#include "study/trials/participant_trials.h"
+#include "study/trials/rendered_set.h"
+#include "study/visit/visit_script.h"
+
+namespace seamline::study::online {
+
+/// How far a participant has come.
+struct Whereabouts {
+  std::string participant;
+  Origin origin = Origin::serve;
+  int slot = 0;
+  std::vector<int> answered;  ///< indices of trials, rising
+  int trials = 0;             ///< decided so far
+  bool form_done = false;
+  int training_done = 0;
+  bool completed = false;
+  std::int64_t next_sequence = 0;
+};
+
+/// What a server gives a newcomer besides their slot.
+struct GivenIdentity {
+  std::string code;
+  std::string secret_sha256;
+  std::string token_sha256 = {};  ///< of the invitation; empty: none is needed
+  int slots = 0;                  ///< orders that the page has
+};
+
+/// What an enrolment at a server came to.
+struct EnrolledPerson {
+  std::string code;
+  int slot = 0;
+  std::int64_t next_sequence = 0;
+  bool is_new = false;  ///< false: the same message came before
+};
+
+/// Between messages and the log: decides what is stored, stores it once, and knows how far everybody is.
+/// Everything that a session in the window would refuse is refused, with a sentence (`Refusal`): messages of
+/// another study or set, a trial that is not planned, a second answer to one, answers after the end. A
+/// message whose id is stored is not stored again; with other content it is a conflict. Not for several
+/// threads at once.
+///
+///     intake.transaction([&] { for (message : messages) intake.take(message); });   // then it is on the
+///     disk
+class Intake {
+ public:
+  /// Opens or makes the log. `set` must live as long as this. Throws InputError as LogWriter does.
+  Intake(const RenderedSet& set, const std::filesystem::path& log);
+
+  /// Runs `work` as one transaction, on the disk when this returns. When it fails (InputError) nothing is
+  /// stored, and nobody's progress is remembered wrongly.
+  void transaction(const std::function<void()>& work);
+
+  /// Stores a message; false when it was stored before. An enrolment must bring its code and slot: a host of
+  /// files or JATOS. Throws Refusal, and stores nothing, when it may not be stored.
+  bool take(const Message& message);
+
+  /// Enrols somebody at a server: `message` has no participant and no slot. They get the slot that the fewest
+  /// have completed (`newcomer_slot`). The same message again finds the same participant again, whose secret
+  /// becomes the new one as long as nothing else of theirs is stored. Throws Refusal.
+  [[nodiscard]] EnrolledPerson enrol(const Message& message, const GivenIdentity& given);
+
+  /// How far a participant is. Throws Refusal when there is none.
+  [[nodiscard]] Whereabouts where(const std::string& code);
+
+  /// The trial that a participant of an adaptive study gets next, decided and stored before it is told; none
+  /// when the session is over. Throws Refusal when there is none of that code, or the study is not adaptive.
+  [[nodiscard]] std::optional<std::pair<int, Trial>> next_trial(const std::string& code);
+
+  /// Numbers of a participant's messages that are missing below the highest stored.
+  [[nodiscard]] std::vector<std::int64_t> gaps(const std::string& code);
+
+  [[nodiscard]] std::map<std::string, std::string> secrets() { return log_.secrets(); }
+  [[nodiscard]] OnlineLog::Counts counts() { return log_.counts(); }
+  [[nodiscard]] const RenderedSet& set() const { return set_; }
+
+ private:
+  struct Person {
+    OnlinePerson stored;
+    std::optional<TrialSequence> sequence = {};  ///< of an adaptive study, as far as it is remembered
+  };
+
+  Person& person(const std::string& code);
+  Person* find(const std::string& code);
+  void check_study(const Message& message) const;
+  void check_consent(const EnrolBody& body) const;
+  /// Whether this very message is stored. Throws Refusal when another with its id is.
+  bool is_known(const Message& message, const std::string& content);
+  void check_sequence(const Person& person, const Message& message);
+  Person& enter(const OnlineNewcomer& newcomer, const EnrolBody& body);
+  bool enrol_elsewhere(const Message& message, const std::string& content);
+  void store(Person& person, const MessageBody& body);
+  void store(Person& person, const BeginBody& body);
+  void store(Person& person, const FormBody& body);
+  void store(Person& person, const DisplayBody& body);
+  void store(Person& person, const TrainingBody& body);
+  void store(Person& person, const AnswerBody& body);
+  void store(Person& person, const EventBody& body);
+  void store_completion(Person& person);
+  void check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const;
+  TrialSequence& sequence_of(Person& person);
+  [[nodiscard]] static std::int64_t time_of(const Person& person);
+
+  const RenderedSet& set_;
+  TrialRules rules_;
+  VisitScript script_;
+  std::string consent_sha256_;
+  OnlineLog log_;
+  std::unordered_map<std::string, Person> people_;
+  std::size_t sequences_ = 0;  ///< remembered
+};
+
+}  // namespace seamline::study::online

@@ -1,0 +1,95 @@
+#include "study/online/serving/http_request.h"
+
+#include <algorithm>
+#include <map>
+
+namespace seamline::study::online {
+namespace {
+
+constexpr std::size_t most_fields = 100, most_path_bytes = 512;
+
+char lower(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char letter) { return lower(letter); });
+  return text;
+}
+
+bool is_odd(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char letter) {
+    return (static_cast<unsigned char>(letter) < 0x20 && letter != '\t') || letter == 0x7f;
+  });
+}
+
+/// Decimal digits, as many as the limit has at most, and nothing else.
+std::int64_t length_of(const std::string& text) {
+  if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return -1;
+  if (text.size() > 1 && text.front() == '0') return -1;
+  return std::stoll(text);
+}
+
+/// host[:port] of http://host[:port] or https://...; empty: it is not one.
+std::string host_of(const std::string& origin) {
+  for (const std::string scheme : {"http://", "https://"})
+    if (origin.starts_with(scheme)) return origin.substr(scheme.size());
+  return {};
+}
+
+}  // namespace
+
+std::variant<RequestHead, HeadFault> read_head(const std::string& method, const std::string& path,
+                                               const HeaderFields& fields) {
+  if (method != "GET" && method != "HEAD" && method != "POST")
+    return HeadFault{405, "method: wanted GET, HEAD or POST, found another one"};
+  if (path.empty() || path.front() != '/' || path.size() > most_path_bytes || is_odd(path))
+    return HeadFault{404, "path: wanted one of this study, found another one"};
+  if (fields.size() > most_fields) return HeadFault{431, "headers: wanted at most 100, found more"};
+  // What may stand once: where it stood twice, two programs on the way could each believe another one.
+  std::map<std::string, std::string> once;
+  for (const auto& [name, value] : fields) {
+    const std::string key = lower(name);
+    if (key.empty() || is_odd(name) || is_odd(value))
+      return HeadFault{400, "headers: wanted text, found control characters"};
+    if (key.find_first_of(" \t") != std::string::npos)
+      return HeadFault{400, "headers: wanted names without spaces, found one with"};
+    if (key == "transfer-encoding")
+      return HeadFault{501, "Transfer-Encoding: wanted a Content-Length, found an encoding"};
+    if (key == "content-encoding")
+      return HeadFault{415, "Content-Encoding: wanted plain text, found an encoding"};
+    if (key == "content-length" || key == "host" || key == "authorization" || key == "origin" ||
+        key == "expect" || key == "content-type" || key == "if-none-match")
+      if (!once.emplace(key, value).second) return HeadFault{400, key + ": wanted it once, found it twice"};
+  }
+  RequestHead head{.method = method, .path = path};
+  const auto length = once.find("content-length");
+  if (method == "POST") {
+    if (length == once.end()) return HeadFault{411, "Content-Length: wanted one, found none"};
+    head.content_bytes = length_of(length->second);
+    if (head.content_bytes < 0) return HeadFault{400, "Content-Length: wanted digits, found something else"};
+    if (head.content_bytes > most_request_bytes)
+      return HeadFault{413, "Content-Length: wanted at most 1048576 bytes, found more"};
+  } else if (length != once.end() && length->second != "0") {
+    return HeadFault{400, "Content-Length: wanted none in a request without a body, found one"};
+  }
+  if (once.contains("expect")) return HeadFault{417, "Expect: wanted none, found one"};
+  if (const auto origin = once.find("origin"); origin != once.end()) {
+    const auto host = once.find("host");
+    if (host == once.end() || lower(host_of(origin->second)) != lower(host->second))
+      return HeadFault{403, "Origin: wanted this server's own page, found another one"};
+  }
+  if (const auto authorization = once.find("authorization"); authorization != once.end()) {
+    const std::string scheme = "bearer ";
+    if (lower(authorization->second.substr(0, scheme.size())) != scheme)
+      return HeadFault{401, "Authorization: wanted Bearer and a secret, found something else"};
+    head.secret = authorization->second.substr(scheme.size());
+    if (head.secret.size() != 64 || head.secret.find_first_not_of("0123456789abcdef") != std::string::npos)
+      return HeadFault{401, "Authorization: wanted Bearer and a secret, found something else"};
+  }
+  if (const auto version = once.find("if-none-match"); version != once.end())
+    head.known_version = version->second;
+  return head;
+}
+
+}  // namespace seamline::study::online

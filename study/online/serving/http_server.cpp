@@ -1,0 +1,393 @@
+#include "study/online/serving/http_server.h"
+
+#include "support/text/error.h"
+
+#ifdef SEAMLINE_HAS_SERVER
+
+#include <arpa/inet.h>
+#include <fmt/core.h>
+#include <microhttpd.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <unordered_set>
+
+namespace seamline::study::online {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t memory_a_connection = 16U << 10;
+
+constexpr const char* content_security_policy =
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; "
+    "font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// A connection that a client has open.
+struct Connection {
+  int descriptor = -1;
+  Clock::time_point since = Clock::now();  ///< of waiting for a request, or of sending an answer
+  bool sending = false;
+};
+
+/// A request on its way in or out.
+struct Exchange {
+  HttpRequest request;
+  std::optional<HeadFault> fault;
+  std::optional<HttpResponse> response;  ///< what `later` was answered with
+  bool is_late = false;                  ///< `later` was asked
+  std::int64_t reserved_bytes = 0;
+};
+
+/// No name of ours needs an escape, and one that has a zero would end there.
+std::size_t keep_as_it_is(void*, MHD_Connection*, char* text) {
+  return std::strlen(text);
+}
+
+MHD_Result take_field(void* fields, MHD_ValueKind, const char* key, const char* value) {
+  static_cast<HeaderFields*>(fields)->emplace_back(key == nullptr ? "" : key, value == nullptr ? "" : value);
+  return MHD_YES;
+}
+
+/// Empty for this computer itself.
+std::string address_of(MHD_Connection* connection) {
+  const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
+  if (info == nullptr || info->client_addr == nullptr) return "?";
+  char text[INET6_ADDRSTRLEN] = "?";
+  if (info->client_addr->sa_family == AF_INET) {
+    sockaddr_in four = {};
+    std::memcpy(&four, info->client_addr, sizeof four);
+    if ((ntohl(four.sin_addr.s_addr) >> 24) == 127) return {};
+    ::inet_ntop(AF_INET, &four.sin_addr, text, sizeof text);
+  } else if (info->client_addr->sa_family == AF_INET6) {
+    sockaddr_in6 six = {};
+    std::memcpy(&six, info->client_addr, sizeof six);
+    if (IN6_IS_ADDR_LOOPBACK(&six.sin6_addr)) return {};
+    ::inet_ntop(AF_INET6, &six.sin6_addr, text, sizeof text);
+  }
+  return text;
+}
+
+/// As many open files as the system lets a program have.
+void raise_file_limit() {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+int listen_at(const std::string& address, int port) {
+  sockaddr_in four = {};
+  four.sin_family = AF_INET;
+  four.sin_port = htons(static_cast<std::uint16_t>(port));
+  sockaddr_in6 six = {};
+  six.sin6_family = AF_INET6;
+  six.sin6_port = htons(static_cast<std::uint16_t>(port));
+  const bool is_four = ::inet_pton(AF_INET, address.c_str(), &four.sin_addr) == 1;
+  if (!is_four && ::inet_pton(AF_INET6, address.c_str(), &six.sin6_addr) != 1)
+    throw input_error({.field = "--listen",
+                       .wanted = "an address of this computer, like 127.0.0.1 or ::1",
+                       .found = "\"" + address + "\""});
+  const int descriptor =
+      ::socket(is_four ? AF_INET : AF_INET6, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  const int yes = 1;
+  const sockaddr* where =
+      is_four ? reinterpret_cast<const sockaddr*>(&four) : reinterpret_cast<const sockaddr*>(&six);
+  const socklen_t bytes = is_four ? sizeof four : sizeof six;
+  if (descriptor >= 0 && ::setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
+      ::bind(descriptor, where, bytes) == 0 && ::listen(descriptor, SOMAXCONN) == 0)
+    return descriptor;
+  const std::string found = std::strerror(errno);
+  if (descriptor >= 0) ::close(descriptor);
+  throw input_error({.field = fmt::format("{} port {}", address, port),
+                     .wanted = "an address and a port that are free",
+                     .found = found});
+}
+
+}  // namespace
+
+bool has_http_server() {
+  return true;
+}
+
+struct HttpServer::State {
+  HttpHandler handler;
+  HttpLimits limits;
+  MHD_Daemon* daemon = nullptr;
+  int listener = -1;
+  int port = 0;
+  std::mutex lock;
+  std::unordered_set<Connection*> connections;
+  std::atomic<std::int64_t> bodies_bytes = 0;
+  std::atomic<int> exchanges = 0;  ///< requests between their first line and their answer's last byte
+  std::atomic<int> suspended = 0;  ///< that wait for `later`
+  std::map<const SentFile*, MHD_Response*> files;
+  std::mutex files_lock;
+
+  MHD_Response* response_of(const HttpResponse& response);
+  MHD_Result send(MHD_Connection* connection, const HttpResponse& response, bool close);
+  MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** context);
+  MHD_Result proceed(MHD_Connection* connection, Exchange& exchange, const char* data, std::size_t* bytes);
+  MHD_Result refuse(MHD_Connection* connection, const Exchange& exchange);
+
+  static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
+                               const char* version, const char* data, std::size_t* bytes, void** context);
+  static void on_completed(void* self, MHD_Connection* connection, void** context,
+                           MHD_RequestTerminationCode reason);
+  static void on_connection(void* self, MHD_Connection* connection, void** context,
+                            MHD_ConnectionNotificationCode code);
+  void mark(MHD_Connection* connection, bool sending);
+};
+
+/// Answers with a file are made once and sent to everybody.
+MHD_Response* HttpServer::State::response_of(const HttpResponse& response) {
+  const auto header = [](MHD_Response* made, const char* name, const std::string& value) {
+    MHD_add_response_header(made, name, value.c_str());
+  };
+  const auto common = [&](MHD_Response* made, const std::string& type) {
+    header(made, "Content-Type", type);
+    header(made, "X-Content-Type-Options", "nosniff");
+    header(made, "Referrer-Policy", "no-referrer");
+    header(made, "Cross-Origin-Resource-Policy", "same-origin");
+  };
+  if (!response.file) {
+    MHD_Response* made = MHD_create_response_from_buffer(
+        response.body.size(), const_cast<char*>(response.body.data()), MHD_RESPMEM_MUST_COPY);
+    if (response.status == 304) return made;  // says nothing of a type: what the browser has keeps its own
+    common(made, "application/json; charset=utf-8");
+    header(made, "Cache-Control", "no-store");
+    return made;
+  }
+  const std::lock_guard guard(files_lock);
+  MHD_Response*& made = files[response.file.get()];
+  if (made == nullptr) {
+    const SentFile& file = *response.file;
+    if (file.descriptor >= 0)
+      made =
+          MHD_create_response_from_fd64(static_cast<std::uint64_t>(file.size_bytes), ::dup(file.descriptor));
+    else
+      made = MHD_create_response_from_buffer(file.bytes.size(), const_cast<char*>(file.bytes.data()),
+                                             MHD_RESPMEM_PERSISTENT);
+    common(made, file.content_type);
+    header(made, "ETag", file.version);
+    header(made, "Cache-Control", "no-cache");
+    header(made, "Content-Security-Policy", content_security_policy);
+    header(made, "X-Frame-Options", "DENY");
+  }
+  return made;
+}
+
+void HttpServer::State::mark(MHD_Connection* connection, bool sending) {
+  const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+  if (info == nullptr || info->socket_context == nullptr) return;
+  const std::lock_guard guard(lock);
+  auto* open = static_cast<Connection*>(info->socket_context);
+  open->since = Clock::now();
+  open->sending = sending;
+}
+
+MHD_Result HttpServer::State::send(MHD_Connection* connection, const HttpResponse& response, bool close) {
+  MHD_Response* made = response_of(response);
+  if (close && !response.file) MHD_add_response_header(made, "Connection", "close");
+  mark(connection, true);
+  const MHD_Result queued = MHD_queue_response(connection, static_cast<unsigned>(response.status), made);
+  if (!response.file) MHD_destroy_response(made);
+  return queued;
+}
+
+MHD_Result HttpServer::State::refuse(MHD_Connection* connection, const Exchange& exchange) {
+  handler.refused(exchange.request.head.path, exchange.fault->status);
+  const std::string& sentence = exchange.fault->sentence;  // of our own words alone
+  return send(connection, {.status = exchange.fault->status, .body = "{\"error\":\"" + sentence + "\"}"},
+              true);
+}
+
+MHD_Result HttpServer::State::begin(MHD_Connection* connection, const char* url, const char* method,
+                                    void** context) {
+  auto* exchange = new Exchange;
+  *context = exchange;
+  ++exchanges;
+  HeaderFields fields;
+  MHD_get_connection_values(connection, MHD_HEADER_KIND, take_field, &fields);
+  auto head = read_head(method, url, fields);
+  if (auto* fault = std::get_if<HeadFault>(&head)) {
+    exchange->fault = std::move(*fault);
+    return refuse(connection, *exchange);
+  }
+  exchange->request.head = std::move(std::get<RequestHead>(head));
+  exchange->request.address = address_of(connection);
+  exchange->reserved_bytes = exchange->request.head.content_bytes;
+  if (bodies_bytes.fetch_add(exchange->reserved_bytes) + exchange->reserved_bytes > limits.bodies_bytes) {
+    exchange->fault = HeadFault{503, "server: wanted room for the request, found none: send it again later"};
+    return refuse(connection, *exchange);
+  }
+  return MHD_YES;
+}
+
+MHD_Result HttpServer::State::proceed(MHD_Connection* connection, Exchange& exchange, const char* data,
+                                      std::size_t* bytes) {
+  HttpRequest& request = exchange.request;
+  if (*bytes > 0) {
+    if (static_cast<std::int64_t>(request.body.size() + *bytes) > request.head.content_bytes) return MHD_NO;
+    request.body.append(data, *bytes);
+    *bytes = 0;
+    return MHD_YES;
+  }
+  if (exchange.is_late) {
+    if (!exchange.response) return MHD_NO;
+    return send(connection, *exchange.response, false);
+  }
+  if (static_cast<std::int64_t>(request.body.size()) != request.head.content_bytes) return MHD_NO;
+  if (const std::optional<HttpResponse> at_once = handler.now(request))
+    return send(connection, *at_once, false);
+  exchange.is_late = true;
+  mark(connection, true);
+  MHD_suspend_connection(connection);  // before anybody can resume it
+  ++suspended;
+  handler.later(std::move(request), [this, connection, &exchange](HttpResponse response) {
+    exchange.response = std::move(response);
+    MHD_resume_connection(connection);
+    --suspended;
+  });
+  return MHD_YES;
+}
+
+MHD_Result HttpServer::State::on_request(void* self, MHD_Connection* connection, const char* url,
+                                         const char* method, const char*, const char* data,
+                                         std::size_t* bytes, void** context) {
+  auto& state = *static_cast<State*>(self);
+  try {
+    if (*context == nullptr) return state.begin(connection, url, method, context);
+    return state.proceed(connection, *static_cast<Exchange*>(*context), data, bytes);
+  } catch (const std::exception&) {
+    return MHD_NO;  // out of memory: the connection is closed
+  }
+}
+
+void HttpServer::State::on_completed(void* self, MHD_Connection* connection, void** context,
+                                     MHD_RequestTerminationCode) {
+  auto& state = *static_cast<State*>(self);
+  auto* exchange = static_cast<Exchange*>(*context);
+  if (exchange == nullptr) return;
+  state.bodies_bytes -= exchange->reserved_bytes;
+  delete exchange;
+  *context = nullptr;
+  --state.exchanges;
+  state.mark(connection, false);
+}
+
+void HttpServer::State::on_connection(void* self, MHD_Connection* connection, void** context,
+                                      MHD_ConnectionNotificationCode code) {
+  auto& state = *static_cast<State*>(self);
+  if (code == MHD_CONNECTION_NOTIFY_STARTED) {
+    const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+    auto* open = new Connection{.descriptor = info == nullptr ? -1 : info->connect_fd};
+    const std::lock_guard guard(state.lock);
+    state.connections.insert(open);
+    *context = open;
+  } else if (auto* open = static_cast<Connection*>(*context)) {
+    const std::lock_guard guard(state.lock);
+    state.connections.erase(open);
+    delete open;
+    *context = nullptr;
+  }
+}
+
+HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler, const HttpLimits& limits)
+    : state_(std::make_unique<State>()) {
+  State& state = *state_;
+  state.handler = std::move(handler);
+  state.limits = limits;
+  raise_file_limit();
+  state.listener = listen_at(address, port);
+  sockaddr_storage bound = {};
+  socklen_t bytes = sizeof bound;
+  ::getsockname(state.listener, reinterpret_cast<sockaddr*>(&bound), &bytes);
+  state.port = ntohs(bound.ss_family == AF_INET ? reinterpret_cast<const sockaddr_in*>(&bound)->sin_port
+                                                : reinterpret_cast<const sockaddr_in6*>(&bound)->sin6_port);
+  state.daemon = MHD_start_daemon(
+      MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &State::on_request,
+      &state, MHD_OPTION_LISTEN_SOCKET, state.listener, MHD_OPTION_THREAD_POOL_SIZE, limits.threads,
+      MHD_OPTION_CONNECTION_LIMIT, limits.connections, MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, memory_a_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1,
+      MHD_OPTION_UNESCAPE_CALLBACK, &keep_as_it_is, nullptr, MHD_OPTION_NOTIFY_COMPLETED,
+      &State::on_completed, &state, MHD_OPTION_NOTIFY_CONNECTION, &State::on_connection, &state,
+      MHD_OPTION_END);
+  if (state.daemon != nullptr) return;
+  ::close(state.listener);
+  throw input_error({.field = "seamline serve",
+                     .wanted = "threads and open files for a server",
+                     .found = std::strerror(errno)});
+}
+
+HttpServer::~HttpServer() {
+  stop(0);
+}
+
+int HttpServer::port() const {
+  return state_->port;
+}
+
+void HttpServer::close_slow_ones() {
+  const Clock::time_point now = Clock::now();
+  const std::lock_guard guard(state_->lock);
+  for (const Connection* open : state_->connections) {
+    const std::chrono::seconds patience(open->sending ? state_->limits.sending_s : state_->limits.slow_s);
+    if (now - open->since > patience) ::shutdown(open->descriptor, SHUT_RDWR);
+  }
+}
+
+void HttpServer::stop(double patience_s) {
+  State& state = *state_;
+  if (state.daemon == nullptr) return;
+  MHD_quiesce_daemon(state.daemon);
+  const Clock::time_point until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_s));
+  while (state.suspended > 0 || (state.exchanges > 0 && Clock::now() < until))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  MHD_stop_daemon(state.daemon);
+  state.daemon = nullptr;
+  ::close(state.listener);
+  for (const auto& [file, response] : state.files) MHD_destroy_response(response);
+}
+
+}  // namespace seamline::study::online
+
+#else
+
+namespace seamline::study::online {
+
+bool has_http_server() {
+  return false;
+}
+
+struct HttpServer::State {};
+
+HttpServer::HttpServer(const std::string&, int, HttpHandler, const HttpLimits&) {
+  throw input_error({.field = "seamline serve",
+                     .wanted = "a seamline that was built with libmicrohttpd-dev",
+                     .found = "one without (seamline import needs none)"});
+}
+
+HttpServer::~HttpServer() = default;
+
+int HttpServer::port() const {
+  return 0;
+}
+
+void HttpServer::close_slow_ones() {}
+
+void HttpServer::stop(double) {}
+
+}  // namespace seamline::study::online
+
+#endif

@@ -1,0 +1,84 @@
+#include "study/online/serving/nginx_configuration.h"
+
+namespace seamline::study::online {
+
+std::string nginx_configuration(int port) {
+  constexpr const char* text =
+      R"conf(# nginx before `seamline serve`, for people outside the laboratory's network. Put it into
+# /etc/nginx/conf.d/seamline.conf, write the host's own name and certificate where it says study.example.org,
+# and let nothing but this computer reach port @PORT@ (which is so unless seamline was given --listen).
+limit_req_zone  $binary_remote_addr zone=seamline_requests:10m rate=50r/s;
+limit_req_zone  $binary_remote_addr zone=seamline_newcomers:10m rate=30r/m;
+limit_conn_zone $binary_remote_addr zone=seamline_connections:10m;
+
+# Neither addresses nor what a link carries behind its question mark (an invitation) are kept.
+log_format seamline '$time_iso8601 $request_method $uri $status $body_bytes_sent $request_time';
+
+upstream seamline {
+  server 127.0.0.1:@PORT@;
+  keepalive 64;
+}
+
+server {
+  listen 80;
+  listen [::]:80;
+  server_name study.example.org;
+  return 301 https://$host$request_uri;
+}
+
+server {
+  listen 443 ssl http2;
+  listen [::]:443 ssl http2;
+  server_name study.example.org;
+  ssl_certificate     /etc/letsencrypt/live/study.example.org/fullchain.pem;
+  ssl_certificate_key /etc/letsencrypt/live/study.example.org/privkey.pem;
+  ssl_protocols       TLSv1.2 TLSv1.3;
+  ssl_session_cache   shared:seamline_tls:10m;
+  ssl_session_tickets off;
+  add_header Strict-Transport-Security "max-age=31536000" always;
+
+  access_log /var/log/nginx/seamline.log seamline;
+  server_tokens off;
+
+  client_max_body_size        1m;
+  client_body_buffer_size     64k;
+  client_header_timeout       15s;
+  client_body_timeout         15s;
+  send_timeout                60s;
+  keepalive_timeout           75s;
+  large_client_header_buffers 4 8k;
+  limit_conn        seamline_connections 100;
+  limit_req         zone=seamline_requests burst=500 nodelay;
+  limit_req_status  429;
+  limit_conn_status 429;
+
+  proxy_http_version 1.1;
+  proxy_set_header   Host $http_host;
+  proxy_set_header   Connection "";
+  proxy_set_header   Expect "";
+  proxy_request_buffering on;   # a slow browser waits here, not at seamline
+  proxy_read_timeout 60s;
+
+  location = /api/enrol {
+    limit_req zone=seamline_newcomers burst=60 nodelay;
+    proxy_pass http://seamline;
+  }
+  location = /health {
+    allow 127.0.0.1;
+    allow ::1;
+    deny  all;
+    proxy_pass http://seamline;
+  }
+  location / {
+    proxy_pass http://seamline;
+  }
+}
+)conf";
+  std::string written = text;
+  const std::string place = "@PORT@", number = std::to_string(port);
+  for (std::size_t at = written.find(place); at != std::string::npos; at = written.find(place))
+    written.replace(at, place.size(), number);
+  return written;
+}
+
+}  // namespace seamline::study::online

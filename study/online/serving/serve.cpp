@@ -1,0 +1,103 @@
+#include "study/online/serving/serve.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "study/online/intake/import.h"
+#include "study/online/serving/tokens.h"
+#include "support/running/interrupt.h"
+
+namespace seamline::study::online {
+namespace {
+
+constexpr double patience_at_end_s = 3;  ///< below `patience_after_signal_s`
+
+void check_same_study(const ServeRequest& request, const SiteFiles& site, const RenderedSet& set) {
+  const auto check = [&](const char* field, const std::string& wanted, const std::string& found) {
+    if (wanted == found) return;
+    throw input_error({.file = (request.folder / "study.json").string(),
+                       .field = field,
+                       .wanted = wanted + ", of the set " + set.folder.string(),
+                       .found = found});
+  };
+  check("study_hash", set.manifest.study_hash, site.study_hash);
+  check("set_hash", set.set_hash, site.set_hash);
+  const int orders = set.study.session.orders;
+  if (site.slots < 1 || (orders > 0 && site.slots < orders))
+    throw input_error({.file = (request.folder / "study.json").string(),
+                       .field = "slots",
+                       .wanted = fmt::format("at least {} orders", std::max(1, orders)),
+                       .found = std::to_string(site.slots)});
+}
+
+/// What was refused, counted, so that a flood of requests is not a flood of lines.
+class Refusals {
+ public:
+  void count(const std::string& path, int status) {
+    const std::lock_guard guard(lock_);
+    ++of_[fmt::format("{} {}", status, path)];
+  }
+  [[nodiscard]] std::map<std::string, int> take() {
+    const std::lock_guard guard(lock_);
+    return std::exchange(of_, {});
+  }
+
+ private:
+  std::mutex lock_;
+  std::map<std::string, int> of_;
+};
+
+}  // namespace
+
+void serve(const ServeRequest& request, const std::function<void(const std::string&)>& say) {
+  const SiteFiles site = read_site_files(request.folder);
+  const RenderedSet set = set_for_log(request.log, request.set);
+  check_same_study(request, site, set);
+  std::set<std::string> token_hashes;
+  if (!request.tokens.empty()) token_hashes = read_token_hashes(request.tokens);
+  Intake intake(set, request.log);
+  StudyService service(site, intake, request.tokens.empty() ? nullptr : &token_hashes, request.service);
+  Refusals refusals;
+  const auto noted = [&](const std::string& path, const std::optional<HttpResponse>& response) {
+    if (response && response->status >= 400) refusals.count(loggable_path(path), response->status);
+    return response;
+  };
+  HttpServer server(
+      request.address, request.port,
+      {.now = [&](const HttpRequest& asked) { return noted(asked.head.path, service.now(asked)); },
+       .later =
+           [&](HttpRequest asked, Reply reply) {
+             const std::string path = asked.head.path;
+             service.later(std::move(asked), [&noted, path, reply = std::move(reply)](HttpResponse response) {
+               (void)noted(path, response);
+               reply(std::move(response));
+             });
+           },
+       .refused = [&](const std::string& path, int status) { refusals.count(loggable_path(path), status); }},
+      request.http);
+  const bool is_six = request.address.find(':') != std::string::npos;
+  say(fmt::format("serving {} at http://{}:{}/ into {}: {} participants, {} answers so far",
+                  request.folder.string(), is_six ? "[" + request.address + "]" : request.address,
+                  server.port(), request.log.string(), service.participants(), service.answers()));
+  const auto report = [&] {
+    for (const auto& [what, times] : refusals.take()) say(fmt::format("refused: {} ({} times)", what, times));
+  };
+  for (int round = 1; !interrupted(); ++round) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    if (round % 5 == 0) server.close_slow_ones();
+    if (round % 50 == 0) report();
+  }
+  server.stop(patience_at_end_s);
+  service.finish();
+  report();
+  say(fmt::format("stopped: {} participants, {} answers in {}", service.participants(), service.answers(),
+                  request.log.string()));
+}
+
+}  // namespace seamline::study::online

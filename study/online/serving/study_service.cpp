@@ -1,0 +1,292 @@
+#include "study/online/serving/study_service.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "study/online/messages/message_reader.h"
+#include "study/online/serving/tokens.h"
+#include "support/files/hash.h"
+#include "support/text/printable.h"
+
+namespace seamline::study::online {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+HttpResponse answer(const Json& json, int status = 200) {
+  return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+HttpResponse error(int status, const std::string& sentence) {
+  return answer({{"error", printable(sentence)}}, status);
+}
+
+int status_of(RefusalKind kind) {
+  switch (kind) {
+    case RefusalKind::wrong:
+      return 400;
+    case RefusalKind::unknown:
+      return 403;
+    case RefusalKind::conflict:
+      return 409;
+    case RefusalKind::failed:
+      return 503;
+  }
+  return 500;
+}
+
+HttpResponse messages_answer(const std::vector<std::string>& stored, const Refusal* refusal) {
+  Json json;
+  if (refusal != nullptr) json["error"] = printable(refusal->what());
+  json["stored"] = stored;
+  return answer(json, refusal == nullptr ? 200 : status_of(refusal->kind()));
+}
+
+/// The lines of a body; the last one need not end. Throws Refusal at the first that is no message, which
+/// `fault` keeps: those before it may be stored.
+std::vector<Message> read_lines(const std::string& body, std::optional<Refusal>& fault) {
+  std::vector<Message> messages;
+  for (std::size_t at = 0; at < body.size();) {
+    const std::size_t end = std::min(body.find('\n', at), body.size());
+    const std::string_view line = std::string_view(body).substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) continue;
+    try {
+      messages.push_back(read_message(line));
+    } catch (const InputError& wrong) {
+      fault.emplace(RefusalKind::wrong, Complaint{.field = wrong.what()});
+      return messages;
+    }
+  }
+  if (messages.empty())
+    fault.emplace(RefusalKind::wrong, Complaint{.wanted = "lines of messages", .found = "none"});
+  return messages;
+}
+
+bool is_api(const std::string& path) {
+  return path == "/api/enrol" || path == "/api/messages" || path == "/api/where" || path == "/api/next";
+}
+
+std::string method_of(const std::string& path) {
+  return path == "/api/where" ? "GET" : "POST";
+}
+
+}  // namespace
+
+std::string loggable_path(const std::string& path) {
+  return is_api(path) || path == "/health" || path == "/host.json" || path == "/" ? path : "other";
+}
+
+StudyService::StudyService(const SiteFiles& site, Intake& intake, const std::set<std::string>* token_hashes,
+                           const ServiceLimits& limits)
+    : site_(site),
+      token_hashes_(token_hashes),
+      limits_(limits),
+      participant_rate_(limits.participant),
+      address_rate_(limits.address),
+      newcomer_rate_(limits.newcomers),
+      code_of_secret_(intake.secrets()),
+      participants_(intake.counts().participants),
+      answers_(intake.counts().answers),
+      log_(intake) {}
+
+HttpResponse StudyService::file(const HttpRequest& request) const {
+  const auto found = site_.by_path.find(request.head.path);
+  if (found == site_.by_path.end()) return error(404, "path: wanted one of this study, found another one");
+  if (request.head.known_version == found->second->version) return {.status = 304};
+  return {.status = 200, .file = found->second};
+}
+
+HttpResponse StudyService::health() const {
+  return answer({{"status", "ok"}, {"participants", participants_.load()}, {"answers", answers_.load()}});
+}
+
+std::string StudyService::code_of(const std::string& secret) {
+  if (secret.empty()) return {};
+  const std::string hash = sha256(secret);  // what is compared says nothing of the secret
+  const std::shared_lock guard(secrets_lock_);
+  const auto found = code_of_secret_.find(hash);
+  return found == code_of_secret_.end() ? std::string() : found->second;
+}
+
+bool StudyService::may_ask(const HttpRequest& request, const std::string& code) {
+  const auto time = RateLimit::Clock::now();
+  if (!request.address.empty() && !address_rate_.allows(request.address, time)) return false;
+  return code.empty() || participant_rate_.allows(code, time);
+}
+
+std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
+  const std::string& path = request.head.path;
+  const bool post = request.head.method == "POST";
+  if (!is_api(path)) {
+    if (!may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
+    if (post) return error(405, "method: wanted GET, found POST");
+    if (path == "/health") return health();
+    if (path == "/host.json") return answer({{"kind", "serve"}});
+    return file(request);
+  }
+  if (request.head.method != method_of(path))
+    return error(405, "method: wanted another one, see the protocol");
+  if (path == "/api/enrol") {
+    const bool newcomer =
+        request.address.empty() || newcomer_rate_.allows(request.address, RateLimit::Clock::now());
+    if (!newcomer || !may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
+    return std::nullopt;
+  }
+  const std::string code = code_of(request.head.secret);
+  if (code.empty()) return error(401, "Authorization: wanted the secret of a participant, found another one");
+  if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
+  return std::nullopt;
+}
+
+void StudyService::later(HttpRequest request, Reply reply) {
+  const std::string& path = request.head.path;
+  if (path == "/api/enrol") return enrol(request, reply);
+  const std::string code = code_of(request.head.secret);
+  if (path == "/api/messages") return take_messages(code, std::move(request.body), reply);
+  const bool next = path == "/api/next";
+  log_.add(
+      [this, code, next](Intake& intake) -> HttpResponse {
+        try {
+          if (!next) {
+            const Whereabouts at = intake.where(code);
+            return answer({{"participant", at.participant},
+                           {"slot", at.slot},
+                           {"answered", at.answered},
+                           {"form_done", at.form_done},
+                           {"training_done", at.training_done},
+                           {"completed", at.completed},
+                           {"next_sequence", at.next_sequence}});
+          }
+          const std::optional<std::pair<int, Trial>> due = intake.next_trial(code);
+          if (!due) return answer({{"done", true}});
+          const std::string& id =
+              intake.set().manifest.stimuli[static_cast<std::size_t>(due->second.stimulus)].id;
+          const std::string kind(word(due->second.kind));
+          const auto picture = site_.picture_of.find(kind + " " + id);
+          if (picture == site_.picture_of.end())
+            return error(500, "picture: wanted one of the page, found none");
+          Json trial = {
+              {"trial_index", due->first}, {"kind", kind}, {"stimulus_id", id}, {"picture", picture->second}};
+          Json json;
+          json["trial"] = std::move(trial);
+          return answer(json);
+        } catch (const Refusal& refusal) {
+          return error(status_of(refusal.kind()), refusal.what());
+        }
+      },
+      std::move(reply));
+}
+
+void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
+  EnrolRequest wanted;
+  try {
+    wanted = read_enrol_request(request.body);
+  } catch (const InputError& wrong) {
+    return reply(error(400, wrong.what()));
+  }
+  const std::string token = wanted.token.empty() ? std::string() : sha256(wanted.token);
+  if (token_hashes_ == nullptr && !token.empty())
+    return reply(error(400, "token: wanted none, since this server asks for none, found one"));
+  if (token_hashes_ != nullptr && !token_hashes_->contains(token))
+    return reply(error(403, "token: wanted an invitation to this study, found another one or none"));
+  if (std::holds_alternative<DeclineBody>(wanted.message.body)) {
+    log_.add(
+        [message = wanted.message](Intake& intake) -> HttpResponse {
+          try {
+            (void)intake.take(message);
+            return answer(Json::object());
+          } catch (const Refusal& refusal) {
+            return error(status_of(refusal.kind()), refusal.what());
+          }
+        },
+        reply);
+    return;
+  }
+  if (std::get<EnrolBody>(wanted.message.body).pilot != site_.pilot)
+    return reply(error(400, "body.pilot: wanted what the page was exported with, found the contrary"));
+  if (participants_ >= limits_.most_participants)
+    return reply(error(503, "participants: wanted fewer than there may be, found as many"));
+  std::string secret;
+  {
+    const std::shared_lock guard(secrets_lock_);
+    const auto fresh = fresh_secrets_.find(wanted.message.id);
+    if (fresh != fresh_secrets_.end()) secret = fresh->second;
+  }
+  if (secret.empty()) secret = random_secret();
+  const GivenIdentity given{.code = "s-" + random_letters(),
+                            .secret_sha256 = sha256(secret),
+                            .token_sha256 = token,
+                            .slots = site_.slots};
+  auto enrolled = std::make_shared<std::optional<EnrolledPerson>>();
+  log_.add(
+      [message = wanted.message, given, secret, enrolled](Intake& intake) -> HttpResponse {
+        enrolled->reset();
+        try {
+          *enrolled = intake.enrol(message, given);
+          return answer({{"participant", (*enrolled)->code},
+                         {"slot", (*enrolled)->slot},
+                         {"secret", secret},
+                         {"next_sequence", (*enrolled)->next_sequence}});
+        } catch (const Refusal& refusal) {
+          return error(status_of(refusal.kind()), refusal.what());
+        }
+      },
+      [this, reply, enrolled, given, secret, id = wanted.message.id](HttpResponse response) {
+        if (response.status == 200 && *enrolled) {  // it is on the disk
+          const std::unique_lock guard(secrets_lock_);
+          const std::string& code = (*enrolled)->code;
+          std::erase_if(code_of_secret_,
+                        [&](const auto& one) { return one.second == code && !(*enrolled)->is_new; });
+          code_of_secret_[given.secret_sha256] = code;
+          fresh_secrets_[id] = secret;
+          fresh_id_[code] = id;
+          participants_ += (*enrolled)->is_new ? 1 : 0;
+        }
+        reply(std::move(response));
+      });
+}
+
+void StudyService::take_messages(const std::string& code, std::string body, const Reply& reply) {
+  std::optional<Refusal> fault;
+  std::vector<Message> messages = read_lines(body, fault);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (messages[i].participant == code && !std::holds_alternative<EnrolBody>(messages[i].body)) continue;
+    fault.emplace(
+        RefusalKind::unknown,
+        Complaint{.field = "participant", .wanted = "the one whose secret it is", .found = "another one"});
+    messages.resize(i);
+  }
+  if (messages.empty()) return reply(messages_answer({}, &*fault));
+  {
+    const std::unique_lock guard(secrets_lock_);
+    if (const auto fresh = fresh_id_.find(code);
+        fresh != fresh_id_.end()) {  // whoever has the secret uses it
+      fresh_secrets_.erase(fresh->second);
+      fresh_id_.erase(fresh);
+    }
+  }
+  auto answers = std::make_shared<std::int64_t>(0);
+  log_.add(
+      [messages = std::move(messages), fault, answers](Intake& intake) -> HttpResponse {
+        *answers = 0;
+        std::vector<std::string> stored;
+        try {
+          for (const Message& message : messages) {
+            if (intake.take(message)) *answers += std::holds_alternative<AnswerBody>(message.body) ? 1 : 0;
+            stored.push_back(message.id);
+          }
+        } catch (const Refusal& refusal) {
+          return messages_answer(stored, &refusal);
+        }
+        return messages_answer(stored, fault ? &*fault : nullptr);
+      },
+      [this, reply, answers](HttpResponse response) {
+        if (response.status != 503) answers_ += *answers;
+        reply(std::move(response));
+      });
+}
+
+}  // namespace seamline::study::online

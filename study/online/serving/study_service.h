@@ -1,0 +1,67 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <shared_mutex>
+#include <string>
+
+#include "study/online/intake/intake.h"
+#include "study/online/serving/log_thread.h"
+#include "study/online/serving/rate_limit.h"
+#include "study/online/serving/site_files.h"
+
+namespace seamline::study::online {
+
+/// How much one participant, and one address, may ask.
+struct ServiceLimits {
+  Rate participant = {.a_second = 20, .at_once = 200};
+  Rate address = {.a_second = 400, .at_once = 4000};  ///< many people may share one
+  Rate newcomers = {.a_second = 5, .at_once = 100};   ///< of an address
+  std::int64_t most_participants = 100'000;
+};
+
+/// What the server answers: the page's files, and the four requests of a participant
+/// (documentation/online.md). Everything that asks the log goes through `LogThread`; the rest is answered at
+/// once.
+class StudyService {
+ public:
+  /// `token_hashes`: empty where nobody needs an invitation. All three must live longer.
+  StudyService(const SiteFiles& site, Intake& intake, const std::set<std::string>* token_hashes,
+               const ServiceLimits& limits = {});
+
+  [[nodiscard]] std::optional<HttpResponse> now(const HttpRequest& request);
+  void later(HttpRequest request, Reply reply);
+  /// Stores what has come in. Nothing may come after.
+  void finish() { log_.finish(); }
+
+  [[nodiscard]] std::int64_t participants() const { return participants_; }
+  [[nodiscard]] std::int64_t answers() const { return answers_; }
+  [[nodiscard]] std::int64_t transactions() const { return log_.transactions(); }
+
+ private:
+  HttpResponse file(const HttpRequest& request) const;
+  HttpResponse health() const;
+  [[nodiscard]] bool may_ask(const HttpRequest& request, const std::string& code);
+  [[nodiscard]] std::string code_of(const std::string& secret);
+  void enrol(const HttpRequest& request, const Reply& reply);
+  void take_messages(const std::string& code, std::string body, const Reply& reply);
+
+  const SiteFiles& site_;
+  const std::set<std::string>* token_hashes_;
+  ServiceLimits limits_;
+  RateLimit participant_rate_, address_rate_, newcomer_rate_;
+  std::shared_mutex secrets_lock_;
+  std::map<std::string, std::string> code_of_secret_;  ///< by hash
+  std::map<std::string, std::string> fresh_secrets_;   ///< by id of the enrolment, until its secret is used
+  std::map<std::string, std::string> fresh_id_;        ///< by code
+  std::atomic<std::int64_t> participants_ = 0, answers_ = 0;
+  LogThread log_;
+};
+
+/// The path of a request as it may stand in a log line: one of ours, or "other".
+[[nodiscard]] std::string loggable_path(const std::string& path);
+
+}  // namespace seamline::study::online
