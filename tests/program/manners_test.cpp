@@ -44,10 +44,10 @@ TEST(Manners, OneFunctionWritesFiles) {
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
   // name, and the lock beside it; the lock of a set; gnuplot's messages.
-  const std::set<std::string> openers = {"renderer/set/sharing/set_claim.cpp",  "support/files/atomic_file.cpp",
-                                         "support/files/gnuplot.cpp",   "study/app/pictures/frame_times.cpp",
-                                         "study/app/screens/trace.cpp", "study/log/log_create.cpp",
-                                         "study/log/session_claims.cpp"};
+  const std::set<std::string> openers = {
+      "renderer/set/sharing/set_claim.cpp", "support/files/atomic_file.cpp", "support/files/gnuplot.cpp",
+      "study/app/pictures/frame_times.cpp", "study/app/screens/trace.cpp",   "study/log/log_create.cpp",
+      "study/log/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
   // A log that is recovered or upgraded takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
@@ -100,8 +100,8 @@ TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
 
 TEST(Manners, SqlIsNeverPutTogetherFromValues) {
   // The only SQL that is formatted is the schema, from the words of enumerations, and that of recovering,
-  // upgrading and merging logs, from the names of its tables and columns; the only one that is joined, a list of
-  // columns in log_records.cpp. Values are always bound.
+  // upgrading and merging logs, from the names of its tables and columns; the only one that is joined, a list
+  // of columns in log_records.cpp. Values are always bound.
   const std::regex sql_word(R"re("[^"\n]*\b(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE TABLE)\b[^"\n]*")re");
   const std::regex formatted(
       R"re((fmt::)?format(_to)?\(\s*(fmt::runtime\()?"[^"]*\b(SELECT|INSERT|UPDATE|DELETE)\b)re");
@@ -115,10 +115,9 @@ TEST(Manners, SqlIsNeverPutTogetherFromValues) {
     if (std::regex_search(text, joined)) joining.insert(file);
   }
   EXPECT_GE(with_sql, 6);
-  EXPECT_EQ(formatting, (std::set<std::string>{"study/log/online/log_merge.cpp",
-                                               "study/log/recovery/log_recovery.cpp",
-                                               "study/log/recovery/log_salvage.cpp",
-                                               "study/log/recovery/log_upgrade.cpp"}));
+  EXPECT_EQ(formatting, (std::set<std::string>{
+                            "study/log/online/log_merge.cpp", "study/log/recovery/log_recovery.cpp",
+                            "study/log/recovery/log_salvage.cpp", "study/log/recovery/log_upgrade.cpp"}));
   EXPECT_EQ(joining, (std::set<std::string>{"study/log/log_records.cpp"}));
   // What is joined there is a constant of the file.
   const std::string records = sources().at("study/log/log_records.cpp");

@@ -13,8 +13,8 @@ namespace seamline::study::online {
 struct ImportedPerson {
   std::string code;
   Origin origin = Origin::static_host;
-  int stored = 0;                    ///< messages of theirs that are new in the log
-  int known = 0;                     ///< that it had before, or that the files hold twice
+  int stored = 0;                         ///< messages of theirs that are new in the log
+  int known = 0;                          ///< that it had before, or that the files hold twice
   std::vector<std::string> refused = {};  ///< a sentence for each message that was left out
   std::vector<std::int64_t> gaps = {};    ///< numbers of messages that are in neither
   int answered = 0, trials = 0;
@@ -23,7 +23,7 @@ struct ImportedPerson {
 
 struct ImportReport {
   int files = 0, messages = 0;
-  int declined = 0;                    ///< new in the log
+  int declined = 0;                         ///< new in the log
   std::vector<ImportedPerson> people = {};  ///< in the order in which they consented
   std::vector<std::string> cut_files = {};  ///< whose last line ends in the middle, which was left out
 };

@@ -124,7 +124,8 @@ Intake::Person& Intake::person(const std::string& code) {
 
 void Intake::check_study(const Message& message) const {
   if (message.study_hash != set_.manifest.study_hash)
-    throw conflict("study_hash", set_.manifest.study_hash + ", this log's study", in_quotes(message.study_hash));
+    throw conflict("study_hash", set_.manifest.study_hash + ", this log's study",
+                   in_quotes(message.study_hash));
   if (message.set_hash != set_.set_hash)
     throw conflict("set_hash", set_.set_hash + ", this log's set", in_quotes(message.set_hash));
 }
