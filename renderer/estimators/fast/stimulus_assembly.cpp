@@ -18,6 +18,12 @@ class Assembly {
         depth_(sources.depth),
         order_(sources.order) {}
 
+  /// Whether a tile has anything for `add_object`: elsewhere all of it is 0, and most of a picture is not read.
+  [[nodiscard]] bool has_object(std::size_t tile) const {
+    const auto& tiles = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    return recipe_.keep == Keep::object_only || tiles[tile] != nullptr;
+  }
+
   /// The object's light, and what is shown of the reference.
   void add_object(int x, int y, std::size_t half, const FilteredBounce& object, StimulusPixel& out) const {
     const Pixel in = gather(x, y, half);
@@ -191,10 +197,11 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
   out.rays = sources.depth.counts.traced;
   const Assembly assembly(sources);
   const FilteredBounce unfiltered;
-  const auto each_pixel = [&](const FilteredBounce& filtered, auto add) {
+  const auto each_pixel = [&](const FilteredBounce& filtered, bool object_only, auto add) {
     parallel_for(truth.height_px, threads, [&](int y) {
       for (int x = 0; x < truth.width_px; ++x) {
         const auto tile = static_cast<std::size_t>(sources.truth.scene_sums.grid.square_of(x, y));
+        if (object_only && !assembly.has_object(tile)) continue;
         const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
         for (std::size_t half = 0; half < 2; ++half)
           if (!out.halves[half].empty())
@@ -209,12 +216,12 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
     FilteredBounce object;
     if (on_object && filters.object.levels > 0)
       object = filtered_object(sources.truth, sources.depth, filters.object, threads);
-    each_pixel(object, &Assembly::add_object);
+    each_pixel(object, true, &Assembly::add_object);
   }
   FilteredBounce uncovered;
   if (!sources.depth.guides.empty())
     uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio, threads, out.guides);
-  if (sources.recipe.keep != Keep::object_only) each_pixel(uncovered, &Assembly::add_uncovered);
+  if (sources.recipe.keep != Keep::object_only) each_pixel(uncovered, false, &Assembly::add_uncovered);
   return out;
 }
 
