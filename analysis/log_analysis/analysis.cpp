@@ -71,6 +71,7 @@ void leave_out_screened(Analysis& analysis) {
 /// What stands beside the thresholds: single objects, guessing, opinion scores.
 void add_checks(Analysis& analysis) {
   analysis.differences = threshold_differences(analysis.data, analysis.resampling);
+  analysis.origins = compare_origins(analysis.log, analysis.people, analysis.resampling, analysis.conditions);
   analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
   analysis.guessing =
       correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/log_analysis/origins.h"
 #include "analysis/scores/cells.h"
 #include "analysis/scores/opinion_score.h"
 #include "analysis/scores/participants.h"
@@ -50,6 +51,7 @@ struct Analysis {
   GuessCorrection guessing;                       ///< its curves in the same order
   Screening screening;                            ///< of everybody, also when those named are left out
   std::vector<ScreenedThresholds> screened;       ///< everybody first
+  std::optional<OriginComparison> origins;        ///< none where all came by one way, and in adaptive logs
   ScoreMatrix scores;                             ///< of the people used
   std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
   SosParameter sos;                               ///< of noticeability, 0 to 4

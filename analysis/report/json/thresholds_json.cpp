@@ -5,6 +5,7 @@
 
 #include "analysis/report/json/checks_json.h"
 #include "analysis/report/json/json_values.h"
+#include "analysis/report/json/origins_json.h"
 #include "analysis/report/text/threshold_text.h"
 #include "support/files/assets.h"
 
@@ -148,6 +149,7 @@ std::string thresholds_json(const Analysis& analysis) {
     json["artifacts"].push_back(artifact_json(analysis, i, rows));
   json.update(checks_json(analysis));
   if (has_conditions(analysis.data)) json["differences"] = differences_json(analysis);
+  if (analysis.origins) json["origins"] = origins_json(analysis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/report/page/differences_section.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/page/methods_text.h"
+#include "analysis/report/page/origins_section.h"
 #include "analysis/report/page/page_style.h"
 #include "analysis/report/page/people_section.h"
 #include "analysis/report/page/psychometric_section.h"
@@ -122,7 +123,7 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), page_style());
-  html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) +
+  html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) + origins_html(analysis) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
           times_html(numbers, figures);

@@ -180,6 +180,43 @@ CsvTable screened_thresholds_table(const Analysis& analysis) {
   return table;
 }
 
+/// Present where people came by both ways.
+CsvTable origins_table(const Analysis& analysis) {
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
+  CsvTable table{.name = "lab_and_web",
+                 .columns = {artifact_column,
+                             quantity_column,
+                             {"lab", "participants", "on the curve, who took part in the window"},
+                             {"web", "participants", "on the curve, who took part in a browser"}},
+                 .rows = {}};
+  add_columns(table, axis, "lab_estimate", "of those in the lab alone");
+  add_columns(table, axis, "web_estimate", "of those in browsers alone");
+  table.columns.push_back(
+      {"difference", length_unit(axis), "web less lab along the axis; empty without both"});
+  table.columns.push_back(
+      {"p", "probability", "of no difference, by permuting participants; empty under two in a group"});
+  table.columns.push_back({"p_holm", "probability", "adjusted for all tests of the table (Holm)"});
+  for (const OriginDifference& found : analysis.origins->differences) {
+    std::vector<CsvValue> row = {std::string(word(found.artifact)), found.quantity, whole(found.lab),
+                                 whole(found.web)};
+    for (const OriginGroup* group : {&analysis.origins->lab, &analysis.origins->web}) {
+      ThresholdEstimate estimate{.level_x = {}, .reason = "nobody on the curve", .ci95 = {}};
+      for (const ArtifactThresholds& one : group->thresholds)
+        if (one.artifact == found.artifact && one.condition == found.condition)
+          estimate = found.quantity == "PT" ? one.estimates.perceptual : one.estimates.slightly_noticeable;
+      add_values(row, axis, estimate);
+    }
+    row.push_back(number(found.difference));
+    row.push_back(number(found.p));
+    row.push_back(number(found.p_holm));
+    table.rows.push_back(row);
+    conditions.push_back(found.condition);
+  }
+  add_conditions(table, has_conditions(analysis.data), conditions);
+  return table;
+}
+
 CsvTable opinion_scores_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   std::vector<std::string> conditions;
@@ -244,6 +281,7 @@ std::vector<CsvTable> checks_tables(const Analysis& analysis) {
       beside_table(analysis),    corrected_curves_table(analysis),    guessers_table(analysis),
       screening_table(analysis), screened_thresholds_table(analysis), opinion_scores_table(analysis)};
   if (has_conditions(analysis.data)) tables.push_back(differences_table(analysis));
+  if (analysis.origins) tables.push_back(origins_table(analysis));
   return tables;
 }
 

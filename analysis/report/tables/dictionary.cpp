@@ -1,5 +1,6 @@
 #include "analysis/report/tables/dictionary.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -237,6 +238,7 @@ std::vector<Field> of_study(std::vector<Field> fields, const LevelAxis& axis, bo
       field.meaning = facts(axis.quantity).name;
     }
     replace_first(field.path, "scale_octaves", "scale_" + length_key(axis));
+    replace_first(field.path, "difference_octaves", "difference_" + length_key(axis));
     replace_first(field.path, "_px", unit_suffix(axis));
     if (field.unit == "px") field.unit = facts(axis.quantity).unit;
     if (field.unit == "octaves") field.unit = length_unit(axis);
@@ -251,6 +253,30 @@ std::vector<Field> of_study(std::vector<Field> fields, const LevelAxis& axis, bo
   return fields;
 }
 
+/// What a log with lab and web has besides.
+std::vector<Field> origin_fields(bool conditions) {
+  std::vector<Field> fields;
+  for (const char* group : {"origins.lab.", "origins.web."}) {
+    const std::string path = group, artifact = path + "artifacts[].";
+    fields.push_back({path + "participants", "count", "participants used who came by this way"});
+    fields.push_back({artifact + "artifact", "word", "the artifact"});
+    if (conditions) fields.push_back({artifact + "condition", "text", "condition of the curve"});
+    fields.push_back({artifact + "participants", "count", "of them on the curve"});
+    add_widths(fields, artifact, ", of them alone");
+  }
+  fields.push_back({"origins.permutations", "count", "of participants between lab and web"});
+  const std::string one = "origins.differences[].";
+  fields.push_back({one + "artifact", "word", "the artifact"});
+  if (conditions) fields.push_back({one + "condition", "text", "condition of the curve"});
+  fields.push_back({one + "quantity", "word", "PT or SN"});
+  fields.push_back({one + "lab", "count", "participants of the lab on the curve"});
+  fields.push_back({one + "web", "count", "participants of the web on the curve"});
+  fields.push_back({one + "difference_octaves", "octaves", "web less lab along the axis; null without both"});
+  fields.push_back({one + "p", "probability", "of no difference, by permuting participants"});
+  fields.push_back({one + "p_holm", "probability", "adjusted for all of them (Holm)"});
+  return fields;
+}
+
 }  // namespace
 
 CsvTable report_dictionary(const std::vector<CsvTable>& tables, const LevelAxis& axis, bool conditions) {
@@ -259,7 +285,11 @@ CsvTable report_dictionary(const std::vector<CsvTable>& tables, const LevelAxis&
     for (const Field& field : fields)
       dictionary.rows.push_back({std::string(file), field.path, field.unit, field.meaning});
   };
-  add("thresholds.json", of_study(thresholds_fields(), axis, conditions));
+  std::vector<Field> thresholds = thresholds_fields();
+  if (std::any_of(tables.begin(), tables.end(),
+                  [](const CsvTable& table) { return table.name == "lab_and_web"; }))
+    for (Field& field : origin_fields(conditions)) thresholds.push_back(std::move(field));
+  add("thresholds.json", of_study(std::move(thresholds), axis, conditions));
   add("report.json", report_fields(tables));
   return dictionary;
 }

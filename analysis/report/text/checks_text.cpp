@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "analysis/report/text/origins_text.h"
+
 namespace seamline::analysis {
 
 namespace {
@@ -100,8 +102,9 @@ std::string screening_sentence(const Screening& screening) {
 
 std::string checks_text(const Analysis& analysis) {
   std::string text;
+  if (analysis.origins) text = origins_text(analysis);
   if (!analysis.guessing.curves.empty())
-    text = beside_text(analysis) + guessers_text(analysis.guessing) + "\n\n";
+    text += beside_text(analysis) + guessers_text(analysis.guessing) + "\n\n";
   text += screening_sentence(analysis.screening) + "\n";
   if (analysis.screened.size() > 1) text += screened_text(analysis);
   if (std::isnan(analysis.sos.a)) return text;
