@@ -74,6 +74,7 @@ class HttpClient {
       if (!more()) return std::nullopt;
     answer.body = rest_.substr(0, bytes);
     rest_.erase(0, bytes);
+    if (answer.head.find("Connection: close") != std::string::npos) close();
     return answer;
   }
   std::optional<HttpAnswer> exchange(const std::string& bytes) {

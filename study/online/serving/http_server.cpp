@@ -12,6 +12,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -42,10 +43,9 @@ struct Connection {
 /// A request on its way in or out.
 struct Exchange {
   HttpRequest request;
-  std::optional<HeadFault> fault;
   std::optional<HttpResponse> response;  ///< what `later` was answered with
   bool is_late = false;                  ///< `later` was asked
-  std::int64_t reserved_bytes = 0;
+  std::int64_t held_bytes = 0;           ///< of its body
 };
 
 /// No name of ours needs an escape, and one that has a zero would end there.
@@ -77,12 +77,14 @@ std::string address_of(MHD_Connection* connection) {
   return text;
 }
 
-/// As many open files as the system lets a program have.
-void raise_file_limit() {
+/// As many open files as the system lets a program have, and as many connections as leave some for others.
+unsigned connections_of(unsigned wanted) {
   rlimit limit = {};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return;
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return wanted;
   limit.rlim_cur = limit.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &limit);
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  return static_cast<unsigned>(std::min<rlim_t>(wanted, limit.rlim_cur / 2));
 }
 
 int listen_at(const std::string& address, int port) {
@@ -137,7 +139,7 @@ struct HttpServer::State {
   MHD_Result send(MHD_Connection* connection, const HttpResponse& response, bool close);
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** context);
   MHD_Result proceed(MHD_Connection* connection, Exchange& exchange, const char* data, std::size_t* bytes);
-  MHD_Result refuse(MHD_Connection* connection, const Exchange& exchange);
+  MHD_Result refuse(MHD_Connection* connection, const Exchange& exchange, HttpResponse response);
 
   static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
                                const char* version, const char* data, std::size_t* bytes, void** context);
@@ -204,11 +206,11 @@ MHD_Result HttpServer::State::send(MHD_Connection* connection, const HttpRespons
   return queued;
 }
 
-MHD_Result HttpServer::State::refuse(MHD_Connection* connection, const Exchange& exchange) {
-  handler.refused(exchange.request.head.path, exchange.fault->status);
-  const std::string& sentence = exchange.fault->sentence;  // of our own words alone
-  return send(connection, {.status = exchange.fault->status, .body = "{\"error\":\"" + sentence + "\"}"},
-              true);
+/// Before the body is read: the connection ends with the answer.
+MHD_Result HttpServer::State::refuse(MHD_Connection* connection, const Exchange& exchange,
+                                     HttpResponse response) {
+  handler.refused(exchange.request.head.path, response.status);
+  return send(connection, response, true);
 }
 
 MHD_Result HttpServer::State::begin(MHD_Connection* connection, const char* url, const char* method,
@@ -219,17 +221,13 @@ MHD_Result HttpServer::State::begin(MHD_Connection* connection, const char* url,
   HeaderFields fields;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, take_field, &fields);
   auto head = read_head(method, url, fields);
-  if (auto* fault = std::get_if<HeadFault>(&head)) {
-    exchange->fault = std::move(*fault);
-    return refuse(connection, *exchange);
-  }
+  if (const auto* fault = std::get_if<HeadFault>(&head))  // its sentence is of our own words alone
+    return refuse(connection, *exchange,
+                  {.status = fault->status, .body = "{\"error\":\"" + fault->sentence + "\"}"});
   exchange->request.head = std::move(std::get<RequestHead>(head));
   exchange->request.address = address_of(connection);
-  exchange->reserved_bytes = exchange->request.head.content_bytes;
-  if (bodies_bytes.fetch_add(exchange->reserved_bytes) + exchange->reserved_bytes > limits.bodies_bytes) {
-    exchange->fault = HeadFault{503, "server: wanted room for the request, found none: send it again later"};
-    return refuse(connection, *exchange);
-  }
+  if (std::optional<HttpResponse> no = handler.admit(exchange->request.head))
+    return refuse(connection, *exchange, *std::move(no));
   return MHD_YES;
 }
 
@@ -237,7 +235,10 @@ MHD_Result HttpServer::State::proceed(MHD_Connection* connection, Exchange& exch
                                       std::size_t* bytes) {
   HttpRequest& request = exchange.request;
   if (*bytes > 0) {
-    if (static_cast<std::int64_t>(request.body.size() + *bytes) > request.head.content_bytes) return MHD_NO;
+    const auto more = static_cast<std::int64_t>(*bytes);
+    if (static_cast<std::int64_t>(request.body.size()) + more > request.head.content_bytes) return MHD_NO;
+    exchange.held_bytes += more;
+    if (bodies_bytes.fetch_add(more) + more > limits.bodies_bytes) return MHD_NO;  // sent again later
     request.body.append(data, *bytes);
     *bytes = 0;
     return MHD_YES;
@@ -253,11 +254,16 @@ MHD_Result HttpServer::State::proceed(MHD_Connection* connection, Exchange& exch
   mark(connection, true);
   MHD_suspend_connection(connection);  // before anybody can resume it
   ++suspended;
-  handler.later(std::move(request), [this, connection, &exchange](HttpResponse response) {
+  const Reply reply = [this, connection, &exchange](HttpResponse response) {
     exchange.response = std::move(response);
     MHD_resume_connection(connection);
     --suspended;
-  });
+  };
+  try {
+    handler.later(std::move(request), reply);
+  } catch (const std::exception&) {  // before it was given to anybody
+    reply({.status = 503, .body = "{\"error\":\"server: wanted memory, found none: send it again later\"}"});
+  }
   return MHD_YES;
 }
 
@@ -278,7 +284,7 @@ void HttpServer::State::on_completed(void* self, MHD_Connection* connection, voi
   auto& state = *static_cast<State*>(self);
   auto* exchange = static_cast<Exchange*>(*context);
   if (exchange == nullptr) return;
-  state.bodies_bytes -= exchange->reserved_bytes;
+  state.bodies_bytes -= exchange->held_bytes;
   delete exchange;
   *context = nullptr;
   --state.exchanges;
@@ -307,21 +313,21 @@ HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler
   State& state = *state_;
   state.handler = std::move(handler);
   state.limits = limits;
-  raise_file_limit();
+  const unsigned connections = connections_of(limits.connections);
   state.listener = listen_at(address, port);
   sockaddr_storage bound = {};
   socklen_t bytes = sizeof bound;
   ::getsockname(state.listener, reinterpret_cast<sockaddr*>(&bound), &bytes);
   state.port = ntohs(bound.ss_family == AF_INET ? reinterpret_cast<const sockaddr_in*>(&bound)->sin_port
                                                 : reinterpret_cast<const sockaddr_in6*>(&bound)->sin6_port);
-  state.daemon = MHD_start_daemon(
-      MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &State::on_request,
-      &state, MHD_OPTION_LISTEN_SOCKET, state.listener, MHD_OPTION_THREAD_POOL_SIZE, limits.threads,
-      MHD_OPTION_CONNECTION_LIMIT, limits.connections, MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s,
-      MHD_OPTION_CONNECTION_MEMORY_LIMIT, memory_a_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1,
-      MHD_OPTION_UNESCAPE_CALLBACK, &keep_as_it_is, nullptr, MHD_OPTION_NOTIFY_COMPLETED,
-      &State::on_completed, &state, MHD_OPTION_NOTIFY_CONNECTION, &State::on_connection, &state,
-      MHD_OPTION_END);
+  state.daemon =
+      MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr,
+                       &State::on_request, &state, MHD_OPTION_LISTEN_SOCKET, state.listener,
+                       MHD_OPTION_THREAD_POOL_SIZE, limits.threads, MHD_OPTION_CONNECTION_LIMIT, connections,
+                       MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+                       memory_a_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_UNESCAPE_CALLBACK,
+                       &keep_as_it_is, nullptr, MHD_OPTION_NOTIFY_COMPLETED, &State::on_completed, &state,
+                       MHD_OPTION_NOTIFY_CONNECTION, &State::on_connection, &state, MHD_OPTION_END);
   if (state.daemon != nullptr) return;
   ::close(state.listener);
   throw input_error({.field = "seamline serve",

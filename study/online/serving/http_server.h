@@ -18,7 +18,8 @@ struct HttpLimits {
   unsigned slow_s = 60;      ///< for a whole request to arrive, or until an idle connection is closed
   unsigned sending_s = 900;  ///< for a whole answer to leave
   unsigned idle_s = 30;      ///< without a byte in either direction
-  std::int64_t bodies_bytes = std::int64_t{64} << 20;  ///< of all requests together
+  std::int64_t bodies_bytes = std::int64_t{256}
+                              << 20;  ///< received and not answered, of all requests together
   unsigned threads = 2;
 };
 
@@ -28,6 +29,8 @@ using Reply = std::function<void(HttpResponse)>;
 
 /// What a server does with requests that are whole and pass `read_head`.
 struct HttpHandler {
+  /// Refuses a request by its first lines, before its body is let in; none: it may come. From any thread.
+  std::function<std::optional<HttpResponse>(const RequestHead&)> admit;
   /// What can be answered at once; none: `later` is asked.
   std::function<std::optional<HttpResponse>(const HttpRequest&)> now;
   std::function<void(HttpRequest, Reply)> later;

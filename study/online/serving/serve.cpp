@@ -70,7 +70,8 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   };
   HttpServer server(
       request.address, request.port,
-      {.now = [&](const HttpRequest& asked) { return noted(asked.head.path, service.now(asked)); },
+      {.admit = [&](const RequestHead& head) { return service.admit(head); },
+       .now = [&](const HttpRequest& asked) { return noted(asked.head.path, service.now(asked)); },
        .later =
            [&](HttpRequest asked, Reply reply) {
              const std::string path = asked.head.path;

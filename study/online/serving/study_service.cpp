@@ -117,18 +117,27 @@ bool StudyService::may_ask(const HttpRequest& request, const std::string& code) 
   return code.empty() || participant_rate_.allows(code, time);
 }
 
+std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
+  if (!is_api(head.path))
+    return head.method == "POST" ? std::optional(error(405, "method: wanted GET, found POST")) : std::nullopt;
+  if (head.method != method_of(head.path)) return error(405, "method: wanted another one, see the protocol");
+  if (head.path == "/api/enrol")
+    return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
+               ? std::optional(error(413, "Content-Length: wanted at most 65536 bytes, found more"))
+               : std::nullopt;
+  if (code_of(head.secret).empty())
+    return error(401, "Authorization: wanted the secret of a participant, found another one");
+  return std::nullopt;
+}
+
 std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
   const std::string& path = request.head.path;
-  const bool post = request.head.method == "POST";
   if (!is_api(path)) {
     if (!may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
-    if (post) return error(405, "method: wanted GET, found POST");
     if (path == "/health") return health();
     if (path == "/host.json") return answer({{"kind", "serve"}});
     return file(request);
   }
-  if (request.head.method != method_of(path))
-    return error(405, "method: wanted another one, see the protocol");
   if (path == "/api/enrol") {
     const bool newcomer =
         request.address.empty() || newcomer_rate_.allows(request.address, RateLimit::Clock::now());

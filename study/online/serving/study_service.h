@@ -32,6 +32,8 @@ class StudyService {
   StudyService(const SiteFiles& site, Intake& intake, const std::set<std::string>* token_hashes,
                const ServiceLimits& limits = {});
 
+  /// Refuses what needs no look at a body: whoever has no secret sends none.
+  [[nodiscard]] std::optional<HttpResponse> admit(const RequestHead& head);
   [[nodiscard]] std::optional<HttpResponse> now(const HttpRequest& request);
   void later(HttpRequest request, Reply reply);
   /// Stores what has come in. Nothing may come after.
