@@ -9,6 +9,7 @@
 #include "renderer/commands/commands.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
+#include "study/online/commands/export_command.h"
 #include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
@@ -32,6 +33,7 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
 #endif
   study::online::add_serve_command(*app);
   study::online::add_gathering_commands(*app);
+  study::online::add_export_command(*app);
   analysis::add_analysis_commands(*app);
   registration::add_registration_commands(*app);
   stability::add_stability_command(*app, any_case_failed);

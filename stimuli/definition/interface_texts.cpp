@@ -59,6 +59,34 @@ const std::vector<PhraseEntry>& every_phrase() {
        "experimenter.\n\n{message}"},
       {Phrase::close_button, "close", "Close"},
       {Phrase::text_size, "text_size", "Size of the text"},
+      {Phrase::online_full_screen, "online_full_screen", "Use the whole screen"},
+      {Phrase::online_left, "online_left",
+       "You may close this page. The same link, in this browser on this computer, goes on where you "
+       "stopped."},
+      {Phrase::online_loading, "online_loading", "Pictures are being loaded: {done} of {all}"},
+      {Phrase::online_away, "online_away",
+       "The connection is lost. What you answered is kept on this computer, and the study goes on by itself "
+       "when the connection is back."},
+      {Phrase::online_save, "online_save", "Save my answers"},
+      {Phrase::online_save_text, "online_save_text",
+       "Your answers are on this computer only. Save them as a file, and send it to those who invited you."},
+      {Phrase::online_saved, "online_saved", "Saved as {file}."},
+      {Phrase::online_refused_title, "online_refused_title", "This does not work here"},
+      {Phrase::online_tabs, "online_tabs",
+       "The study is already open in another tab or window of this browser. Please go on there, or close it "
+       "and load this page again."},
+      {Phrase::online_small, "online_small",
+       "The pictures and the questions below them need {wanted} pixels, and there are {found}. Please make "
+       "this window as large as the screen."},
+      {Phrase::online_zoom, "online_zoom",
+       "With this zoom of the browser the pictures cannot be shown exactly. Please set it to 100 % (Ctrl and "
+       "0)."},
+      {Phrase::online_touch, "online_touch",
+       "This study needs a computer with its own screen and a mouse or a keyboard. Please open the same link "
+       "there."},
+      {Phrase::online_browser, "online_browser",
+       "This browser cannot show the pictures exactly, or cannot keep your answers ({message}). Please open "
+       "the same link in a recent Firefox, Chrome or Edge, and not in a private window."},
   };
   return table;
 }

@@ -52,6 +52,20 @@ enum class Phrase {
   stopped_text,
   close_button,
   text_size,
+  // Of the page in a browser alone (study/online/page).
+  online_full_screen,
+  online_left,
+  online_loading,
+  online_away,
+  online_save,
+  online_save_text,
+  online_saved,
+  online_refused_title,
+  online_tabs,
+  online_small,
+  online_zoom,
+  online_touch,
+  online_browser,
 };
 
 struct PhraseEntry {

@@ -23,8 +23,9 @@ struct SessionDefinition {
   double inter_trial_s = 0.5;    ///< grey with a fixation mark before each picture
   ResumePolicy resume = ResumePolicy::resume;
   int orders = 0;  ///< counterbalanced orders that people share; 0: everybody has an order of their own
-  double text_scale = 1;  ///< size of the application's texts, 1: as designed
-  std::string font = {};  ///< a TrueType file beside the study file; empty: the application's own
+  double text_scale = 1;        ///< size of the application's texts, 1: as designed
+  std::string language = "en";  ///< of the texts, as a tag of BCP 47 ("de", "ar"): for the page in a browser
+  std::string font = {};        ///< a TrueType file beside the study file; empty: the application's own
 };
 
 }  // namespace seamline::inline stimuli

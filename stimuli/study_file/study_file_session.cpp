@@ -1,6 +1,7 @@
 #include "stimuli/study_file/study_file_session.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "stimuli/study_file/study_file_words.h"
 
@@ -16,6 +17,15 @@ void read_labels(const TomlTable& table, SessionDefinition& session) {
   if (labels.size() != session.rating_labels.size())
     throw table.complaint("rating_labels", "four texts", std::to_string(labels.size()));
   std::copy(labels.begin(), labels.end(), session.rating_labels.begin());
+}
+
+/// A tag of BCP 47 as far as its form goes: parts of one to eight letters and digits, the first of letters.
+std::string read_language(const TomlTable& table, const std::string& usual) {
+  const std::string language = table.text("language", usual);
+  static const std::regex tag("[A-Za-z]{1,8}(-[A-Za-z0-9]{1,8}){0,7}");
+  if (!std::regex_match(language, tag))
+    throw table.complaint("language", "a tag such as \"en\" or \"pt-BR\"", "\"" + language + "\"");
+  return language;
 }
 
 }  // namespace
@@ -36,6 +46,7 @@ SessionDefinition read_session(const TomlTable& table) {
   session.orders = table.integer("orders", session.orders, {0, 100000, "orders"});
   session.text_scale = table.number("text_scale", session.text_scale, {0.5, 4});
   session.font = table.text("font", session.font);
+  session.language = read_language(table, session.language);
   table.finish();
   return session;
 }

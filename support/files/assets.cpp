@@ -85,6 +85,13 @@ fs::path builtin_study(const std::string& name) {
   return fs::is_regular_file(beside, error) ? beside : fs::path(SEAMLINE_STUDIES_DIR) / file;
 }
 
+fs::path web_page_folder() {
+  if (const auto data = installed_data()) return *data / "web";
+  std::error_code error;
+  const fs::path beside = program_folder() / "web";
+  return fs::is_directory(beside, error) ? beside : fs::path(SEAMLINE_WEB_DIR);
+}
+
 fs::path resolve_asset(const std::string& name, const AssetFolders& folders, const std::string& field,
                        BuiltinKind kind) {
   const std::string study_file = folders.study_file.string();

@@ -15,6 +15,10 @@ namespace seamline {
 /// lie in `../share/seamline` beside the folder of the program itself, or else where it was built.
 [[nodiscard]] std::filesystem::path builtin_study(const std::string& name);
 
+/// The folder of the page that `export --web` writes (index.html, seamline.js, jspsych.js): of the same
+/// installation or build as the running program. Not looked whether it is there: a build may be without.
+[[nodiscard]] std::filesystem::path web_page_folder();
+
 /// Where files that a study file names may lie: below the study file's own folder, or below the folder that
 /// the person at the command line trusts (`--asset-root`; empty: none).
 struct AssetFolders {

@@ -92,6 +92,17 @@ void write_file_atomically(const fs::path& path, std::string_view bytes, Readers
   sync_folder(path.parent_path(), path);
 }
 
+void publish_folder(const fs::path& folder, const fs::path& name) {
+  sync_folder(folder, name);
+  if (::rename(folder.c_str(), name.c_str()) != 0) {
+    if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) throw unwritable(name, errno);
+    throw input_error({.file = name.string(),
+                       .wanted = "a folder that is empty or not there yet",
+                       .found = "something else of that name"});
+  }
+  sync_folder(name.parent_path(), name);
+}
+
 std::string read_file(const fs::path& path, std::int64_t most_bytes) {
   std::ifstream in(path, std::ios::binary);
   std::error_code error;

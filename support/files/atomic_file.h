@@ -20,6 +20,11 @@ enum class Readers { everybody, owner };
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
                            Readers readers = Readers::everybody);
 
+/// Gives a folder that is whole, with everything in it on the disk, its name. `folder` and `name` lie on one
+/// file system; an empty folder of that name is replaced. Throws InputError naming `name` where there is
+/// anything else.
+void publish_folder(const std::filesystem::path& folder, const std::filesystem::path& name);
+
 /// All bytes of a file. Throws InputError when it cannot be read, or has more than `most_bytes`: never takes
 /// much more memory than that, whatever the path leads to.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path,

@@ -14,6 +14,7 @@
 #include "registration/calibration/aruco.h"
 #include "registration/calibration/opencv.h"
 #include "run_program.h"
+#include "support/files/assets.h"
 #include "tests/app/picture_set.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -145,7 +146,8 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
-    {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""}};
+    {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
+    {"export", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -211,6 +213,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   }
   if (command == "sense")
     return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
+  if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
   if (command == "plan") return {quick, "--studies", "1000000"};
@@ -223,6 +226,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
     // Without their libraries they end with their one sentence.
     if (command == "calibrate" && !registration::has_opencv()) continue;
     if (command == "marker" && !registration::has_aruco()) continue;
+    if (command == "export" && !fs::exists(web_page_folder() / "jspsych.js")) continue;
     signal = signal == SIGTERM ? SIGINT : SIGTERM;
     SCOPED_TRACE(command + " " + what);
     std::vector<std::string> arguments = {command};

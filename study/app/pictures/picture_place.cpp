@@ -34,7 +34,7 @@ Point in_picture(const TrialPlace& place, const Point& on_screen) {
           (on_screen.y_px - place.picture.y_px) / place.scale};
 }
 
-Rect on_screen(const TrialPlace& place, const Rect& in_picture) {
+Rect on_screen(const TrialPlace& place, const PictureFrame& in_picture) {
   return {std::round(place.picture.x_px + in_picture.x_px * place.scale),
           std::round(place.picture.y_px + in_picture.y_px * place.scale),
           std::round(in_picture.width_px * place.scale), std::round(in_picture.height_px * place.scale)};

@@ -1,5 +1,6 @@
 #pragma once
 #include "study/app/window/geometry.h"
+#include "study/trials/object_map.h"
 
 namespace seamline::study::app {
 
@@ -25,6 +26,6 @@ inline constexpr double questions_em = 6.0;
 [[nodiscard]] Point in_picture(const TrialPlace& place, const Point& on_screen);
 
 /// A frame in picture pixels on the screen.
-[[nodiscard]] Rect on_screen(const TrialPlace& place, const Rect& in_picture);
+[[nodiscard]] Rect on_screen(const TrialPlace& place, const PictureFrame& in_picture);
 
 }  // namespace seamline::study::app

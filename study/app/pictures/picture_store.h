@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "study/app/pictures/object_map.h"
 #include "study/app/pictures/picture_loader.h"
 #include "study/app/window/texture.h"
+#include "study/trials/object_map.h"
 #include "study/trials/rendered_set.h"
 
 namespace seamline::study::app {

@@ -48,7 +48,7 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
     if (const std::optional<Trial> due = current_trial(session->trials)) {
       line["kind"] = word(due->kind);
       line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
-      for (const Rect& frame : stage.pictures.objects(*due).frames)
+      for (const PictureFrame& frame : stage.pictures.objects(*due).frames)
         line["objects"].push_back(rectangle(on_screen(place, frame)));
     }
   }

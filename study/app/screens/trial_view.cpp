@@ -23,7 +23,7 @@ void draw_fixation(Stage& stage) {
   stage.canvas().fill({x_px - 1, y_px - arm_px, 2, 2 * arm_px}, look::ink_on_background);
 }
 
-void draw_bracket(Stage& stage, const TrialPlace& place, const Rect& frame_in_picture) {
+void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture) {
   if (frame_in_picture.width_px <= 0) return;
   const Rect frame = on_screen(place, frame_in_picture);
   const double arm_px = std::round(std::min({24.0, frame.width_px / 3, frame.height_px / 3}));

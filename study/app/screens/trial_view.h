@@ -1,5 +1,4 @@
 #pragma once
-#include "study/app/pictures/object_map.h"
 #include "study/app/pictures/picture_place.h"
 #include "study/app/screens/stage.h"
 
@@ -13,7 +12,7 @@ namespace seamline::study::app {
 void draw_fixation(Stage& stage);
 
 /// Corners around an object's frame. They look the same for every object, and never follow its outline.
-void draw_bracket(Stage& stage, const TrialPlace& place, const Rect& frame_in_picture);
+void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture);
 
 /// A line of text in the middle of the strip below the picture, `from_top_em` below its upper edge.
 void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::string& text,

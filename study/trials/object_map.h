@@ -3,10 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "study/app/window/geometry.h"
 #include "support/files/image.h"
 
-namespace seamline::study::app {
+namespace seamline::study {
+
+/// A frame in picture pixels, x to the right, y downwards from the top left.
+struct PictureFrame {
+  double x_px = 0, y_px = 0, width_px = 0, height_px = 0;
+  bool operator==(const PictureFrame&) const = default;
+};
 
 /// Where the three objects of a scene are, from its reference's click map: the same for every stimulus of the
 /// scene, so nothing that is drawn from it tells which object was inserted. Picture pixels.
@@ -15,7 +20,7 @@ struct ObjectMap {
   std::vector<std::uint8_t>
       nearest;  ///< 0, or the object within reach of the pixel: 1 left, 2 middle, 3 right
   /// Frames around the objects: each has its object's middle, and all have the size of the largest one.
-  std::array<Rect, 3> frames = {};
+  std::array<PictureFrame, 3> frames = {};
 };
 
 /// `object_ids`: 1 channel, 0 background, 1..3. A click counts up to `reach_px` outside of an object, for the
@@ -25,4 +30,4 @@ struct ObjectMap {
 /// The object at a place of the picture: 1..3, or 0.
 [[nodiscard]] int object_at(const ObjectMap& map, double x_px, double y_px);
 
-}  // namespace seamline::study::app
+}  // namespace seamline::study

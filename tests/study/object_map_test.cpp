@@ -1,10 +1,10 @@
-#include "study/app/pictures/object_map.h"
+#include "study/trials/object_map.h"
 
 #include <gtest/gtest.h>
 
-#include "picture_set.h"
+#include "tests/app/picture_set.h"
 
-namespace seamline::study::app {
+namespace seamline::study {
 namespace {
 
 constexpr int width_px = 200, height_px = 100;
@@ -39,19 +39,19 @@ TEST(ObjectMap, FramesHaveOneSizeAndTheMiddlesOfTheirObjects) {
   fill(2, 80, 50, 40, 10);
   fill(3, 150, 60, 4, 4);
   const ObjectMap map = make_object_map(ids);
-  for (const Rect& frame : map.frames) {
+  for (const PictureFrame& frame : map.frames) {
     EXPECT_EQ(frame.width_px, 40 + 12);
     EXPECT_EQ(frame.height_px, 30 + 12);
   }
-  EXPECT_EQ(map.frames[0].centre().x_px, 25);
-  EXPECT_EQ(map.frames[1].centre().y_px, 55);
-  EXPECT_EQ(map.frames[2].centre().x_px, 152);
+  EXPECT_EQ(map.frames[0].x_px + map.frames[0].width_px / 2, 25);
+  EXPECT_EQ(map.frames[1].y_px + map.frames[1].height_px / 2, 55);
+  EXPECT_EQ(map.frames[2].x_px + map.frames[2].width_px / 2, 152);
 }
 
 TEST(ObjectMap, AnObjectThatIsNowhereHasNoFrame) {
   const ByteImage ids{20, 10, 1, std::vector<std::uint8_t>(200, 0)};
-  for (const Rect& frame : make_object_map(ids).frames) EXPECT_EQ(frame, Rect{});
+  for (const PictureFrame& frame : make_object_map(ids).frames) EXPECT_EQ(frame, PictureFrame{});
 }
 
 }  // namespace
-}  // namespace seamline::study::app
+}  // namespace seamline::study

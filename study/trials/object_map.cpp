@@ -1,11 +1,11 @@
-#include "study/app/pictures/object_map.h"
+#include "study/trials/object_map.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "study/placement/trial.h"
 
-namespace seamline::study::app {
+namespace seamline::study {
 namespace {
 
 struct Bounds {
@@ -20,7 +20,7 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return right < 0; }
 };
 
-std::array<Rect, 3> equal_frames(const std::array<Bounds, 3>& bounds) {
+std::array<PictureFrame, 3> equal_frames(const std::array<Bounds, 3>& bounds) {
   constexpr double margin_px = 6;
   double width_px = 0, height_px = 0;
   for (const Bounds& b : bounds) {
@@ -28,7 +28,7 @@ std::array<Rect, 3> equal_frames(const std::array<Bounds, 3>& bounds) {
     width_px = std::max(width_px, b.right - b.left + 1 + 2 * margin_px);
     height_px = std::max(height_px, b.bottom - b.top + 1 + 2 * margin_px);
   }
-  std::array<Rect, 3> frames;
+  std::array<PictureFrame, 3> frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (bounds[i].empty()) continue;
     const double x_px = (bounds[i].left + bounds[i].right + 1) / 2.0;
@@ -87,4 +87,4 @@ int object_at(const ObjectMap& map, double x_px, double y_px) {
                      static_cast<std::size_t>(x_px)];
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::study

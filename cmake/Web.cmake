@@ -1,0 +1,47 @@
+# The page of `seamline export SET --web DIR`: ours from study/online/page/web, and jsPsych from the npm registry, pinned.
+# Laid together in the build folder, from where it is installed to share/seamline/web.
+set(SEAMLINE_WEB AUTO CACHE STRING "build `seamline export --web`: AUTO, ON or OFF")
+set_property(CACHE SEAMLINE_WEB PROPERTY STRINGS AUTO ON OFF)
+set(SEAMLINE_JSPSYCH "" CACHE FILEPATH "jspsych-8.3.0.tgz of the npm registry, for machines without network")
+set(SEAMLINE_HAS_WEB FALSE)
+set(SEAMLINE_WEB_FOLDER ${PROJECT_BINARY_DIR}/web)
+set(jspsych_version 8.3.0)
+# The registry's own: sha512-UrwSVG14v8oRX6WFQ1L6uuGT0G7KgRDSH48iKIVIQI+yMRGAlvg+tEUNFKe/1xZxgk3kZiZ5xP0AnpPqPj1zkg==
+set(jspsych_sha512 52bc12546d78bfca115fa5854352fabae193d06eca8110d21f8f22288548408fb231118096f83eb4450d14a7bfd71671824de4662679c4fd009e93ea3e3d7392)
+
+if(SEAMLINE_WEB STREQUAL "AUTO" OR SEAMLINE_WEB)
+  set(jspsych_archive ${PROJECT_BINARY_DIR}/jspsych-${jspsych_version}.tgz)
+  if(SEAMLINE_JSPSYCH)
+    set(jspsych_archive ${SEAMLINE_JSPSYCH})
+  endif()
+  set(jspsych_found "")
+  if(EXISTS ${jspsych_archive})
+    file(SHA512 ${jspsych_archive} jspsych_found)
+  endif()
+  if(NOT SEAMLINE_JSPSYCH AND NOT jspsych_found STREQUAL jspsych_sha512)
+    file(DOWNLOAD https://registry.npmjs.org/jspsych/-/jspsych-${jspsych_version}.tgz ${jspsych_archive}
+      STATUS jspsych_status TIMEOUT 60 INACTIVITY_TIMEOUT 15)
+    if(EXISTS ${jspsych_archive})
+      file(SHA512 ${jspsych_archive} jspsych_found)
+    endif()
+  endif()
+  if(jspsych_found STREQUAL jspsych_sha512)
+    set(SEAMLINE_HAS_WEB TRUE)
+  elseif(SEAMLINE_JSPSYCH OR NOT SEAMLINE_WEB STREQUAL "AUTO")
+    message(FATAL_ERROR "${jspsych_archive}: wanted jspsych ${jspsych_version} of the npm registry (${jspsych_status}); "
+      "name a copy with -DSEAMLINE_JSPSYCH=FILE, or leave the page out with -DSEAMLINE_WEB=OFF")
+  endif()
+endif()
+
+if(SEAMLINE_HAS_WEB)
+  set(web_sources ${PROJECT_SOURCE_DIR}/study/online/page/web)
+  file(GLOB_RECURSE web_files CONFIGURE_DEPENDS RELATIVE ${web_sources} ${web_sources}/*)
+  file(REMOVE_RECURSE ${SEAMLINE_WEB_FOLDER})
+  foreach(file IN LISTS web_files)
+    configure_file(${web_sources}/${file} ${SEAMLINE_WEB_FOLDER}/${file} COPYONLY)
+  endforeach()
+  file(ARCHIVE_EXTRACT INPUT ${jspsych_archive} DESTINATION ${PROJECT_BINARY_DIR}/jspsych
+    PATTERNS package/dist/index.browser.min.js)
+  configure_file(${PROJECT_BINARY_DIR}/jspsych/package/dist/index.browser.min.js ${SEAMLINE_WEB_FOLDER}/jspsych.js COPYONLY)
+endif()
+message(STATUS "Page for browsers: ${SEAMLINE_HAS_WEB}")

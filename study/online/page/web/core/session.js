@@ -1,0 +1,94 @@
+// A session as the window has it (study/visit/session.h): a value, and a pure function from an event to the next value.
+// Times are monotonic nanoseconds, whole numbers.
+import { afterAnswer, currentTrial } from "./trials.js";
+
+/** Where the next picture begins. */
+const beforeImage = (pace) =>
+  pace.inter_trial_ns > 0 ? { name: "grey", since_ns: null } : { name: "awaiting" };
+
+function afterGrey(phase, event, pace) {
+  if (event.type === "picture_taken") return { name: "grey", since_ns: null };
+  if (event.type !== "tick") return phase;
+  if (phase.since_ns === null) return { name: "grey", since_ns: event.now_ns };
+  return event.now_ns - phase.since_ns < pace.inter_trial_ns ? phase : { name: "awaiting" };
+}
+
+const isChoice = (event, onset_ns, pace) =>
+  event.index >= 1 && event.index <= 3 && event.now_ns >= onset_ns &&
+  event.now_ns - onset_ns >= pace.minimum_viewing_ns;
+
+function afterChoice(phase, event, pace) {
+  if (event.type === "picture_taken") return beforeImage(pace);
+  if (event.type !== "object_chosen" || !isChoice(event, phase.onset_ns, pace)) return phase;
+  return {
+    name: "rating",
+    onset_ns: phase.onset_ns,
+    chosen_index: event.index,
+    choice_ns: event.now_ns - phase.onset_ns,
+  };
+}
+
+function afterRating(phase, event, session) {
+  if (event.type === "picture_taken") return beforeImage(session.pace);
+  if (event.type === "object_chosen") {
+    const again = afterChoice({ name: "choosing", onset_ns: phase.onset_ns }, event, session.pace);
+    return again.name === "rating" ? again : phase;
+  }
+  if (event.type !== "rating_given" || !(event.rating >= 1 && event.rating <= 4)) return phase;
+  const rating_ns = event.now_ns - phase.onset_ns;
+  if (rating_ns < phase.choice_ns) return phase;
+  return {
+    name: "storing",
+    answer: {
+      trial_index: session.trials.answered,
+      chosen_index: phase.chosen_index,
+      rating: event.rating,
+      choice_ns: phase.choice_ns,
+      rating_ns,
+    },
+  };
+}
+
+function nextTrial(session) {
+  if (!currentTrial(session.trials)) return { name: "done" };
+  const every = session.pace.break_every_trials;
+  if (every > 0 && session.trials.answered % every === 0) return { name: "break" };
+  return beforeImage(session.pace);
+}
+
+/** `event.next` is what a server placed next, for trials that it places one by one. */
+function afterStoring(session, event) {
+  if (event.type !== "answer_stored") return session;
+  const after = { ...session, trials: afterAnswer(session.trials, event.next) };
+  return { ...after, phase: nextTrial(after) };
+}
+
+/** At the first unanswered trial, or done when there is none. */
+export function beginSession(trials, pace) {
+  return { trials, pace, phase: currentTrial(trials) ? beforeImage(pace) : { name: "done" } };
+}
+
+/**
+ * The session after an event: {type: "tick" | "image_shown" | "object_chosen" | "rating_given" | "answer_stored" |
+ * "break_ended" | "picture_taken", now_ns, index, rating, next}. What does not belong to the phase changes nothing.
+ */
+export function nextSession(session, event) {
+  const phase = session.phase;
+  const becomes = (changed) => (changed === phase ? session : { ...session, phase: changed });
+  switch (phase.name) {
+    case "grey":
+      return becomes(afterGrey(phase, event, session.pace));
+    case "awaiting":
+      return event.type === "image_shown" ? becomes({ name: "choosing", onset_ns: event.now_ns }) : session;
+    case "choosing":
+      return becomes(afterChoice(phase, event, session.pace));
+    case "rating":
+      return becomes(afterRating(phase, event, session));
+    case "storing":
+      return afterStoring(session, event);
+    case "break":
+      return event.type === "break_ended" ? becomes(beforeImage(session.pace)) : session;
+    default:
+      return session; // done
+  }
+}

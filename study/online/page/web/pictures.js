@@ -1,0 +1,98 @@
+// Pictures: loaded one after another ahead of need, their hashes checked, decoded before they are due.
+import { persistently } from "./keeping/courier.js";
+import { unpackMap } from "./core/place.js";
+
+const MOST_DECODED = 3;
+
+async function fetchBytes(file, cache) {
+  const response = await fetch(file, { cache });
+  if (!response.ok) throw new Error(file + ": HTTP " + response.status);
+  return response.arrayBuffer();
+}
+
+/** SHA-256 in hexadecimal; null where the browser has none to offer (no https, no localhost). */
+async function sha256(bytes) {
+  if (!globalThis.crypto?.subtle) return null;
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  return Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+async function isRight(bytes, wanted) {
+  if (bytes.byteLength !== wanted.bytes) return false;
+  const found = await sha256(bytes);
+  return found === null || found === wanted.sha256;
+}
+
+/** Throws when it is not what was exported, also not past the browser's cache: then it is tried again. */
+async function fetchChecked(wanted) {
+  for (const cache of ["default", "reload"]) {
+    const bytes = await fetchBytes(wanted.file, cache);
+    if (await isRight(bytes, wanted)) return bytes;
+  }
+  throw new Error(wanted.file + " is not the picture that was exported");
+}
+
+async function decode(bytes) {
+  const image = new Image();
+  const address = URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
+  image.src = address;
+  await image.decode();
+  image.release = () => URL.revokeObjectURL(address);
+  return image;
+}
+
+/** `known` lists the study's pictures; `away` is told when one cannot be reached, `progress` how many are here. */
+export function makePictures(known, { away, progress }) {
+  const facts = new Map(known.map((picture) => [picture.file, picture]));
+  const bytes = new Map(); // as they came, compressed
+  const decoded = new Map(); // in the order of their use, the latest last
+  const maps = new Map();
+  let queue = [];
+  let loading = null;
+
+  async function load(file) {
+    if (!bytes.has(file)) bytes.set(file, await persistently(() => fetchChecked(facts.get(file)), away));
+    const mapFile = facts.get(file).map;
+    if (!maps.has(mapFile)) {
+      const text = await persistently(() => fetchBytes(mapFile, "default"), away);
+      maps.set(mapFile, unpackMap(JSON.parse(new TextDecoder().decode(text))));
+    }
+    progress(bytes.size, facts.size);
+  }
+
+  async function loadAll() {
+    while (queue.length > 0) {
+      const file = queue.shift();
+      if (!bytes.has(file) || !maps.has(facts.get(file).map)) await load(file);
+    }
+    loading = null;
+  }
+
+  function use(file, image) {
+    decoded.delete(file);
+    decoded.set(file, image);
+    for (const [oldest, old] of decoded) {
+      if (decoded.size <= MOST_DECODED) break;
+      old.release();
+      decoded.delete(oldest);
+    }
+    return image;
+  }
+
+  return {
+    /** What is needed from now on, the most urgent first. */
+    want(files) {
+      queue = [...new Set([...files, ...queue])].filter((file) => facts.has(file) && !bytes.has(file));
+      loading ??= loadAll();
+    },
+    /** The decoded picture and the map of its objects. */
+    async ready(file) {
+      if (decoded.has(file)) return { image: use(file, decoded.get(file)), map: maps.get(facts.get(file).map) };
+      await load(file);
+      const image = await decode(bytes.get(file));
+      return { image: use(file, image), map: maps.get(facts.get(file).map) };
+    },
+    isDecoded: (file) => decoded.has(file),
+    count: () => ({ done: bytes.size, all: facts.size }),
+  };
+}

@@ -1,0 +1,137 @@
+// Pages of words: consent, instructions, ready, break, pause, and the last ones.
+import { buttonRow, card, element, paragraphs } from "./dom.js";
+import { textSizes } from "./text_size.js";
+
+/** Nothing has the focus at first, and Enter alone agrees to nothing. */
+export function drawConsent(app, display) {
+  const { consent } = app.study;
+  display.append(
+    card(
+      app.phrase("consent_title"),
+      "wide",
+      ...paragraphs(consent.text),
+      buttonRow([
+        { text: consent.decline, id: "decline", action: () => app.step({ type: "consent_refused" }) },
+        {
+          text: consent.accept,
+          id: "accept",
+          leading: true,
+          action: () => app.step({ type: "consent_given", unix_s: Math.floor(Date.now() / 1000) }),
+        },
+      ]),
+      textSizes(app)
+    )
+  );
+}
+
+export function drawInstructions(app, display) {
+  const { page } = app.visit.screen;
+  const pages = app.study.instructions;
+  const { text, pictures } = pages[page];
+  const go = (type) => () => app.step({ type });
+  const buttons = [{ text: app.phrase("continue"), id: "continue", leading: true, action: go("continued") }];
+  if (page > 0) buttons.unshift({ text: app.phrase("back"), id: "back", action: go("went_back") });
+  display.append(
+    card(
+      app.phrase("instructions_title"),
+      pictures.length > 0 ? "wide" : "middle",
+      ...paragraphs(text),
+      ...pictures.map((file) => element("img", { class: "shown", src: file, alt: text ? "" : app.phrase("page_of", pageWords(page, pages)) })),
+      element("p", { class: "note" }, app.phrase("page_of", pageWords(page, pages))),
+      buttonRow(buttons)
+    )
+  );
+  app.focus("#continue");
+}
+
+const pageWords = (page, pages) => ({ page: page + 1, pages: pages.length });
+
+function drawPage(app, display, { title, text, button, more = [] }) {
+  const leading = { text: button, id: "continue", leading: true, action: () => app.step({ type: "continued" }) };
+  display.append(card(title, "middle", ...paragraphs(text), buttonRow([leading]), ...more));
+  app.focus("#continue");
+}
+
+export const drawReady = (app, display) =>
+  drawPage(app, display, {
+    title: app.phrase("ready_title"),
+    text: app.phrase("ready_text"),
+    button: app.phrase("ready_button"),
+  });
+
+export function drawBreak(app, display) {
+  const { answered, most } = app.visit.session.trials;
+  drawPage(app, display, {
+    title: app.phrase("break_title"),
+    text: app.phrase("break_text", { done: answered, all: most }),
+    button: app.phrase("continue"),
+    more: saveWords(app),
+  });
+}
+
+/** Where nobody but this browser has the answers: a way to take them out, at any time. */
+function saveWords(app) {
+  if (app.host.kind !== "static") return [];
+  const said = element("p", { class: "note", role: "status" });
+  const save = async () => {
+    const file = await app.saveAnswers();
+    said.textContent = app.phrase("online_saved", { file });
+  };
+  return [
+    element("hr"),
+    element("p", { class: "note" }, app.phrase("online_save_text")),
+    buttonRow([{ text: app.phrase("online_save"), id: "save", action: save }]),
+    said,
+  ];
+}
+
+export function drawPause(app, display) {
+  const leave = () => {
+    display.replaceChildren(
+      card(
+        app.phrase("pause_title"),
+        "middle",
+        ...paragraphs(app.phrase("online_left")),
+        buttonRow([{ text: app.phrase("pause_continue"), id: "continue", leading: true, action: go }])
+      )
+    );
+    app.focus("#continue");
+  };
+  const go = () => app.step({ type: "continued" });
+  display.append(
+    card(
+      app.phrase("pause_title"),
+      "middle",
+      ...paragraphs(app.phrase("pause_text")),
+      buttonRow([
+        { text: app.phrase("pause_leave"), id: "leave", action: leave },
+        { text: app.phrase("pause_continue"), id: "continue", leading: true, action: go },
+      ]),
+      textSizes(app),
+      ...saveWords(app)
+    )
+  );
+  app.focus("#continue");
+}
+
+function drawLast(app, display, title, text, more = []) {
+  display.append(card(title, "middle", ...paragraphs(text), ...more));
+  app.finished();
+}
+
+export function drawThanks(app, display) {
+  drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), saveWords(app));
+  app.focus("#save");
+}
+
+export const drawDeclined = (app, display) =>
+  drawLast(app, display, app.phrase("declined_title"), app.phrase("declined_text"));
+
+export const drawStopped = (app, display) =>
+  drawLast(
+    app,
+    display,
+    app.phrase("stopped_title"),
+    app.phrase("stopped_text", { message: app.visit.screen.message }),
+    app.host ? saveWords(app) : []
+  );

@@ -1,0 +1,367 @@
+// A picture, and what is asked about it: trials of practice and of the study, and the feedback on practice.
+import { bracketBars, objectAt, placeTrial } from "../core/place.js";
+import { currentTrial, trialsAhead } from "../core/trials.js";
+import { nanoseconds } from "../core/messages.js";
+import { element, svg } from "./dom.js";
+
+const SIDES = ["left_object", "middle_object", "right_object"];
+
+/** The stage of a picture: everything is placed in pixels of the screen. */
+function makeStage(app, display) {
+  const fixation = svg("path", { class: "fixation" });
+  const overlay = svg("svg", { class: "overlay", "aria-hidden": "true" }, fixation);
+  const question = element("h1", { id: "title" });
+  const hint = element("p", { class: "hint" });
+  const answers = element("div", { class: "answers" });
+  const questions = element("div", { class: "questions" }, question, hint, answers);
+  const objects = element("div", { class: "objects", role: "group", "aria-labelledby": "title" });
+  const node = element("div", { class: "stage" }, overlay, objects, questions);
+  display.append(node);
+  const stage = { node, overlay, fixation, question, hint, answers, questions, objects, image: null, place: null };
+
+  /** Puts everything where it belongs; the picture at whole pixels of the screen, as large as it is. */
+  stage.layOut = () => {
+    const ratio = devicePixelRatio;
+    const size = app.screen.size();
+    const place = placeTrial(size, app.study.picture, app.em());
+    stage.place = place;
+    overlay.setAttribute("viewBox", "0 0 " + size.width + " " + size.height);
+    const x = place.x + Math.round(place.width / 2);
+    const y = place.y + Math.round(place.height / 2);
+    fixation.setAttribute("d", `M${x - 12} ${y - 1}h24v2h-24zM${x - 1} ${y - 12}h2v24h-2z`);
+    questions.style.top = place.questions_y / ratio + "px";
+    if (stage.image) {
+      stage.image.style.left = place.x / ratio + "px";
+      stage.image.style.top = place.y / ratio + "px";
+      stage.image.style.width = place.width / ratio + "px";
+      stage.image.style.height = place.height / ratio + "px";
+    }
+  };
+
+  stage.put = (image) => {
+    if (stage.image === image) return;
+    stage.image?.remove();
+    stage.image = image;
+    image.className = "picture";
+    image.alt = "";
+    image.draggable = false;
+    node.prepend(image);
+    stage.layOut();
+    app.screen.watchPicture(image);
+  };
+
+  const bars = [];
+  /** Corners around frames of the picture; the same for every object, so they give nothing away. */
+  stage.bracket = (frames) => {
+    const wanted = JSON.stringify(frames);
+    if (bars.wanted === wanted) return;
+    bars.wanted = wanted;
+    bars.splice(0).forEach((bar) => bar.remove());
+    for (const edge of [1, 0])
+      for (const frame of frames) {
+        const onScreen = {
+          x: stage.place.x + frame.x_px,
+          y: stage.place.y + frame.y_px,
+          width: frame.width_px,
+          height: frame.height_px,
+        };
+        for (const [x, y, width, height] of bracketBars(onScreen))
+          bars.push(
+            svg("rect", {
+              class: edge ? "edge" : "bar",
+              x: String(x - edge),
+              y: String(y - edge),
+              width: String(width + 2 * edge),
+              height: String(height + 2 * edge),
+            })
+          );
+      }
+    overlay.append(...bars);
+  };
+  return stage;
+}
+
+/** What lies below the three objects for keyboards and screen readers: it sees no mouse. */
+function objectButtons(app, stage, map, choose) {
+  const buttons = map.frames.map((frame, at) =>
+    element("button", {
+      type: "button",
+      class: "object",
+      id: "object-" + (at + 1),
+      "aria-label": at + 1 + " " + app.phrase(SIDES[at]),
+      onclick: (event) => choose(at + 1, event),
+    })
+  );
+  stage.objects.replaceChildren(...buttons);
+  const place = () => {
+    const ratio = devicePixelRatio;
+    map.frames.forEach((frame, at) => {
+      buttons[at].style.left = (stage.place.x + frame.x_px) / ratio + "px";
+      buttons[at].style.top = (stage.place.y + frame.y_px) / ratio + "px";
+      buttons[at].style.width = frame.width_px / ratio + "px";
+      buttons[at].style.height = frame.height_px / ratio + "px";
+    });
+  };
+  return { buttons, place };
+}
+
+function progressBar(app, done, all) {
+  const bar = element("div", { class: "progress", "aria-hidden": "true" }, element("div"));
+  bar.firstChild.style.width = (all > 0 ? (100 * done) / all : 0) + "%";
+  return [bar, element("p", { class: "progress-words" }, app.phrase("progress", { done, all }))];
+}
+
+/** Draws the trial that is due, of the practice or of the study, from the grey before it to its answer. */
+function drawTrial(app, display, isPractice) {
+  const session = () => (isPractice ? app.visit.training : app.visit.session);
+  const trial = currentTrial(session().trials);
+  if (trial === null) return {}; // all are answered, and the completion is being stored
+  const stage = makeStage(app, display);
+  const detail = isPractice ? "practice" : "";
+  let picture = null; // {image, map} once it is decoded
+  let controls = null;
+  let ratings = [];
+  let hovered = 0;
+  let moved = false;
+  let shownWith = null; // the frame that shows the picture has begun
+  let frame = null;
+  let lateFrames = 0;
+  let lastFrame = null;
+  let open = true;
+
+  const { answered, most } = session().trials;
+  if (isPractice)
+    stage.node.append(
+      element("p", { class: "practice" }, app.phrase("training_hint", { done: answered + 1, all: most }))
+    );
+  else stage.node.append(...progressBar(app, answered, most));
+
+  const step = (event) => app.step(event);
+  const choose = (index, event) => {
+    const before = session();
+    step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
+    if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
+  };
+  const rate = (rating, event) => {
+    const before = session();
+    step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
+    if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
+  };
+
+  const phase = () => session().phase;
+  const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
+
+  function drawBrackets() {
+    const now = phase();
+    const indices = new Set();
+    const focused = controls ? controls.buttons.indexOf(document.activeElement) + 1 : 0;
+    if (now.name === "rating") indices.add(now.chosen_index);
+    if (now.name === "rating" || now.name === "choosing") {
+      if (hovered > 0 && moved) indices.add(hovered);
+      else if (focused > 0 && (now.name === "rating" || !stage.questions.hidden)) indices.add(focused);
+    }
+    stage.bracket(picture ? [...indices].sort().map((index) => picture.map.frames[index - 1]) : []);
+  }
+
+  function showQuestion() {
+    stage.question.textContent = app.study.question;
+    stage.hint.textContent = app.phrase("choice_hint");
+    stage.answers.replaceChildren();
+    ratings = [];
+  }
+
+  function showRatings() {
+    if (ratings.length > 0) return;
+    stage.question.textContent = app.study.rating_question;
+    stage.hint.textContent = app.phrase("rating_hint");
+    ratings = app.study.rating_labels.map((label, at) =>
+      element(
+        "button",
+        { type: "button", class: "rating", id: "rating-" + (at + 1), onclick: (event) => rate(at + 1, event) },
+        at + 1 + "\u2002" + label
+      )
+    );
+    const group = element("div", { class: "ratings", role: "group", "aria-labelledby": "title" }, ...ratings);
+    stage.answers.replaceChildren(group);
+    tightenRatings();
+    app.say(app.study.rating_question);
+  }
+
+  /** Labels that are too long for one line get two, in the small type. */
+  function tightenRatings() {
+    const group = stage.answers.querySelector(".ratings");
+    if (!group) return;
+    stage.questions.hidden = false;
+    group.classList.remove("tight");
+    group.classList.toggle("tight", group.scrollWidth > group.clientWidth);
+  }
+
+  /** What the phase shows. */
+  function update() {
+    const now = phase();
+    const visible = ["choosing", "rating"].includes(now.name) || shownWith !== null;
+    if (stage.image) stage.image.classList.toggle("visible", visible);
+    stage.fixation.classList.toggle("visible", !visible && ["grey", "awaiting"].includes(now.name));
+    const asking = now.name === "rating" || (now.name === "choosing" && isOpen(nanoseconds(performance.now())));
+    if (asking && now.name === "choosing" && (stage.questions.hidden || ratings.length > 0)) {
+      showQuestion();
+      app.say(app.study.question);
+    }
+    if (now.name === "rating") showRatings();
+    stage.questions.hidden = !asking;
+    stage.objects.hidden = !asking;
+    if (now.name === "grey" || now.name === "awaiting") {
+      ratings = [];
+      moved = false;
+    }
+    drawBrackets();
+    if (open && frame === null && (["grey", "awaiting"].includes(now.name) || (now.name === "choosing" && !asking)))
+      frame = requestAnimationFrame(onFrame);
+  }
+
+  /** Runs while something changes by itself: grey, the picture's first frame, the least time of viewing. */
+  function onFrame(now) {
+    frame = null;
+    if (!open) return;
+    const period = 1000 / (app.screen.refreshHz() || 60);
+    if (lastFrame !== null && now - lastFrame > 1.5 * period && now - lastFrame < 1000) ++lateFrames;
+    lastFrame = now;
+    if (phase().name === "grey") step({ type: "tick", now_ns: nanoseconds(now) });
+    if (phase().name === "awaiting") {
+      if (shownWith !== null) {
+        // The frame before this one had the picture, so it is on the screen now.
+        shownWith = null;
+        app.note("shown", detail, now);
+        if (lateFrames > 0) app.note("late_frames", String(lateFrames), now);
+        lateFrames = 0;
+        lastFrame = null;
+        step({ type: "image_shown", now_ns: nanoseconds(now) });
+      } else if (picture && app.guard.problem() === null) {
+        shownWith = now;
+      }
+    }
+    if (phase().name !== "awaiting") shownWith = null;
+    if (open) update();
+  }
+
+  const onMove = (event) => {
+    if (!picture || !stage.place) return;
+    const ratio = devicePixelRatio;
+    moved = true;
+    hovered = objectAt(picture.map, event.clientX * ratio - stage.place.x, event.clientY * ratio - stage.place.y);
+    stage.node.classList.toggle("over-object", hovered > 0 && !stage.questions.hidden);
+    drawBrackets();
+  };
+  const onPress = (event) => {
+    if (event.button !== 0 || event.target.closest("button") || app.guard.problem() !== null) return;
+    onMove(event);
+    if (hovered > 0 && !stage.questions.hidden) choose(hovered, event);
+  };
+
+  /** Arrows go round the ratings, then the objects. */
+  function moveFocus(back) {
+    const places = [...ratings, ...controls.buttons];
+    const at = places.indexOf(document.activeElement);
+    const next = at < 0 ? (back ? places.length - 1 : 0) : (at + (back ? places.length - 1 : 1)) % places.length;
+    places[next].focus();
+  }
+  const onKey = (event) => {
+    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden) return;
+    if (app.guard.problem() !== null) return;
+    const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;
+    const back = event.key === "ArrowLeft" || event.key === "ArrowUp";
+    if (digit > 0 && phase().name === "choosing") choose(digit, event);
+    else if (digit > 0 && phase().name === "rating") rate(digit, event);
+    else if (controls && (back || event.key === "ArrowRight" || event.key === "ArrowDown")) moveFocus(back);
+    else return;
+    event.preventDefault();
+  };
+
+  const layOut = () => {
+    stage.layOut();
+    controls?.place();
+    if (ratings.length > 0) tightenRatings();
+    stage.bracket([]);
+    drawBrackets();
+  };
+  stage.node.addEventListener("pointermove", onMove);
+  stage.node.addEventListener("pointerdown", onPress);
+  stage.node.addEventListener("focusin", drawBrackets);
+  stage.node.addEventListener("focusout", () => queueMicrotask(drawBrackets));
+  document.addEventListener("keydown", onKey);
+  const stopWatching = app.screen.onChange(layOut);
+  stage.questions.hidden = stage.objects.hidden = true;
+  stage.layOut();
+
+  const ahead = trialsAhead(session().trials);
+  app.pictures.want([...ahead, ...(isPractice ? trialsAhead(app.visit.session.trials) : [])].map((one) => one.picture));
+  const loadingWords = setTimeout(() => app.showLoading(true), 400);
+  app.pictures.ready(trial.picture).then((ready) => {
+    clearTimeout(loadingWords);
+    app.showLoading(false);
+    if (!open) return;
+    picture = ready;
+    stage.put(ready.image);
+    controls = objectButtons(app, stage, ready.map, choose);
+    controls.place();
+    update();
+    const next = ahead[1];
+    if (next) app.pictures.ready(next.picture).catch(() => {}); // decoded while this one is looked at
+  }, app.failed);
+  update();
+
+  return {
+    update,
+    close() {
+      open = false;
+      clearTimeout(loadingWords);
+      app.showLoading(false);
+      if (frame !== null) cancelAnimationFrame(frame);
+      document.removeEventListener("keydown", onKey);
+      stopWatching();
+      app.screen.watchPicture(null);
+    },
+  };
+}
+
+export const drawTraining = (app, display) => drawTrial(app, display, true);
+export const drawStudyTrial = (app, display) => drawTrial(app, display, false);
+
+/** The practice picture once more, with corners around the object that was inserted. */
+export function drawFeedback(app, display) {
+  const { trial, chosen_index } = app.visit.screen;
+  const stage = makeStage(app, display);
+  const right = trial.right_index;
+  const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
+  stage.question.textContent = right > 0 ? app.fill(text, { object: app.phrase(SIDES[right - 1]) }) : "";
+  const button = element(
+    "button",
+    { type: "button", id: "continue", class: "leading", onclick: () => app.step({ type: "continued" }) },
+    app.phrase("continue")
+  );
+  stage.answers.append(button);
+  stage.objects.remove();
+  stage.hint.remove();
+  stage.layOut();
+  let map = null;
+  const layOut = () => {
+    stage.layOut();
+    stage.bracket([]);
+    if (map && right > 0) stage.bracket([map.frames[right - 1]]);
+  };
+  const stopWatching = app.screen.onChange(layOut);
+  app.pictures.ready(trial.picture).then((ready) => {
+    map = ready.map;
+    stage.put(ready.image);
+    ready.image.classList.add("visible");
+    layOut();
+  }, app.failed);
+  app.say(stage.question.textContent);
+  app.focus(button);
+  return {
+    close() {
+      stopWatching();
+      app.screen.watchPicture(null);
+    },
+  };
+}

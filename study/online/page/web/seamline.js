@@ -1,0 +1,412 @@
+// The study in a browser: what the window does with a visit, done by a page.
+//
+// What follows from what happens is core/visit.js's business, what is kept the courier's; here they are put together,
+// and jsPsych shows one screen after the other.
+import { placedTrials, plannedTrials } from "./core/trials.js";
+import { direction, fillIn } from "./core/texts.js";
+import { FORMAT, makeMessage, nanoseconds, progressOf } from "./core/messages.js";
+import { beginVisit, next, resumeVisit, sessionOnScreen } from "./core/visit.js";
+import { makeCourier, persistently } from "./keeping/courier.js";
+import { findHost, Refused } from "./keeping/hosts.js";
+import { onlyTab } from "./keeping/one_tab.js";
+import { askForPersistence, openStore } from "./keeping/store.js";
+import { makePictures } from "./pictures.js";
+import { canBeExact, watchScreen } from "./exact.js";
+import { makeGuard } from "./guard.js";
+import { watchAttention } from "./watch.js";
+import { displayFacts, drawDisplay, screenKey } from "./screens/display.js";
+import { drawForm } from "./screens/form.js";
+import * as pages from "./screens/pages.js";
+import { screenPlugin } from "./screens/plugin.js";
+import { emOf, setTextSize } from "./screens/text_size.js";
+import { drawFeedback, drawStudyTrial, drawTraining } from "./screens/trial.js";
+import { card, paragraphs } from "./screens/dom.js";
+
+const addressed = new URLSearchParams(location.search + "&" + location.hash.slice(1));
+const token = addressed.get("token");
+const statusLine = document.getElementById("status");
+const spoken = document.getElementById("spoken");
+
+async function loadJson(file) {
+  const response = await fetch(file, { cache: "no-cache" });
+  if (!response.ok) throw new Error(file + ": HTTP " + response.status);
+  return response.json();
+}
+
+/** Words in place of the study, for good. */
+function refuse(study, text) {
+  document.getElementById("study").replaceChildren(card(study.texts.online_refused_title, "middle", ...paragraphs(text)));
+}
+
+/** Why this device cannot take part, or null. */
+function unfit(study) {
+  const words = (name, values) => fillIn(study.texts[name], values);
+  const mobile = navigator.userAgentData?.mobile || /Mobi|Android|iPhone|iPad/.test(navigator.userAgent);
+  if (mobile || (matchMedia("(any-pointer: coarse)").matches && !matchMedia("(any-pointer: fine)").matches))
+    return words("online_touch");
+  if (!canBeExact()) return words("online_browser", { message: "devicePixelContentBox" });
+  const found = { width: Math.round(screen.width * devicePixelRatio), height: Math.round(screen.height * devicePixelRatio) };
+  if (found.width < study.picture.width || found.height < study.picture.height)
+    return words("online_small", {
+      wanted: study.picture.width + " x " + study.picture.height,
+      found: found.width + " x " + found.height,
+    });
+  return null;
+}
+
+/** study.json as the page uses it. */
+function readStudy(json) {
+  if (json.format !== FORMAT) throw new Error("study.json is of another version");
+  return { ...json, picture: { width: json.width_px, height: json.height_px } };
+}
+
+class Study {
+  visit = null;
+  host = null;
+  courier = null;
+  textScale = 1;
+  #listeners = new Set();
+  #awayCount = 0;
+  #loading = false;
+
+  constructor(study, store, host) {
+    this.study = study;
+    this.store = store;
+    this.host = host;
+    this.stream = { study_hash: study.study_hash, set_hash: study.set_hash, participant: "" };
+    this.script = {
+      form: study.form,
+      instruction_pages: study.instructions.length,
+      training: study.training,
+      pace: study.pace,
+    };
+    this.screen = watchScreen(document.getElementById("probe"), (kind, detail) => this.note(kind, detail));
+    this.pictures = makePictures(study.pictures, { away: this.away, progress: () => this.#showStatus() });
+    this.guard = makeGuard(this, document.getElementById("guard"));
+    watchAttention((kind, detail, at) => this.note(kind, detail, at));
+  }
+
+  // Words.
+
+  phrase = (key, values) => fillIn(this.study.texts[key], values);
+  fill = fillIn;
+  em = () => emOf(this, this.textScale);
+  /** For screen readers: what changed without a change of page. */
+  say(text) {
+    spoken.textContent = text;
+  }
+  /** A screen was drawn: screen readers hear its title. */
+  arrived(display) {
+    this.say(display.querySelector("h1")?.textContent ?? "");
+  }
+  focus(what) {
+    const node = typeof what === "string" ? document.querySelector("#study " + what) : what;
+    // After jsPsych has given the focus to its own element.
+    setTimeout(() => node?.isConnected && node.focus({ preventScroll: true }), 0);
+  }
+
+  /** Whether the host, or the network, is out of reach. */
+  away = (is) => {
+    this.#awayCount += is ? 1 : -1;
+    if (is && this.#awayCount === 1) this.note("network_away");
+    if (!is && this.#awayCount === 0) this.note("network_back");
+    this.#showStatus();
+  };
+  showLoading(is) {
+    this.#loading = is;
+    this.#showStatus();
+  }
+  #showStatus() {
+    const words = this.#awayCount > 0 ? "online_away" : this.#loading ? "online_loading" : null;
+    const text = words === null ? "" : this.phrase(words, this.pictures.count());
+    if (statusLine.textContent !== text) statusLine.textContent = text;
+    statusLine.hidden = text === "";
+  }
+
+  // Events.
+
+  onChange(listener) {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  step(event) {
+    if (this.guard.problem() !== null && ["object_chosen", "rating_given"].includes(event.type)) return;
+    const before = this.visit;
+    this.visit = next(this.visit, event);
+    if (this.visit === before) return;
+    if (this.visit.pending && this.visit.pending !== before?.pending) this.#keepPending();
+    this.#tell();
+  }
+
+  #tell() {
+    this.guard.look();
+    [...this.#listeners].forEach((listener) => listener());
+  }
+
+  failed = (error) => this.step({ type: "store_failed", message: error?.message ?? String(error) });
+
+  async #keepPending() {
+    const record = this.visit.pending;
+    document.body.setAttribute("aria-busy", "true");
+    try {
+      this.step(await this.#keep(record));
+    } catch (error) {
+      this.failed(error);
+    } finally {
+      document.body.removeAttribute("aria-busy");
+    }
+  }
+
+  /** Stores what a visit asks to be stored; resolves to the event that says so. */
+  async #keep(record) {
+    const courier = this.courier;
+    switch (record.kind) {
+      case "decline":
+        await persistently(() => this.host.decline(makeMessage(this.stream, 0, "decline", {})), this.away);
+        break;
+      case "consent":
+        return { type: "enrolled", trials: await this.enrol(record.accepted_unix_s) };
+      case "form":
+        await courier.deliver("form", { answers: record.answers });
+        break;
+      case "display":
+        await courier.deliver("display", record.facts);
+        break;
+      case "training":
+        await courier.deliver("training", { training_index: record.answer.trial_index, ...whatWasAnswered(record) });
+        break;
+      case "answer": {
+        const { trial_index } = record.answer;
+        await courier.deliver("answer", { trial_index, ...whatWasAnswered(record), image_scale: 1 });
+        return { type: "record_stored", next: await this.#placeNext() };
+      }
+      default:
+        await courier.deliver("completion", {});
+    }
+    return { type: "record_stored" };
+  }
+
+  /** The next trial of an adaptive study, from the server that places it. */
+  async #placeNext() {
+    return this.study.adaptive ? persistently(() => this.host.nextTrial(), this.away) : undefined;
+  }
+
+  note(kind, detail = "", at = performance.now()) {
+    if (!this.courier || this.visit === null || ["thanks", "stopped"].includes(this.visit.screen.name)) return;
+    if (this.visit.pending?.kind === "completion") return;
+    const trial_index = this.visit.screen.name === "trial" ? this.visit.session.trials.answered : null;
+    this.courier.note("event", { monotonic_ns: nanoseconds(at), kind, trial_index, detail: String(detail) });
+  }
+
+  // Coming, and coming again.
+
+  /** Stores the consent and finds a place: {participant, slot}, and the trials of it. */
+  async enrol(accepted_unix_s) {
+    const drawn = this.host.drawn?.() ?? { participant: "", slot: -1 };
+    const message = makeMessage({ ...this.stream, participant: drawn.participant }, 0, "enrol", {
+      slot: drawn.slot,
+      consent_sha256: this.study.consent.sha256,
+      accepted_unix_s,
+      user_agent: navigator.userAgent.slice(0, 512),
+      origin: this.host.kind,
+      pilot: this.study.pilot,
+    });
+    await this.store.append(message);
+    askForPersistence();
+    return this.#takePlace([message]);
+  }
+
+  /** With an enrolment that is kept here, and perhaps not yet known to the host. */
+  async #takePlace(messages) {
+    let identity = await this.store.fact("identity");
+    if (!identity) {
+      identity = await persistently(() => this.host.enrol(messages[0]), this.away);
+      await this.store.keepFact("identity", identity);
+    }
+    this.host.identity.secret = identity.secret;
+    this.stream.participant = identity.participant;
+    const served = this.host.kind === "serve";
+    const there = served && messages.length > 1 ? await persistently(() => this.host.where(), this.away) : null;
+    const known = (await this.store.fact("acknowledged")) ?? (served ? 1 : 0);
+    this.courier = makeCourier({
+      store: this.store,
+      host: this.host,
+      stream: this.stream,
+      messages,
+      acknowledged: there ? Math.min(known, Math.max(1, there.next_sequence)) : known,
+      away: this.away,
+    });
+    await this.courier.send();
+    const answered = messages.filter((message) => message.kind === "answer").length;
+    if (this.study.adaptive) {
+      const due = await this.#placeNext();
+      return placedTrials(due, answered, this.study.most_trials);
+    }
+    const file = "orders/" + String(identity.slot).padStart(4, "0") + ".json";
+    return plannedTrials(await persistently(() => loadJson(file), this.away), answered);
+  }
+
+  /** Begins, or goes on where the kept messages end. */
+  async begin() {
+    const messages = await this.store.messages();
+    setTextSize(this, (await this.store.fact("text_size")) ?? 1);
+    const known = progressOf(messages);
+    if (!known.enrolled) {
+      this.visit = beginVisit(this.script);
+      return;
+    }
+    const trials = await this.#takePlace(messages);
+    if (known.completed) {
+      this.visit = { ...beginVisit(this.script), screen: { name: "thanks" } };
+      return;
+    }
+    await this.courier.deliver("begin", { user_agent: navigator.userAgent.slice(0, 512) });
+    this.visit = resumeVisit(this.script, { ...known, trials });
+    if (this.visit.pending) this.#keepPending();
+    if (this.visit.screen.name === "display") await this.confirmKnownDisplay();
+  }
+
+  /** A screen that was measured before is not measured again. */
+  async confirmKnownDisplay() {
+    const profile = await this.store.fact("display " + screenKey());
+    if (profile) this.step({ type: "display_confirmed", facts: displayFacts(this, profile) });
+  }
+
+  keepProfile(key, profile) {
+    this.store.keepFact("display " + key, profile).catch(() => {});
+  }
+  keepTextSize(scale) {
+    this.store.keepFact("text_size", scale).catch(() => {});
+    this.guard.look();
+  }
+
+  // The end.
+
+  /** Everything of this visit as a file; returns its name. */
+  async saveAnswers() {
+    const messages = await this.store.messages();
+    const text = messages.map((message) => JSON.stringify(message) + "\n").join("");
+    const name = this.stream.participant + ".jsonl";
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], { type: "application/x-ndjson" }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    this.saved = true;
+    return name;
+  }
+
+  finished() {
+    if (this.visit.screen.name === "thanks") this.host.leave();
+  }
+}
+
+const whatWasAnswered = ({ trial, answer }) => ({
+  kind: trial.kind,
+  stimulus_id: trial.stimulus_id,
+  chosen_index: answer.chosen_index,
+  rating: answer.rating,
+  choice_ns: answer.choice_ns,
+  rating_ns: answer.rating_ns,
+});
+
+const SCREENS = {
+  consent: pages.drawConsent,
+  form: drawForm,
+  display: drawDisplay,
+  instructions: pages.drawInstructions,
+  training: drawTraining,
+  feedback: drawFeedback,
+  ready: pages.drawReady,
+  trial: drawStudyTrial,
+  break: pages.drawBreak,
+  pause: pages.drawPause,
+  thanks: pages.drawThanks,
+  declined: pages.drawDeclined,
+  stopped: pages.drawStopped,
+};
+
+/** One plugin a screen; jsPsych goes round them until the visit is over, which it never says: the last page stays. */
+function timelineOf(app) {
+  return [
+    {
+      timeline: Object.entries(SCREENS).map(([name, draw]) => ({
+        timeline: [{ type: screenPlugin(app, name, draw) }],
+        conditional_function: () => app.visit.screen.name === name,
+      })),
+      loop_function: () => true,
+    },
+  ];
+}
+
+function listenToKeys(app) {
+  // A key that is held down is never an answer.
+  document.addEventListener(
+    "keydown",
+    (event) => {
+      if (event.repeat && (event.key === "Enter" || event.key === " ")) event.preventDefault();
+      if (event.key !== "Escape" || event.repeat) return;
+      if (app.visit.screen.name === "pause") return app.step({ type: "continued" });
+      if (sessionOnScreen(app.visit) || ["instructions", "feedback", "ready", "break"].includes(app.visit.screen.name)) {
+        app.note("pause", "", event.timeStamp);
+        app.step({ type: "pause_begun" });
+      }
+    },
+    true
+  );
+  addEventListener("beforeunload", (event) => {
+    const unsaved = app.host.kind === "static" && app.visit.screen.name === "thanks" && !app.saved;
+    if (unsaved) event.preventDefault();
+  });
+}
+
+async function main() {
+  const study = readStudy(await loadJson("study.json"));
+  document.documentElement.lang = study.language;
+  document.documentElement.dir = direction(study.language);
+  document.title = study.title;
+  if (study.font) {
+    const font = await new FontFace("study", "url(" + study.font + ")").load();
+    document.fonts.add(font);
+  }
+  const reason = unfit(study);
+  if (reason !== null) return refuse(study, reason);
+
+  const name = ["seamline", study.set_hash.slice(0, 16), study.study_hash.slice(0, 16), token ?? addressed.get("visit") ?? ""];
+  if (!(await onlyTab(name.join(" ")))) return refuse(study, study.texts.online_tabs);
+  let store;
+  try {
+    store = await openStore(name.join(" "));
+  } catch (error) {
+    return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
+  }
+  const identity = { token, secret: null };
+  let app = null;
+  const away = (is) => {
+    statusLine.textContent = is ? study.texts.online_away : "";
+    statusLine.hidden = !is;
+  };
+  const host = await persistently(() => findHost(study, identity), away);
+  if (study.adaptive && host.kind !== "serve") throw new Refused("this study needs its own server (seamline serve)");
+  host.identity = identity;
+  app = new Study(study, store, host);
+  globalThis.seamline = app; // for tests, and for who looks
+  try {
+    await app.begin();
+  } catch (error) {
+    app.visit ??= beginVisit(app.script);
+    app.failed(error);
+  }
+  listenToKeys(app);
+  const jsPsych = globalThis.initJsPsych({ display_element: "study", use_webaudio: false });
+  document.getElementById("wait").remove();
+  await jsPsych.run(timelineOf(app));
+}
+
+main().catch((error) => {
+  const wait = document.getElementById("wait");
+  if (wait) wait.textContent = "This page could not be loaded: " + error.message;
+  else statusLine.textContent = error.message;
+  throw error;
+});

@@ -1,0 +1,155 @@
+#include "study/online/page/web_export.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "study/online/page/web_study.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/files/confined_path.h"
+#include "support/files/temporary_folder.h"
+#include "support/running/interrupt.h"
+#include "support/text/error.h"
+#include "support/text/limits.h"
+
+namespace seamline::study::online {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int usual_slots = 200;
+
+std::string study_file_name(const RenderedSet& set) {
+  return (set.folder / set.manifest.study_file).string();
+}
+
+void check_request(const RenderedSet& set, const WebRequest& request) {
+  if (!request.pilot && is_default_consent(set.study.consent))
+    throw input_error({.file = study_file_name(set),
+                       .field = "consent.text",
+                       .wanted = "your own consent text (for a trial run with the shipped one use --pilot)",
+                       .found = "the shipped template"});
+  const bool adaptive = std::holds_alternative<QuestPlusDefinition>(set.study.procedure);
+  if (adaptive && !request.serve)
+    throw input_error({.file = study_file_name(set),
+                       .field = "procedure",
+                       .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
+                                 "--serve `seamline serve` will)",
+                       .found = "\"quest_plus\""});
+  if (adaptive && request.slots)
+    throw input_error({.field = "--slots",
+                       .wanted = "no slots, because a server places the trials of an adaptive study",
+                       .found = fmt::format("{}", *request.slots)});
+  const int orders = set.study.session.orders;
+  if (orders > 0 && request.slots && *request.slots > orders)
+    throw input_error({.field = "--slots",
+                       .wanted = fmt::format("at most {}, the orders of the study (session.orders)", orders),
+                       .found = fmt::format("{}", *request.slots)});
+}
+
+void check_place(const fs::path& folder) {
+  std::error_code error;
+  const bool is_free = !fs::exists(fs::symlink_status(folder, error)) ||
+                       (fs::is_directory(folder, error) && fs::is_empty(folder, error));
+  if (!is_free)
+    throw input_error({.file = folder.string(),
+                       .wanted = "a folder that is empty or not there yet",
+                       .found = "something of that name"});
+}
+
+int slots_of(const RenderedSet& set, const WebRequest& request) {
+  if (request.slots) return *request.slots;
+  return set.study.session.orders > 0 ? set.study.session.orders : usual_slots;
+}
+
+/// Without the line that sends debuggers to a map elsewhere: nothing of the page leaves the host.
+std::string without_source_map(std::string script) {
+  const std::size_t at = script.rfind("\n//# sourceMappingURL=");
+  return at == std::string::npos ? script : script.substr(0, at + 1);
+}
+
+/// The page itself: what is the same for every study.
+void add_page(WebFiles& files) {
+  const fs::path folder = web_page_folder();
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "jspsych.js", error) ||
+      !fs::is_regular_file(folder / "index.html", error))
+    throw input_error(
+        {.field = "--web",
+         .wanted = "a seamline that was built with its page (SEAMLINE_WEB, which needs jsPsych)",
+         .found = "one without"});
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).generic_string());
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) files.add(name, without_source_map(read_file(folder / name)));
+}
+
+fs::path beside_study(const RenderedSet& set, const std::string& name, const char* field) {
+  return path_below(set.folder, name, {.file = study_file_name(set), .field = field});
+}
+
+std::string add_font(const RenderedSet& set, WebFiles& files) {
+  const std::string& name = set.study.session.font;
+  if (name.empty()) return {};
+  return files.add_by_content("fonts", read_file(beside_study(set, name, "session.font")),
+                              lower_case_ending(name));
+}
+
+std::vector<std::vector<std::string>> add_instruction_pictures(const RenderedSet& set, WebFiles& files) {
+  std::vector<std::vector<std::string>> pages;
+  for (const InstructionPage& page : set.study.instructions) {
+    std::vector<std::string>& names = pages.emplace_back();
+    for (const std::string& name : page.pictures) {
+      const std::string bytes =
+          read_file(beside_study(set, name, "instructions"), limits::largest_picture_file_bytes);
+      names.push_back(files.add_by_content("instructions", bytes, lower_case_ending(name)));
+    }
+  }
+  return pages;
+}
+
+}  // namespace
+
+WebSummary export_web(const WebRequest& request) {
+  const RenderedSet set = load_rendered_set(request.set_folder);
+  check_request(set, request);
+  const fs::path target = fs::absolute(request.out_folder).lexically_normal();
+  const fs::path out = target.has_filename() ? target : target.parent_path();  // "dir/" is dir
+  check_place(out);
+  fs::create_directories(out.parent_path());
+  const TemporaryFolder work(out);
+  const fs::path folder = work / "web";
+  fs::create_directory(folder);
+
+  WebFiles files(folder);
+  add_page(files);
+  const TrialRules rules = make_trial_rules(set);
+  const WebPictures pictures = add_pictures(set, files);
+  const int slots = rules.quest_plus ? 0 : slots_of(set, request);
+  for (int slot = 0; slot < slots; ++slot) {
+    stop_if_interrupted();
+    files.add(order_file(slot), order_text(set, pictures, decided_trials(rules, slot, {})));
+  }
+  const std::string font = add_font(set, files);
+  const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);
+  files.add("study.json", web_study_text({.set = set,
+                                          .rules = rules,
+                                          .pictures = pictures,
+                                          .files = files.files(),
+                                          .slots = slots,
+                                          .pilot = request.pilot,
+                                          .font = font,
+                                          .instruction_files = instructions}));
+  write_file_atomically(folder / "files.json", files.index_text());
+  publish_folder(folder, out);
+
+  WebSummary summary{.slots = slots,
+                     .pictures = static_cast<int>(pictures.map.size()),
+                     .files = static_cast<int>(files.files().size()) + 1};
+  for (const auto& [name, file] : files.files()) summary.bytes += file.bytes;
+  return summary;
+}
+
+}  // namespace seamline::study::online

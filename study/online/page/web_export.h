@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace seamline::study::online {
+
+/// What `seamline export SET --web DIR` asks for.
+struct WebRequest {
+  std::filesystem::path set_folder = {};
+  std::filesystem::path out_folder = {};  ///< not there yet, or empty
+  std::optional<int> slots = {};          ///< orders that participants get; none: the study's, else 200
+  bool serve = false;                     ///< only `seamline serve` will host it: it may place trials
+  bool pilot = false;                     ///< everybody is a trial run
+};
+
+struct WebSummary {
+  int slots = 0;  ///< 0 where a server places the trials
+  int pictures = 0;
+  int files = 0;
+  std::int64_t bytes = 0;
+};
+
+/// Writes a folder that shows the study in a browser: whole or not at all, the same bytes for the same set,
+/// request and program. Throws InputError when the program was built without the page, the set is not whole,
+/// the shipped consent text would be shown to somebody who is no pilot, the study is adaptive and `serve` is
+/// not asked for, there are more slots than orders, or the folder holds something.
+[[nodiscard]] WebSummary export_web(const WebRequest& request);
+
+}  // namespace seamline::study::online

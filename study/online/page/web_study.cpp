@@ -1,0 +1,169 @@
+#include "study/online/page/web_study.h"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "study/online/page/web_format.h"
+#include "study/trials/trial_picture.h"
+#include "study/visit/visit_script.h"
+#include "support/files/hash.h"
+
+namespace seamline::study::online {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string& id_of(const RenderedSet& set, int stimulus) {
+  return set.manifest.stimuli.at(static_cast<std::size_t>(stimulus)).id;
+}
+
+Json trial_json(const RenderedSet& set, const WebPictures& pictures, const Trial& trial) {
+  return {{"kind", word(trial.kind)},
+          {"stimulus_id", id_of(set, trial.stimulus)},
+          {"picture", pictures.file.at({trial.kind, trial.stimulus})}};
+}
+
+Json texts_json(const StudyDefinition& study) {
+  Json texts = Json::object();
+  for (const PhraseEntry& entry : every_phrase())
+    texts[std::string(entry.key)] = phrase_text(study.texts, entry.phrase);
+  return texts;
+}
+
+Json form_json(const std::vector<FormField>& form) {
+  Json fields = Json::array();
+  for (const FormField& field : form) {
+    Json json = {{"name", field.name}, {"label", field.label}, {"required", field.required}};
+    if (const auto* number = std::get_if<NumberField>(&field.kind)) {
+      json["kind"] = "number";
+      json["least"] = number->least;
+      json["most"] = number->most;
+      json["whole"] = number->whole;
+    } else {
+      json["kind"] = "choice";
+      json["options"] = std::get<ChoiceField>(field.kind).options;
+    }
+    fields.push_back(std::move(json));
+  }
+  return fields;
+}
+
+Json instructions_json(const WebStudy& web) {
+  Json pages = Json::array();
+  for (std::size_t i = 0; i < web.set.study.instructions.size(); ++i)
+    pages.push_back(
+        {{"text", web.set.study.instructions[i].text}, {"pictures", web.instruction_files.at(i)}});
+  return pages;
+}
+
+Json training_json(const WebStudy& web, const VisitScript& script) {
+  Json trials = Json::array();
+  for (std::size_t i = 0; i < script.training.size(); ++i) {
+    Json trial = {{"training_index", i}};
+    trial.update(trial_json(web.set, web.pictures, script.training[i]));
+    trial["right_index"] = script.training_right[i];
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+Json stimuli_json(const WebStudy& web) {
+  Json stimuli = Json::array();
+  for (std::size_t i = 0; i < web.set.manifest.stimuli.size(); ++i) {
+    const std::string& file = web.pictures.file.at({TrialKind::stimulus, static_cast<int>(i)});
+    stimuli.push_back({{"id", web.set.manifest.stimuli[i].id},
+                       {"file", file},
+                       {"sha256", web.files.at(file).sha256},
+                       {"width_px", web.set.manifest.width_px},
+                       {"height_px", web.set.manifest.height_px}});
+  }
+  return stimuli;
+}
+
+Json catches_json(const WebStudy& web) {
+  Json catches = Json::array();
+  for (const auto& [trial, file] : web.pictures.file)
+    if (trial.first != TrialKind::stimulus)
+      catches.push_back(trial_json(web.set, web.pictures, {.kind = trial.first, .stimulus = trial.second}));
+  return catches;
+}
+
+Json pictures_json(const WebStudy& web) {
+  Json pictures = Json::array();
+  for (const auto& [file, map] : web.pictures.map)
+    pictures.push_back({{"file", file},
+                        {"sha256", web.files.at(file).sha256},
+                        {"bytes", web.files.at(file).bytes},
+                        {"width_px", web.set.manifest.width_px},
+                        {"height_px", web.set.manifest.height_px},
+                        {"map", map}});
+  return pictures;
+}
+
+int most_trials_of_a_participant(const TrialRules& rules) {
+  const std::vector<Trial> decided = decided_trials(rules, 0, {});
+  return study::most_trials(trial_sequence(rules, {.slot = 0, .trials = decided, .answers = {}}));
+}
+
+}  // namespace
+
+std::string web_study_text(const WebStudy& web) {
+  const StudyDefinition& study = web.set.study;
+  const VisitScript script = make_visit_script(web.set);
+  const Json json = {
+      {"format", web_format},
+      {"study_hash", web.set.manifest.study_hash},
+      {"set_hash", web.set.set_hash},
+      {"study_name", study.name},
+      {"title", study.name},
+      {"language", study.session.language},
+      {"pilot", web.pilot},
+      {"adaptive", web.rules.quest_plus != nullptr},
+      {"slots", web.slots},
+      {"orders", order_file(0)},
+      {"most_trials", most_trials_of_a_participant(web.rules)},
+      {"width_px", web.set.manifest.width_px},
+      {"height_px", web.set.manifest.height_px},
+      {"text_scale", study.session.text_scale},
+      {"font", web.font},
+      {"consent",
+       {{"text", study.consent.text},
+        {"accept", study.consent.accept},
+        {"decline", study.consent.decline},
+        {"sha256", sha256(study.consent.text)}}},
+      {"form", form_json(study.form)},
+      {"instructions", instructions_json(web)},
+      {"question", study.session.question},
+      {"rating_question", study.session.rating_question},
+      {"rating_labels", study.session.rating_labels},
+      {"feedback_right", study.training.feedback_right},
+      {"feedback_wrong", study.training.feedback_wrong},
+      {"pace",
+       {{"inter_trial_ns", script.pace.inter_trial_ns},
+        {"minimum_viewing_ns", script.pace.minimum_viewing_ns},
+        {"break_every_trials", script.pace.break_every_trials}}},
+      {"texts", texts_json(study)},
+      {"training", training_json(web, script)},
+      {"stimuli", stimuli_json(web)},
+      {"catches", catches_json(web)},
+      {"pictures", pictures_json(web)},
+  };
+  return json.dump(1) + "\n";
+}
+
+std::string order_text(const RenderedSet& set, const WebPictures& pictures, std::span<const Trial> trials) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    Json trial = {{"trial_index", i}};
+    trial.update(trial_json(set, pictures, trials[i]));
+    text += (i == 0 ? "\n" : ",\n") + trial.dump();
+  }
+  return text + "\n]\n";
+}
+
+std::string order_file(int slot) {
+  return fmt::format("orders/{:04}.json", slot);
+}
+
+}  // namespace seamline::study::online

@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "study/online/page/web_pictures.h"
+#include "study/trials/participant_trials.h"
+#include "study/trials/rendered_set.h"
+
+namespace seamline::study::online {
+
+/// What of a page is not in the set.
+struct WebStudy {
+  const RenderedSet& set;
+  const TrialRules& rules;
+  const WebPictures& pictures;
+  const std::map<std::string, WebFile>& files;  ///< of the pictures, at least
+  int slots = 0;
+  bool pilot = false;
+  std::string font = {};                                         ///< its file; empty: none
+  std::vector<std::vector<std::string>> instruction_files = {};  ///< by page
+};
+
+/// `study.json`: everything that the page shows and asks, without right answers but those of the practice.
+[[nodiscard]] std::string web_study_text(const WebStudy& web);
+
+/// `orders/SLOT.json`: the trials of a slot, as the window has them.
+[[nodiscard]] std::string order_text(const RenderedSet& set, const WebPictures& pictures,
+                                     std::span<const Trial> trials);
+
+/// `orders/0000.json` of slot 0.
+[[nodiscard]] std::string order_file(int slot);
+
+}  // namespace seamline::study::online

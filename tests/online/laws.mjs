@@ -1,0 +1,66 @@
+// Laws of the page's parts that need no browser.   laws.mjs WEB_FOLDER
+import assert from "node:assert/strict";
+import { importCore } from "./replay.mjs";
+
+const web = process.argv[2];
+const { drawCode, drawSlot, drawUuid, makeMessage, progressOf } = await importCore(web, "messages.js");
+const { direction, fillIn } = await importCore(web, "texts.js");
+const { bracketBars, objectAt, placeTrial, unpackMap } = await importCore(web, "place.js");
+const { next, resumeVisit } = await importCore(web, "visit.js");
+
+// Names: of the right form, and never the same twice.
+const uuids = new Set(Array.from({ length: 2000 }, () => drawUuid()));
+assert.equal(uuids.size, 2000);
+for (const uuid of uuids) assert.match(uuid, /^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/);
+const codes = new Set(Array.from({ length: 2000 }, () => drawCode()));
+assert.equal(codes.size, 2000);
+for (const code of codes) assert.match(code, /^w-[a-z2-7]{16}$/);
+
+// A slot: every one equally likely; a draw from the incomplete last stretch is drawn again.
+const tally = new Array(7).fill(0);
+for (let i = 0; i < 14000; ++i) ++tally[drawSlot(7)];
+const chi2 = tally.reduce((sum, n) => sum + (n - 2000) ** 2 / 2000, 0);
+assert.ok(chi2 < 33, "chi-squared " + chi2); // 6 degrees of freedom, 1 in 100,000
+const draws = [2 ** 32 - 1, 8];
+assert.equal(drawSlot(7, () => draws.shift()), 1);
+
+// Words.
+assert.equal(fillIn("{done} of {all} {unknown}", { done: 0, all: 5 }), "0 of 5 {unknown}");
+for (const [language, wanted] of [["en", "ltr"], ["ar", "rtl"], ["he-IL", "rtl"], ["FA", "rtl"], ["az-Arab", "rtl"], ["pt-BR", "ltr"], ["ks-Latn", "ltr"]])
+  assert.equal(direction(language), wanted, language);
+
+// Places, as the window computes them.
+const place = placeTrial({ width: 1001, height: 700 }, { width: 400, height: 240 }, 18);
+assert.deepEqual([place.x, place.y, place.questions_y, place.fits], [300, 176, 416, true]);
+assert.equal(placeTrial({ width: 1000, height: 347 }, { width: 400, height: 240 }, 18).fits, false);
+assert.equal(placeTrial({ width: 400, height: 348 }, { width: 400, height: 240 }, 18).fits, true);
+const map = unpackMap({ width_px: 4, height_px: 2, frames: [], runs: [3, 0, 2, 1, 3, 2] });
+assert.deepEqual([objectAt(map, 3.9, 0), objectAt(map, 0, 1.9), objectAt(map, 1, 1), objectAt(map, 4, 0), objectAt(map, -0.1, 0)], [1, 1, 2, 0, 0]);
+assert.equal(bracketBars({ x: 10, y: 10, width: 60, height: 40 }).length, 8);
+assert.deepEqual(bracketBars({ x: 10, y: 10, width: 60, height: 40 })[0], [10, 10, 13, 3]);
+assert.deepEqual(bracketBars({ x: 0, y: 0, width: 0, height: 0 }), []);
+
+// Progress: what the kept messages say is what happened.
+const stream = { study_hash: "s", set_hash: "t", participant: "w-a" };
+const kinds = [["enrol", {}], ["form", {}], ["training", {}], ["event", { kind: "shown", detail: "practice" }]];
+const messages = kinds.map(([kind, body], at) => makeMessage(stream, at, kind, body));
+assert.deepEqual(progressOf(messages), { enrolled: true, form_done: true, trained: 1, answered: 0, begun: false, completed: false });
+messages.push(makeMessage(stream, 4, "event", { kind: "shown", detail: "" }), makeMessage(stream, 5, "answer", {}));
+assert.deepEqual([progressOf(messages).begun, progressOf(messages).answered], [true, 1]);
+
+// Who comes again goes on where they were, behind a pause, and repeats nothing.
+const script = { form: [], instruction_pages: 1, training: [{ right_index: 1 }, { right_index: 2 }], pace: { break_every_trials: 0, minimum_viewing_ns: 0, inter_trial_ns: 0 } };
+const order = [{}, {}, {}];
+const come = (answered, trained, begun) => {
+  const visit = resumeVisit(script, { form_done: true, trained, begun, trials: { order, answered, most: 3 } });
+  const shown = next(visit, { type: "display_confirmed", facts: {} });
+  return shown.pending ? next(shown, { type: "record_stored" }) : shown;
+};
+assert.deepEqual(come(1, 2, true).screen, { name: "pause", below: { name: "trial" } });
+assert.equal(next(come(1, 2, true), { type: "continued" }).session.trials.answered, 1);
+assert.deepEqual(come(0, 1, false).screen, { name: "pause", below: { name: "training" } });
+assert.deepEqual(come(0, 2, false).screen, { name: "pause", below: { name: "ready" } });
+assert.deepEqual(come(0, 0, false).screen, { name: "instructions", page: 0 });
+const over = resumeVisit(script, { form_done: true, trained: 2, begun: true, trials: { order, answered: 3, most: 3 } });
+assert.equal(over.pending.kind, "completion");
+console.log("the page's parts keep their laws");

@@ -1,0 +1,57 @@
+// Replays the window's visits in the page's own state machine, and compares after every event.
+//   replay.mjs WEB_FOLDER VISITS.json     (tests/online/web_visit_test.cpp writes them)
+import assert from "node:assert/strict";
+import { copyFileSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+/** The page's modules, where Node takes .js for modules. */
+export async function importCore(web, name) {
+  const folder = mkdtempSync(join(tmpdir(), "seamline-core-"));
+  writeFileSync(join(folder, "package.json"), '{"type":"module"}');
+  for (const file of readdirSync(join(web, "core"))) copyFileSync(join(web, "core", file), join(folder, file));
+  return import(pathToFileURL(join(folder, name)));
+}
+
+function nameOfScreen({ name, page, problems, chosen_index }) {
+  if (name === "form") return "form " + problems.length;
+  if (name === "instructions") return "instructions " + page;
+  return name === "feedback" ? "feedback " + chosen_index : name;
+}
+
+function nameOfPhase(phase) {
+  const { name, answer } = phase;
+  if (name === "rating") return ["rating", phase.chosen_index, phase.choice_ns].join(" ");
+  if (name !== "storing") return name;
+  return ["storing", answer.trial_index, answer.chosen_index, answer.rating, answer.choice_ns, answer.rating_ns].join(" ");
+}
+
+function nameOfRecord(record) {
+  if (record === null) return "nothing";
+  return record.kind === "form" ? "form " + record.answers.length : record.kind;
+}
+
+function stateOf({ screen, pending, training, session }) {
+  const own = session === null ? "none" : nameOfPhase(session.phase) + " " + session.trials.answered;
+  const practice = nameOfPhase(training.phase) + " " + training.trials.answered;
+  return [nameOfScreen(screen), nameOfRecord(pending), practice, own].join(" | ");
+}
+
+if (process.argv[1].endsWith("replay.mjs")) {
+  const [, , web, file] = process.argv;
+  const { beginVisit, next } = await importCore(web, "visit.js");
+  const { script, trials, visits } = JSON.parse(readFileSync(file, "utf8"));
+  const order = Array.from({ length: trials }, (_, at) => ({ stimulus_id: String(at) }));
+  let events = 0;
+  for (const steps of visits) {
+    let visit = beginVisit(script);
+    steps.forEach(([event, state], at) => {
+      const whole = event.type === "enrolled" ? { ...event, trials: { order, answered: 0, most: trials } } : event;
+      visit = next(visit, whole);
+      ++events;
+      assert.equal(stateOf(visit), state, "after event " + at + ": " + JSON.stringify(event));
+    });
+  }
+  console.log("%d visits, %d events", visits.length, events);
+}

@@ -1,0 +1,131 @@
+// Sessions that are broken off at random instants: reloads, closed tabs, a killed browser, a network that is cut, hosts
+// that fail. No acknowledged answer is lost, none is there twice, and a finished stream has no gap.
+//   robust.mjs COUNT     disruptions in all (default 60)
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fakeServe, jatosHost, staticHost } from "./hosts.mjs";
+import { act, look, openBrowser } from "./person.mjs";
+import { checkWhole, messagesOf } from "./stream.mjs";
+
+const work = process.env.SEAMLINE_ONLINE_WORK;
+const folder = join(work, "tiny-page");
+const count = Number(process.argv[2] ?? 60);
+const tally = { reload: 0, close: 0, kill: 0, network: 0, host: 0 };
+let sessions = 0;
+let acknowledged = 0;
+let resent = 0;
+
+const HOSTS = {
+  serve: () => fakeServe(folder, { trouble: 0.1 }),
+  jatos: () => jatosHost(folder, 0.15),
+  static: () => staticHost(folder),
+};
+
+/** What the browser keeps, as lines. */
+const kept = (page) =>
+  page.evaluate(async () => (await globalThis.seamline.store.messages()).map((message) => JSON.stringify(message)));
+
+async function session(kind) {
+  const host = await HOSTS[kind]();
+  const profile = mkdtempSync(join(work, "browser-"));
+  let browser = await openBrowser(profile);
+  let page = browser.pages()[0];
+  let most = 0; // answers that the page has shown as acknowledged
+  let participant = "";
+  let here = 0;
+  const open = async () => {
+    page.on("dialog", (dialog) => dialog.accept().catch(() => {}));
+    await page.goto(host.address, { waitUntil: "commit" });
+  };
+
+  const disrupt = {
+    reload: () => page.reload({ waitUntil: "commit" }),
+    async close() {
+      const next = await browser.newPage();
+      await page.close({ runBeforeUnload: Math.random() < 0.5 });
+      page = next;
+      await open();
+    },
+    async kill() {
+      // The browser's own process, by its profile's lock: as a crash would end it.
+      const before = browser;
+      const pid = Number((await import("node:fs")).readlinkSync(join(profile, "SingletonLock")).split("-").pop());
+      process.kill(pid, "SIGKILL");
+      await before.close().catch(() => {});
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      browser = await openBrowser(profile);
+      page = browser.pages()[0];
+      await open();
+    },
+    async network() {
+      await browser.setOffline(true);
+      await page.waitForTimeout(50 + Math.random() * 900);
+      await browser.setOffline(false);
+    },
+    async host() {
+      const usual = host.trouble;
+      host.trouble = 1;
+      await page.waitForTimeout(50 + Math.random() * 700);
+      host.trouble = usual;
+    },
+  };
+  const kinds = ["reload", "reload", "reload", "reload", "close", "close", "network", "network"];
+  if (kind !== "static") kinds.push("host");
+  if (sessions % 4 === 0) kinds.push("kill");
+
+  try {
+    await open();
+    let dueAt = Date.now() + Math.random() * 900;
+    const end = Date.now() + 240000;
+    for (;;) {
+      assert.ok(Date.now() < end, "the session does not end: " + JSON.stringify(await look(page).catch(String)));
+      const seen = await look(page).catch(() => null);
+      if (seen?.participant) participant = seen.participant;
+      if (seen && seen.screen !== "loading") most = Math.max(most, seen.answered);
+      if (seen?.screen === "stopped") assert.fail("stopped: " + seen.message);
+      if (seen?.screen === "thanks") break;
+      if (Date.now() >= dueAt && here < 14) {
+        const what = kinds[Math.floor(Math.random() * kinds.length)];
+        ++tally[what];
+        ++here;
+        await disrupt[what]().catch((error) => {
+          if (!/net::|closed|Target|interrupted|ERR_/.test(String(error))) throw error;
+        });
+        dueAt = Date.now() + 100 + Math.random() * 1400;
+        continue;
+      }
+      if (seen) await act(page, seen, { mouse: Math.random() < 0.3 }).catch(() => {});
+      await page.waitForTimeout(10).catch(() => {});
+    }
+    const own = await kept(page);
+    const lines = kind === "static" ? own : host.lines;
+    const messages = messagesOf(lines, participant);
+    const { slot } = messages[0].body;
+    const order = JSON.parse(readFileSync(join(folder, "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
+    const answers = checkWhole(messages, order);
+    assert.ok(answers.length >= most);
+    assert.equal(own.length, messages.length, "kept here and stored there");
+    acknowledged += answers.length;
+    resent += lines.length - messages.length;
+    ++sessions;
+  } finally {
+    await browser.close().catch(() => {});
+    await host.stop();
+  }
+}
+
+const done = () => Object.values(tally).reduce((sum, one) => sum + one, 0);
+let failed = 0;
+for (let turn = 0; done() < count && failed === 0; ++turn) {
+  const kind = Object.keys(HOSTS)[turn % 3];
+  try {
+    await session(kind);
+    console.log("ok      %s; %d disruptions so far", kind, done());
+  } catch (error) {
+    ++failed;
+    console.log("FAILED  %s\n%s", kind, error.stack);
+  }
+}
+console.log("%d sessions, %d disruptions (%s), %d answers, %d lines arrived again", sessions, done(), JSON.stringify(tally), acknowledged, resent);
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,237 @@
+// Whole sessions by real clicks and keys, on the three hosts that a page can have.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fakeServe, jatosHost, staticHost } from "./hosts.mjs";
+import { actUntil, look, openBrowser } from "./person.mjs";
+import { checkWhole, messagesOf } from "./stream.mjs";
+
+const work = process.env.SEAMLINE_ONLINE_WORK;
+const folderOf = (study) => join(work, study + "-page");
+const orderOf = (study, slot) =>
+  JSON.parse(readFileSync(join(folderOf(study), "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
+
+/** A browser of its own for a visit; fails when the page complained or asked anybody else for anything. */
+async function visiting(address, work_with, options = {}) {
+  const browser = await openBrowser(mkdtempSync(join(work, "browser-")), options);
+  const complaints = [];
+  try {
+    const page = browser.pages()[0] ?? (await browser.newPage());
+    page.on("pageerror", (error) => complaints.push(String(error)));
+    page.on("console", (message) => {
+      const expected = /Failed to load resource/.test(message.text()); // host.json of a static host, failures of a bad one
+      if (message.type() === "error" && !expected) complaints.push(message.text());
+    });
+    page.on("request", (request) => {
+      if (!request.url().startsWith(new URL(address).origin) && !request.url().startsWith("blob:")) complaints.push(request.url());
+    });
+    page.on("dialog", (dialog) => dialog.accept());
+    await page.goto(address);
+    const result = await work_with(page, browser);
+    assert.deepEqual(complaints, []);
+    return result;
+  } finally {
+    await browser.close();
+  }
+}
+
+const tests = {
+  async "a static host: by the mouse, and the answers as a file"() {
+    const host = await staticHost(folderOf("tiny"));
+    await visiting(host.address, async (page) => {
+      const seen = await actUntil(page, ["thanks"], { mouse: true });
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+      assert.equal(download.suggestedFilename(), seen.participant + ".jsonl");
+      assert.match(seen.participant, /^w-[a-z2-7]{16}$/);
+      const messages = messagesOf(readFileSync(await download.path(), "utf8").trimEnd().split("\n"), seen.participant);
+      assert.equal(messages[0].body.origin, "static");
+      checkWhole(messages, orderOf("tiny", messages[0].body.slot));
+      // Reopened, it is still over, and the answers can still be saved.
+      await page.reload();
+      await actUntil(page, ["thanks"]);
+      assert.ok(await page.locator("#save").isVisible());
+    });
+    await host.stop();
+  },
+
+  async "an append interface like JATOS that fails at random: by keys alone"() {
+    const host = await jatosHost(folderOf("tiny"), 0.3);
+    await visiting(host.address, async (page) => {
+      const seen = await actUntil(page, ["thanks"], { patience_ms: 120000 });
+      const messages = messagesOf(host.lines, seen.participant);
+      assert.equal(messages[0].body.origin, "jatos");
+      checkWhole(messages, orderOf("tiny", messages[0].body.slot));
+      for (let i = 0; i < 50 && !host.ended; ++i) await page.waitForTimeout(100);
+      assert.ok(host.ended);
+    });
+    console.log("  %d lines appended for %d messages", host.lines.length, new Set(host.lines).size);
+    await host.stop();
+  },
+
+  async "a server that fails at random: by keys alone"() {
+    const host = await fakeServe(folderOf("tiny"), { trouble: 0.3 });
+    await visiting(host.address, async (page) => {
+      const seen = await actUntil(page, ["thanks"], { patience_ms: 120000 });
+      assert.equal(seen.participant, "s-1");
+      checkWhole(messagesOf(host.lines, "s-1"), orderOf("tiny", 0));
+    });
+    await host.stop();
+  },
+
+  async "an adaptive study: the server places the trials"() {
+    const next = (answers, study) => {
+      const { id, file } = study.stimuli[(answers.length * 5) % study.stimuli.length];
+      return answers.length < 7 ? { trial_index: answers.length, kind: "stimulus", stimulus_id: id, picture: file } : null;
+    };
+    const host = await fakeServe(folderOf("adaptive"), { trouble: 0.2, next });
+    await visiting(host.address, async (page) => {
+      await actUntil(page, ["thanks"], { patience_ms: 120000 });
+      assert.equal(checkWhole(messagesOf(host.lines, "s-1"), null).length, 7);
+    });
+    await host.stop();
+  },
+
+  async "who declines leaves nothing behind"() {
+    const host = await fakeServe(folderOf("tiny"), { trouble: 0 });
+    await visiting(host.address, async (page) => {
+      await actUntil(page, ["consent"], {});
+      await page.click("#decline");
+      await page.waitForFunction(() => globalThis.seamline.visit.screen.name === "declined");
+      assert.equal(host.lines.length, 0);
+      await page.reload();
+      await actUntil(page, ["consent"], {});
+    });
+    await host.stop();
+  },
+
+  async "Enter alone agrees to nothing; wrong answers of the form are said and stay"() {
+    const host = await staticHost(folderOf("tiny"));
+    await visiting(host.address, async (page) => {
+      await actUntil(page, ["consent"], {});
+      await page.keyboard.press("Enter");
+      await page.waitForTimeout(200);
+      assert.equal((await look(page)).screen, "consent");
+      await page.click("#accept");
+      await actUntil(page, ["form"], {});
+      await page.locator("#study input.number").fill("seven");
+      await page.click("#submit");
+      await page.waitForTimeout(100);
+      assert.equal((await look(page)).screen, "form");
+      const said = await page.locator(".problem:visible").allTextContents();
+      assert.equal(said.length, 4);
+      assert.match(said[0], /number/);
+      await page.locator("#study input.number").fill("12");
+      assert.match(await page.locator(".problem").first().textContent(), /from 18 to 120/);
+      await page.locator("#study input.number").fill("33");
+      assert.ok(await page.locator(".problem").first().isHidden());
+    });
+    await host.stop();
+  },
+
+  async "a second tab says that there is a first"() {
+    const host = await staticHost(folderOf("tiny"));
+    await visiting(host.address, async (page, browser) => {
+      await actUntil(page, ["form"], {});
+      const second = await browser.newPage();
+      await second.goto(host.address);
+      await second.waitForSelector("#study .card", { timeout: 10000 });
+      assert.match(await second.textContent("#study"), /another tab/);
+      await page.close();
+      await second.reload();
+      await actUntil(second, ["form"], {});
+    });
+    await host.stop();
+  },
+
+  async "without https: no locks and no hashes, and all the same one tab and no answer lost"() {
+    const host = await fakeServe(folderOf("tiny"), { trouble: 0.1 });
+    const address = host.address.replace("localhost", "lab.test");
+    const args = ["--host-resolver-rules=MAP lab.test 127.0.0.1"];
+    await visiting(address, async (page, browser) => {
+      assert.equal(await page.evaluate(() => isSecureContext), false);
+      await actUntil(page, ["trial"], { patience_ms: 120000 });
+      const second = await browser.newPage();
+      await second.goto(address);
+      await second.waitForSelector("#study .card", { timeout: 10000 });
+      assert.match(await second.textContent("#study"), /another tab/);
+      await second.close();
+      await page.reload();
+      await actUntil(page, ["thanks"], { patience_ms: 120000 });
+      const messages = messagesOf(host.lines, "s-1");
+      checkWhole(messages, orderOf("tiny", 0));
+      assert.equal(messages.filter((message) => message.kind === "begin").length, 1);
+    }, { args });
+    await host.stop();
+  },
+
+  async "a window too small, or magnified, takes the picture away, says why, and gives it back"() {
+    const host = await staticHost(folderOf("tiny"));
+    await visiting(host.address, async (page, browser) => {
+      await actUntil(page, ["trial"], {});
+      const choosing = () => page.waitForFunction(() => globalThis.seamline.visit.session.phase.name === "choosing");
+      const guarded = (is) => page.waitForFunction((is) => document.querySelector("#guard").hidden !== is, is);
+      await choosing();
+      const devtools = await browser.newCDPSession(page);
+      const { windowId, bounds } = await devtools.send("Browser.getWindowForTarget");
+      const trouble = {
+        small: [
+          () => devtools.send("Browser.setWindowBounds", { windowId, bounds: { width: bounds.width, height: 360 } }),
+          () => devtools.send("Browser.setWindowBounds", { windowId, bounds: { width: bounds.width, height: bounds.height } }),
+          /The pictures and the questions below them need/,
+        ],
+        zoom: [
+          () => devtools.send("Emulation.setPageScaleFactor", { pageScaleFactor: 1.5 }),
+          () => devtools.send("Emulation.setPageScaleFactor", { pageScaleFactor: 1 }),
+          /zoom/,
+        ],
+      };
+      for (const [name, [begin, end, words]] of Object.entries(trouble)) {
+        await begin();
+        await guarded(true);
+        assert.match(await page.textContent("#guard"), words, name);
+        await page.keyboard.press("2");
+        assert.notEqual((await look(page)).phase, "rating", name);
+        await end();
+        await guarded(false);
+        await choosing();
+      }
+      const kept = await page.evaluate(async () => (await globalThis.seamline.store.messages()).map(({ body }) => body.kind + " " + body.detail));
+      assert.ok(kept.includes("picture_taken small") && kept.includes("picture_taken zoom"), kept.join("; "));
+      await actUntil(page, ["thanks"], {});
+    });
+    await host.stop();
+  },
+
+  async "a pause takes the picture away, and gives it back with a new onset"() {
+    const host = await staticHost(folderOf("tiny"));
+    await visiting(host.address, async (page) => {
+      await actUntil(page, ["trial"], {});
+      await page.waitForFunction(() => globalThis.seamline.visit.session.phase.name === "choosing");
+      await page.keyboard.press("2");
+      await page.keyboard.press("Escape");
+      assert.equal((await look(page)).screen, "pause");
+      await page.click("#leave");
+      assert.match(await page.textContent("#study"), /may close this page/);
+      await page.keyboard.press("Escape");
+      await page.waitForFunction(() => globalThis.seamline.visit.session.phase.name === "choosing");
+      assert.equal((await look(page)).answered, 0);
+    });
+    await host.stop();
+  },
+};
+
+let failed = 0;
+const wanted = process.argv[2] ?? "";
+for (const [name, test] of Object.entries(tests)) {
+  if (!name.includes(wanted)) continue;
+  const begun = Date.now();
+  try {
+    await test();
+    console.log("ok      %s (%s s)", name, ((Date.now() - begun) / 1000).toFixed(1));
+  } catch (error) {
+    ++failed;
+    console.log("FAILED  %s\n%s", name, error.stack);
+  }
+}
+console.log("%d passed, %d failed", Object.keys(tests).length - failed, failed);
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,249 @@
+// The folder that `export --web` writes: whole, the same twice, with the window's trials and no right
+// answers.
+#include "study/online/page/web_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "stimuli/pictures/attention_image.h"
+#include "stimuli/set/manifest_pictures.h"
+#include "study/online/page/web_pictures.h"
+#include "study/trials/participant_trials.h"
+#include "study/trials/trial_picture.h"
+#include "support/files/assets.h"
+#include "support/files/hash.h"
+#include "support/text/error.h"
+#include "tests/app/picture_set.h"
+#include "tests/complaint.h"
+
+namespace seamline::study::online {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+constexpr const char* own_consent = "[consent]\ntext = \"Yours.\"\n";
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path());
+  return files;
+}
+
+class WebExport : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+
+  void SetUp() override {
+    if (!fs::exists(web_page_folder() / "jspsych.js")) GTEST_SKIP() << "built without the page (jsPsych)";
+  }
+  RenderedSet make_set(const std::string& session = {},
+                       const std::string& more = "[catch]\nattention = 2\nreference = 1\n") {
+    return test::write_picture_set(folder / "set", {.width_px = 64,
+                                                    .height_px = 48,
+                                                    .widths = "64, 128",
+                                                    .session = session,
+                                                    .more = own_consent + more});
+  }
+  WebSummary export_to(const std::string& name, WebRequest request = {}) {
+    request.set_folder = folder / "set";
+    request.out_folder = folder / name;
+    if (!request.slots && !request.serve) request.slots = 5;
+    return export_web(request);
+  }
+  std::string complaint_of_export(WebRequest request) {
+    return test::complaint_of([&] { export_to("refused", request); });
+  }
+};
+
+TEST_F(WebExport, TheSameBytesTwiceAndTheListNamesEveryFile) {
+  make_set();
+  const WebSummary summary = export_to("one");
+  export_to("two/");
+  const auto one = files_below(folder / "one");
+  EXPECT_EQ(one, files_below(folder / "two"));
+  EXPECT_EQ(static_cast<int>(one.size()), summary.files);
+  const Json index = Json::parse(one.at("files.json"));
+  EXPECT_EQ(index.at("format"), "seamline-online-1");
+  std::vector<std::string> names;
+  for (const Json& file : index.at("files")) {
+    const std::string& name = names.emplace_back(file.at("name"));
+    EXPECT_EQ(file.at("sha256"), sha256(one.at(name))) << name;
+    EXPECT_EQ(file.at("bytes"), one.at(name).size()) << name;
+  }
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_EQ(names.size() + 1, one.size());
+  for (const char* name :
+       {"index.html", "seamline.js", "seamline.css", "jspsych.js", "jspsych-licence.txt", "study.json"})
+    EXPECT_TRUE(one.contains(name)) << name;
+  // Others may read it, as they may read a web server's files.
+  EXPECT_NE(fs::status(folder / "one").permissions() & fs::perms::others_read, fs::perms::none);
+}
+
+TEST_F(WebExport, ASlotHasTheTrialsThatTheWindowHas) {
+  const RenderedSet set = make_set();
+  export_to("web");
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  EXPECT_EQ(study.at("slots"), 5);
+  EXPECT_EQ(study.at("most_trials"), 9);
+  const TrialRules rules = make_trial_rules(set);
+  for (int slot = 0; slot < 5; ++slot) {
+    const Json order = Json::parse(read_file(folder / "web" / fmt::format("orders/{:04}.json", slot)));
+    const std::vector<Trial> trials = decided_trials(rules, slot, {});
+    ASSERT_EQ(order.size(), trials.size());
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const ManifestStimulus& record = set.manifest.stimuli.at(static_cast<std::size_t>(trials[i].stimulus));
+      EXPECT_EQ(order[i].at("trial_index"), i);
+      EXPECT_EQ(order[i].at("kind"), word(trials[i].kind));
+      EXPECT_EQ(order[i].at("stimulus_id"), record.id);
+      EXPECT_FALSE(order[i].contains("right_index"));
+      // The picture is the trial's, code by code, whoever made its file.
+      const ByteImage shown = read_bytes_image(folder / "web" / order[i].at("picture").get<std::string>());
+      EXPECT_EQ(shown.values, load_trial_picture(set, trials[i]).values);
+    }
+  }
+}
+
+TEST_F(WebExport, StimuliAreTheSetsOwnBytes) {
+  const RenderedSet set = make_set();
+  export_to("web");
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  ASSERT_EQ(study.at("stimuli").size(), set.manifest.stimuli.size());
+  for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
+    const Json& stimulus = study.at("stimuli")[i];
+    EXPECT_EQ(stimulus.at("id"), set.manifest.stimuli[i].id);
+    EXPECT_EQ(stimulus.at("sha256"), set.manifest.stimuli[i].sha256);
+    EXPECT_EQ(sha256_of_file(folder / "web" / stimulus.at("file").get<std::string>()), stimulus.at("sha256"));
+  }
+  // 6 stimuli, 3 attention trials (one an object), 1 reference; all of one scene and so with one map.
+  EXPECT_EQ(study.at("pictures").size(), 10U);
+  for (const Json& picture : study.at("pictures"))
+    EXPECT_EQ(picture.at("map"), study.at("pictures")[0].at("map"));
+  EXPECT_EQ(study.at("catches").size(), 12U);
+}
+
+TEST_F(WebExport, AMapUnpacksToWhatTheWindowClicksOn) {
+  const RenderedSet set = make_set();
+  export_to("web");
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  const Json packed =
+      Json::parse(read_file(folder / "web" / study.at("pictures")[0].at("map").get<std::string>()));
+  const ObjectMap map = make_object_map(load_object_ids(set, {}));
+  std::vector<std::uint8_t> nearest;
+  for (std::size_t run = 0; run + 1 < packed.at("runs").size(); run += 2)
+    nearest.insert(nearest.end(), packed.at("runs")[run].get<std::size_t>(),
+                   packed.at("runs")[run + 1].get<std::uint8_t>());
+  EXPECT_EQ(nearest, map.nearest);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(packed.at("frames")[i].at("x_px"), map.frames.at(i).x_px);
+}
+
+TEST_F(WebExport, EveryWordIsTheStudysAndNothingTellsWhichObjectIsRight) {
+  make_set("question = \"Which?\"\nlanguage = \"pt-BR\"\n",
+           "[texts]\ncontinue = \"Weiter\"\n[training]\ntrials = 2\n");
+  export_to("web");
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  EXPECT_EQ(study.at("question"), "Which?");
+  EXPECT_EQ(study.at("language"), "pt-BR");
+  EXPECT_EQ(study.at("texts").at("continue"), "Weiter");
+  EXPECT_EQ(study.at("texts").at("back"), "Back");
+  EXPECT_EQ(study.at("texts").size(), every_phrase().size());
+  EXPECT_EQ(study.at("consent").at("sha256"), sha256("Yours."));
+  EXPECT_EQ(study.at("form").size(), default_form().size());
+  EXPECT_EQ(study.at("training").size(), 2U);
+  for (const auto& [name, bytes] : files_below(folder / "web"))
+    if (name.ends_with(".json") && name != "study.json") {
+      EXPECT_THAT(bytes, Not(HasSubstr("right_index"))) << name;
+    }
+  EXPECT_FALSE(fs::exists(folder / "web/manifest.json"));
+  EXPECT_FALSE(fs::exists(folder / "web/study.toml"));
+}
+
+TEST_F(WebExport, NothingLeavesTheHost) {
+  make_set();
+  export_to("web");
+  for (const auto& [name, bytes] : files_below(folder / "web")) {
+    if (name == "jspsych.js") {
+      EXPECT_THAT(bytes, Not(HasSubstr("sourceMappingURL")));
+      continue;
+    }
+    if (name.ends_with(".png") || name == "jspsych-licence.txt") continue;
+    std::string text = bytes;
+    const std::string name_of_svg = "\"http://www.w3.org/2000/svg\"";  // a name, not an address
+    if (const std::size_t at = text.find(name_of_svg); at != std::string::npos)
+      text.erase(at, name_of_svg.size());
+    EXPECT_THAT(text, Not(testing::ContainsRegex("https?://"))) << name;
+    EXPECT_THAT(bytes, Not(HasSubstr("innerHTML"))) << name;
+    EXPECT_THAT(bytes, Not(HasSubstr("eval("))) << name;
+  }
+  const std::string page = read_file(folder / "web/index.html");
+  EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'self'; style-src 'self';"));
+  EXPECT_THAT(page, Not(HasSubstr("unsafe")));
+  EXPECT_THAT(page, Not(HasSubstr("style=")));
+}
+
+TEST_F(WebExport, FontAndPicturesOfTheInstructionsComeAlong) {
+  make_set("font = \"own.ttf\"\n", "[[instructions.page]]\ntext = \"Look.\"\npictures = [\"how.png\"]\n");
+  write_file_atomically(folder / "set/own.ttf", "letters");
+  fs::copy_file(folder / "set/room.png", folder / "set/how.png");
+  export_to("web");
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  EXPECT_EQ(read_file(folder / "web" / study.at("font").get<std::string>()), "letters");
+  EXPECT_EQ(study.at("instructions")[0].at("text"), "Look.");
+  EXPECT_EQ(sha256_of_file(folder / "web" / study.at("instructions")[0].at("pictures")[0].get<std::string>()),
+            sha256_of_file(folder / "set/how.png"));
+}
+
+TEST_F(WebExport, WholeOrNotAtAll) {
+  const RenderedSet set = make_set();
+  fs::remove(folder / "set" / set.manifest.stimuli.back().image);
+  EXPECT_THAT(complaint_of_export({}), HasSubstr("no such file"));
+  EXPECT_FALSE(fs::exists(folder / "refused"));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path()))
+    EXPECT_EQ(entry.path().filename(), "set") << "left behind";
+}
+
+TEST_F(WebExport, WhatHoldsSomethingIsNotTouched) {
+  make_set();
+  fs::create_directories(folder / "refused");
+  write_file_atomically(folder / "refused/mine.txt", "mine");
+  EXPECT_THAT(complaint_of_export({}), HasSubstr("empty or not there yet"));
+  EXPECT_EQ(files_below(folder / "refused").size(), 1U);
+  fs::create_directories(folder / "empty");
+  export_to("empty");
+  EXPECT_TRUE(fs::exists(folder / "empty/index.html"));
+}
+
+TEST_F(WebExport, WhatCannotBeShownThereIsRefusedWithOneSentence) {
+  test::write_picture_set(folder / "set", {.width_px = 64, .height_px = 48});
+  EXPECT_THAT(complaint_of_export({}), HasSubstr("consent.text: wanted your own consent text"));
+  EXPECT_EQ(export_to("pilot", {.pilot = true}).slots, 5);
+  EXPECT_TRUE(Json::parse(read_file(folder / "pilot/study.json")).at("pilot"));
+
+  fs::remove_all(folder / "set");
+  make_set("orders = 3\n");
+  EXPECT_THAT(complaint_of_export({.slots = 4}), HasSubstr("--slots: wanted at most 3"));
+  EXPECT_EQ(export_web({.set_folder = folder / "set", .out_folder = folder / "three"}).slots, 3);
+
+  fs::remove_all(folder / "set");
+  test::write_picture_set(folder / "set",
+                          {.width_px = 64,
+                           .height_px = 48,
+                           .top = "procedure = \"quest_plus\"",
+                           .more = std::string(own_consent) + "[quest_plus]\nmax_shows_per_image = 2\n"});
+  EXPECT_THAT(complaint_of_export({}), HasSubstr("procedure: wanted constant stimuli"));
+  EXPECT_THAT(complaint_of_export({.slots = 4, .serve = true}), HasSubstr("--slots: wanted no slots"));
+  EXPECT_EQ(export_to("adaptive", {.serve = true}).slots, 0);
+  const Json study = Json::parse(read_file(folder / "adaptive/study.json"));
+  EXPECT_TRUE(study.at("adaptive"));
+  EXPECT_FALSE(fs::exists(folder / "adaptive/orders"));
+}
+
+}  // namespace
+}  // namespace seamline::study::online
