@@ -64,9 +64,9 @@ void add_convergence_command(CLI::App& app) {
   command->add_option("--only", options->only, "the stimulus id, or a pattern that matches one")->required();
   command->add_option("--out", options->out, "folder of the figures and tables; made when missing")
       ->required();
-  command->add_option("--parts", options->parts, "only these parts (default: all but links)")
+  command->add_option("--parts", options->parts, "only these parts (default: all but links and realtime)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links"}));
+      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime"}));
   add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
              "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
       ->delimiter(',');
@@ -74,7 +74,7 @@ void add_convergence_command(CLI::App& app) {
              "about how long `samples` may take; `compositing` half as long; the others take what they need")
       ->capture_default_str();
   add_number(*command, "--spp", options->spp, {2, 65536},
-             "samples per pixel of `mesh`, `width` and `links`, instead of the study's");
+             "samples per pixel of `mesh`, `width`, `links` and `realtime`, instead of the study's");
   add_formed_text(*command, "--size", options->size, "WxH",
                   "of the picture in pixels, instead of the study's",
                   [](const std::string& text) { (void)size_of(text); });

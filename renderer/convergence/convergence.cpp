@@ -70,13 +70,16 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   const auto wanted = [&](ConvergencePart part) { return request.parts.contains(part); };
   if (wanted(ConvergencePart::samples))
     writer.add(ConvergencePart::samples, measure_samples(subject, request.seconds));
-  if (wanted(ConvergencePart::mesh) || wanted(ConvergencePart::width) || wanted(ConvergencePart::links)) {
+  if (wanted(ConvergencePart::mesh) || wanted(ConvergencePart::width) || wanted(ConvergencePart::links) ||
+      wanted(ConvergencePart::realtime)) {
     const TruthSums truth =
         render_truth(subject.scene, subject.geometry, subject.pass(subject.spp, subject.study.seed));
     if (wanted(ConvergencePart::mesh))
       writer.add(ConvergencePart::mesh, measure_mesh(subject, truth, request.tolerances));
     if (wanted(ConvergencePart::width)) writer.add(ConvergencePart::width, measure_width(subject, truth));
     if (wanted(ConvergencePart::links)) writer.add(ConvergencePart::links, measure_links(subject, truth));
+    if (wanted(ConvergencePart::realtime))
+      writer.add(ConvergencePart::realtime, measure_realtime(subject, truth));
   }
   if (wanted(ConvergencePart::compositing))
     writer.add(ConvergencePart::compositing,

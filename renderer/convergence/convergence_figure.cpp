@@ -203,4 +203,30 @@ void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text) {
   draw(text, std::vector{scene, asked});
 }
 
+void draw_figure(const std::vector<RealtimeRow>& rows, const FigureText& text) {
+  PlotPanel shadows{.title = "shadows and light",
+                    .x_label = "run time of a frame (s)",
+                    .y_label = "RMSE beside rays (display units)",
+                    .marks = {{.at = one_step, .label = "one 8-bit step"}}};
+  PlotPanel others{.title = "normals, occlusion, compositing",
+                   .x_label = "run time of a frame (s)",
+                   .y_label = "RMSE beside rays (display units)",
+                   .marks = {{.at = one_step, .label = "one 8-bit step"}}};
+  for (const RealtimeRow& row : rows) {
+    const double seconds = row.prepare_seconds + row.ask_seconds;
+    if (row.method == "traced") {
+      for (PlotPanel* panel : {&shadows, &others})
+        panel->marks.push_back({.vertical = true, .at = seconds, .label = "rays"});
+      continue;
+    }
+    const bool single = row.method == "normals" || row.method == "occlusion" || row.method == "compositing";
+    PlotPanel& panel = single ? others : shadows;
+    const std::string title = single ? row.setting : row.method;
+    if (panel.lines.empty() || panel.lines.back().title != title)
+      panel.lines.push_back({.title = title, .points = {}, .style = panel.lines.size()});
+    panel.lines.back().points.emplace_back(seconds, row.rmse);
+  }
+  draw(text, std::vector{shadows, others});
+}
+
 }  // namespace seamline::renderer

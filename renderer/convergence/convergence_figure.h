@@ -22,5 +22,7 @@ void draw_figure(const MeshResult& result, const FigureText& text);
 void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text);
 /// Error against the seconds that the local scene takes, a line a link from "none" on.
 void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text);
+/// Error against the seconds of a frame, a line a method of real time; rays as a dotted line.
+void draw_figure(const std::vector<RealtimeRow>& rows, const FigureText& text);
 
 }  // namespace seamline::renderer

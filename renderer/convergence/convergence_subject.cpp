@@ -40,6 +40,8 @@ std::string_view word(ConvergencePart part) {
       return "compositing";
     case ConvergencePart::links:
       return "links";
+    case ConvergencePart::realtime:
+      return "realtime";
   }
   throw std::logic_error("a part that is none of the five");
 }
@@ -64,6 +66,11 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
                        .field = "mitigation",
                        .wanted = "none: bare depth is measured here",
                        .found = canonical_text(stimulus.depth.mitigation)});
+  if (stimulus.depth.pipeline != Pipeline{})
+    throw input_error({.file = study.file.string(),
+                       .field = "pipeline",
+                       .wanted = "the traced one (the part `realtime` measures the others beside it)",
+                       .found = canonical_text(stimulus.depth.pipeline)});
   if (stimulus.depth.chain)
     throw input_error({.file = study.file.string(),
                        .field = "depth",

@@ -186,6 +186,25 @@ PartTables tables_of(const std::vector<LinkRow>& rows) {
   return out;
 }
 
+PartTables tables_of(const std::vector<RealtimeRow>& rows) {
+  PartTables out{
+      .table = {.name = "realtime",
+                .columns = {{"method", "", "of real time, in place of rays; traced: rays"},
+                            {"setting", "", "of the method"},
+                            {"rmse", "", "against rays through the same local scene, display units 0 to 1"},
+                            {"prepare_seconds", "s", "what is made before the first pixel"},
+                            {"ask_seconds", "s", "one sample of every pixel"},
+                            {"frame_seconds", "s", "both"}},
+                .rows = {}},
+      .slopes = {},
+      .remarks = {
+          "The depth mesh answers everything but bounce light and mirrors; seconds are medians of three."}};
+  for (const RealtimeRow& row : rows)
+    out.table.rows.push_back({row.method, row.setting, row.rmse, row.prepare_seconds, row.ask_seconds,
+                              row.prepare_seconds + row.ask_seconds});
+  return out;
+}
+
 PartTables tables_of(const CompositingResult& result) {
   PartTables out{
       .table = {.name = "compositing",

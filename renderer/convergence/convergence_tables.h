@@ -4,6 +4,7 @@
 #include "renderer/convergence/convergence_compositing.h"
 #include "renderer/convergence/convergence_links.h"
 #include "renderer/convergence/convergence_mesh.h"
+#include "renderer/convergence/convergence_realtime.h"
 #include "renderer/convergence/convergence_samples.h"
 #include "renderer/convergence/convergence_slope.h"
 #include "renderer/convergence/convergence_width.h"
@@ -23,6 +24,7 @@ struct PartTables {
 [[nodiscard]] PartTables tables_of(const std::vector<WidthRow>& rows);
 [[nodiscard]] PartTables tables_of(const CompositingResult& result);
 [[nodiscard]] PartTables tables_of(const std::vector<LinkRow>& rows);
+[[nodiscard]] PartTables tables_of(const std::vector<RealtimeRow>& rows);
 
 [[nodiscard]] CsvTable slope_table(const std::vector<SlopeRow>& rows);
 

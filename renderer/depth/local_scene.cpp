@@ -18,20 +18,23 @@ struct Rebuilt {
 };
 
 /// The paper's: an exact panorama, and nothing done to it.
-Rebuilt from_exact_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
-  const DepthMap map = capture_depth(truth, settings.width_px, settings.yaw_texels, threads);
+Rebuilt from_exact_panorama(const Geometry& truth, const DepthSettings& settings, bool tests_depth,
+                            int threads) {
+  DepthMap map = capture_depth(truth, settings.width_px, settings.yaw_texels, threads);
   const MeshOptions options{.density = settings.mesh,
                             .tolerance = settings.mesh_tolerance,
                             .yaw_texels = settings.yaw_texels,
                             .threads = threads};
   if (settings.mitigation.blockers == Blockers::layers) return {.mesh = layered_mesh(truth, map, options)};
-  return {.mesh = build_depth_mesh(map, options)};
+  Rebuilt out{.mesh = build_depth_mesh(map, options)};
+  if (tests_depth) out.sights.emplace_back(PanoramaSight{std::move(map), settings.yaw_texels});
+  return out;
 }
 
-Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, int threads) {
+Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, bool tests_depth, int threads) {
   MeasuredPanorama made = panorama_mesh(truth, settings, threads);
   Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts, .model = made.model};
-  if (tests_pixels(settings.chain->occlusion))
+  if (tests_depth || tests_pixels(settings.chain->occlusion))
     out.sights.emplace_back(PanoramaSight{std::move(made.map), settings.yaw_texels});
   return out;
 }
@@ -39,7 +42,7 @@ Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, int 
 Rebuilt from_sensors(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
   MeasuredMesh made = sensor_mesh(truth, settings, {use.photograph, use.picture}, use.threads);
   Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts};
-  if (tests_pixels(settings.chain->occlusion))
+  if (use.tests_depth || tests_pixels(settings.chain->occlusion))
     for (const PlacedFrame& placed : made.frames)
       out.sights.emplace_back(
           FrameSight{sensors::in_convention(placed.frame, sensors::DepthConvention::planar),
@@ -48,8 +51,8 @@ Rebuilt from_sensors(const Geometry& truth, const DepthSettings& settings, const
 }
 
 Rebuilt rebuilt(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
-  if (!settings.chain) return from_exact_panorama(truth, settings, use.threads);
-  return is_panorama(*settings.chain) ? from_panorama(truth, settings, use.threads)
+  if (!settings.chain) return from_exact_panorama(truth, settings, use.tests_depth, use.threads);
+  return is_panorama(*settings.chain) ? from_panorama(truth, settings, use.tests_depth, use.threads)
                                       : from_sensors(truth, settings, use);
 }
 
@@ -57,8 +60,9 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
                                             std::vector<DepthSight> sights) {
   if (sights.empty()) return std::nullopt;
   OcclusionTest test{.sights = std::move(sights), .forward = -photograph.axes.col(2)};
-  if (const auto* buffer = std::get_if<sensors::DepthBuffer>(&settings.chain->occlusion))
-    test.buffer = *buffer;
+  if (settings.chain)
+    if (const auto* buffer = std::get_if<sensors::DepthBuffer>(&settings.chain->occlusion))
+      test.buffer = *buffer;
   return test;
 }
 
@@ -68,14 +72,17 @@ LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings
   Rebuilt made = rebuilt(truth, settings, use);
   const bool in_place = (!settings.chain || is_seen_from_its_place(*settings.chain)) &&
                         settings.mitigation.blockers == Blockers::sheets;
-  return {Geometry(made.mesh, Rgb::Constant(static_cast<float>(use.albedo)),
-                   use.traces_rays || !in_place ? TreeQuality::for_light : TreeQuality::for_few_rays,
-                   in_place ? CentreRays::by_table : CentreRays::by_tree),
-          {.triangles = static_cast<std::int64_t>(made.mesh.triangles.size()),
-           .max_relative_error = made.mesh.max_relative_error,
-           .sensor = made.counts,
-           .model = made.model},
-          occlusion_test(settings, use.photograph, std::move(made.sights))};
+  LocalScene local{Geometry(made.mesh, Rgb::Constant(static_cast<float>(use.albedo)),
+                            use.traces_rays || !in_place ? TreeQuality::for_light : TreeQuality::for_few_rays,
+                            in_place ? CentreRays::by_table : CentreRays::by_tree),
+                   {.triangles = static_cast<std::int64_t>(made.mesh.triangles.size()),
+                    .max_relative_error = made.mesh.max_relative_error,
+                    .sensor = made.counts,
+                    .model = made.model}};
+  (use.tests_depth ? local.realtime_occlusion : local.occlusion) =
+      occlusion_test(settings, use.photograph, std::move(made.sights));
+  if (use.keeps_triangles) local.triangles = std::make_shared<const DepthMesh>(std::move(made.mesh));
+  return local;
 }
 
 }  // namespace seamline::renderer

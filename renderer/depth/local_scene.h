@@ -1,6 +1,8 @@
 #pragma once
+#include <memory>
 #include <optional>
 
+#include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
@@ -16,8 +18,17 @@ struct LocalScene {
   MeshRecord mesh;
   std::optional<OcclusionTest> occlusion = {};  ///< who is in front, where not the mesh decides
   std::optional<ShadowMatte> matte = {};        ///< which real surfaces suns light, likewise
+  /// Methods of real time in place of rays, and who is in front by them; null: traced.
+  std::shared_ptr<const RealtimeWorld> realtime = {};
+  std::optional<OcclusionTest> realtime_occlusion = {};
+  std::shared_ptr<const DepthMesh> triangles = {};  ///< of the geometry, where its user wants them
 
   [[nodiscard]] DepthWorld world() const {
+    const std::optional<OcclusionTest>& test = realtime_occlusion ? realtime_occlusion : occlusion;
+    return {&geometry, test ? &*test : nullptr, matte ? &*matte : nullptr, realtime.get()};
+  }
+  /// The same with everything traced.
+  [[nodiscard]] DepthWorld traced_world() const {
     return {&geometry, occlusion ? &*occlusion : nullptr, matte ? &*matte : nullptr};
   }
 };
@@ -30,6 +41,9 @@ struct LocalSceneUse {
   Camera photograph = {};  ///< in whose frame sensors are; panoramas do not look at it
   /// What it shows without the object, linear, where a chain is guided by it; null elsewhere.
   const Image* picture = nullptr;
+  bool keeps_triangles = false;  ///< `LocalScene::triangles`
+  /// A depth test beside the mesh, in place of the chain's own: `LocalScene::realtime_occlusion`.
+  bool tests_depth = false;
 };
 
 /// Captures depth of `truth` as the settings say and rebuilds the scene from it: a panorama from the

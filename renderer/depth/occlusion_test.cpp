@@ -40,6 +40,12 @@ struct Hides {
     const float real_m = sensors::depth_between(sight.frame, at_px->x(), at_px->y());
     return sensors::hides(static_cast<double>(real_m), point_m.z(), buffer());
   }
+
+  bool operator()(const PictureSight& sight) const {
+    const ViewedPoint seen = view_point(sight.view, sight.picture, (direction * distance_m).cast<float>());
+    const float real_m = depth_at(sight.picture, seen.x_px, seen.y_px);
+    return sensors::hides(static_cast<double>(real_m), static_cast<double>(seen.depth_m), buffer());
+  }
 };
 
 }  // namespace

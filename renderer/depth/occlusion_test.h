@@ -7,12 +7,14 @@
 
 #include "renderer/depth/depth_map.h"
 #include "renderer/material/direction_mask.h"
+#include "renderer/realtime/depth_picture.h"
 #include "sensors/frame/depth_frame.h"
 #include "sensors/frame/depth_test.h"
 
 namespace seamline::renderer {
 
 class Geometry;
+struct RealtimeWorld;
 
 /// Captured depth that a direction from the photograph's place is looked up in. Panoramas are radial.
 struct PanoramaSight {
@@ -24,7 +26,12 @@ struct FrameSight {
   sensors::DepthFrame frame;
   Eigen::Matrix3d frame_from_world = Eigen::Matrix3d::Identity();
 };
-using DepthSight = std::variant<PanoramaSight, FrameSight>;
+/// A depth buffer of the photograph's own pixels, in which something invisible was drawn: one depth a pixel.
+struct PictureSight {
+  DepthPicture picture;
+  DrawView view;
+};
+using DepthSight = std::variant<PanoramaSight, FrameSight, PictureSight>;
 
 /// Who is in front without a mesh, as paper 002 (section 5) decides it: the depth that was measured in a
 /// direction, linear between pixels, against the virtual thing's. Frames compare planar distances from their
@@ -46,11 +53,12 @@ struct DepthWorld {
   const Geometry* mesh = nullptr;            ///< null where nothing is asked of it
   const OcclusionTest* occlusion = nullptr;  ///< null: the mesh decides
   const ShadowMatte* matte = nullptr;  ///< how much of suns reaches real surfaces; null: the mesh decides
+  const RealtimeWorld* realtime = nullptr;  ///< methods in place of rays; null: everything is traced
 
   // A mesh alone is a world of depth.
   DepthWorld(const Geometry* depth_mesh, const OcclusionTest* test = nullptr,
-             const ShadowMatte* shadow_matte = nullptr)
-      : mesh(depth_mesh), occlusion(test), matte(shadow_matte) {}
+             const ShadowMatte* shadow_matte = nullptr, const RealtimeWorld* methods = nullptr)
+      : mesh(depth_mesh), occlusion(test), matte(shadow_matte), realtime(methods) {}
   DepthWorld(std::nullptr_t) {}
 };
 

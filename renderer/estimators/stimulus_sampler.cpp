@@ -3,6 +3,7 @@
 #include "renderer/tracing/surface_point.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
+#include "renderer/transport/realtime_light.h"
 #include "renderer/transport/uncovered_light.h"
 
 namespace seamline::renderer {
@@ -42,6 +43,7 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       depth_(needs_mesh(recipe.answers, depth) ? depth.mesh : nullptr),
       occlusion_(depth.occlusion),
       matte_(recipe.answers.real_lit == Who::depth ? depth.matte : nullptr),
+      realtime_(depth.realtime),
       recipe_(recipe),
       answers_(recipe.answers),
       depth_worlds_{depth_, &geometry.object, {}, 1},
@@ -70,6 +72,7 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
                             .real = real[i],
                             .object = object[i],
                             .depth = depth[i]};
+      if (realtime_ != nullptr) take_normals(sample);
       sample.covered_in_truth = sample.object && is_nearer(*sample.object, sample.real);
       sample.covered_in_depth = answers_.occlusion == Who::depth && sample.object &&
                                 is_in_front({depth_, occlusion_}, rays[i], *sample.object, sample.depth);
@@ -77,6 +80,16 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
       out.push_back(sample);
     }
   }
+}
+
+/// Gives the depth mesh's point the normal that a method says.
+void StimulusSampler::take_normals(StimulusSample& sample) const {
+  if (!sample.depth) return;
+  if (realtime_->pipeline.normals == PipelineNormals::truth && sample.real)
+    sample.depth->normal = sample.real->normal;
+  if (!realtime_->normals) return;
+  const Eigen::Vector3f& normal = realtime_->normals->at(sample.x, sample.y);
+  if (!normal.isZero()) sample.depth->normal = normal;
 }
 
 StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const {
@@ -139,7 +152,7 @@ void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::ve
 
 void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> samples,
                                            std::span<DepthLight> lights, SamplingWork& work) const {
-  if (!adds_to_object(answers_)) return;  // or it is found with its bounce light
+  if (!adds_to_object(answers_) && !methods_light_object()) return;  // or it is found with its bounce light
   using Shows = StimulusSample::Shows;
   std::vector<ObjectPoint>& points = work.object_points_;
   std::vector<Rgb>& lit = work.lit_object_;
@@ -149,7 +162,10 @@ void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> sampl
       if (sample.shows == Shows::object && asked(sample))
         points.push_back({&*sample.object, ask(who, sample, *sample.object), sample.sampler});
     lit.resize(points.size());
-    direct_on_object(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
+    if (who == Who::depth && methods_light())
+      realtime_on_object(points, geometry_.object, *realtime_, lit, work.light_rays_, &work.counts_);
+    else
+      direct_on_object(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_);
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (samples[i].shows == Shows::object && asked(samples[i])) take(lights[i]) = lit[next++];
@@ -177,7 +193,11 @@ void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> sa
                       .sampler = sample.sampler});
   }
   lit.resize(points.size());
-  direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_, matte_);
+  if (methods_light())
+    realtime_on_uncovered(points, geometry_.object, *realtime_, answers_, lit, work.light_rays_,
+                          &work.counts_);
+  else
+    direct_on_uncovered(points, geometry_.object, scene_.light, lit, work.light_rays_, &work.counts_, matte_);
   std::size_t next = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].shows != StimulusSample::Shows::uncovered) continue;
@@ -219,9 +239,12 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std:
     const PathLight& path = found[next++];
     if (samples[i].shows == StimulusSample::Shows::uncovered) {
       lights[i].reach_m = path.reach_m;
-      add_uncovered({.without_object = path.light[1], .with_object = path.light[0]}, direct, true, lights[i]);
+      add_uncovered({.without_object = path.light[1], .with_object = path.light[0]}, direct, !is_dark_layer(),
+                    lights[i]);
     } else {
+      const Rgb direct_light = lights[i].object.direct;
       lights[i].object += path.light[0];
+      if (methods_light_object()) lights[i].object.direct = direct_light;
     }
   }
 }
@@ -231,13 +254,13 @@ void StimulusSampler::add_one_path(const StimulusSample& sample, DepthLight& out
   if (sample.shows == StimulusSample::Shows::uncovered && answers_.bounce == Who::depth)
     add_uncovered(
         leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler, &work.counts_),
-        uncovered_is_one_path(), true, out);
+        uncovered_is_one_path(), !is_dark_layer(), out);
   if (sample.shows != StimulusSample::Shows::object) return;
   if (answers_.bounce == Who::truth && !is_glossy(scatterer(*sample.object))) return;
   const Split light = object_light(sample, answers_, work);
   // With bounce light of the truth, what comes past the depth mesh was found by `direct_on_object`.
   if (answers_.bounce == Who::depth) {
-    if (answers_.object_lit == Who::depth) out.object.direct += light.direct;
+    if (answers_.object_lit == Who::depth && !methods_light()) out.object.direct += light.direct;
     out.object.bounce += light.bounce;
   }
   if (answers_.mirrored == Who::depth) out.object.mirrored += light.mirrored;

@@ -4,6 +4,7 @@
 
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/picture/pixel_sums.h"
+#include "renderer/realtime/realtime_world.h"
 #include "renderer/transport/answers.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
@@ -106,6 +107,16 @@ class StimulusSampler {
     if (sample.shows != StimulusSample::Shows::uncovered) return nullptr;
     return answers_.receiver == Who::depth || answers_.bounce == Who::depth ? &*sample.depth : &*sample.real;
   }
+  /// Whether the object's shadow is a dark layer, which has no other light in it.
+  [[nodiscard]] bool is_dark_layer() const {
+    return realtime_ != nullptr && realtime_->is_dark_layer() && !direct_from_truth();
+  }
+  /// How the picture is put together.
+  [[nodiscard]] Compositing compositing() const {
+    return realtime_ != nullptr && realtime_->pipeline.compositing == PipelineCompositing::additive
+               ? Compositing::additive
+               : Compositing::ratio;
+  }
   [[nodiscard]] const Recipe& recipe() const { return recipe_; }
   [[nodiscard]] const TruthScene& scene() const { return scene_; }
 
@@ -121,9 +132,15 @@ class StimulusSampler {
   }
   /// Whether one path through the depth mesh answers everything off the object.
   [[nodiscard]] bool uncovered_is_one_path() const {
-    return matte_ == nullptr && answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
-           answers_.real_lit == Who::depth;
+    return matte_ == nullptr && !methods_light() && answers_.bounce == Who::depth &&
+           answers_.receiver == Who::depth && answers_.real_lit == Who::depth;
   }
+  /// Whether methods of real time, and not rays, find direct light past the depth mesh.
+  [[nodiscard]] bool methods_light() const { return realtime_ != nullptr && realtime_->changes_light(); }
+  [[nodiscard]] bool methods_light_object() const {
+    return methods_light() && answers_.object_lit == Who::depth;
+  }
+  void take_normals(StimulusSample& sample) const;
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                             SamplingWork& work) const;
   void add_direct_on_uncovered(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
@@ -139,6 +156,7 @@ class StimulusSampler {
   const Geometry* depth_;           ///< the mesh; null where nothing is asked of it
   const OcclusionTest* occlusion_;  ///< null: the mesh decides
   const ShadowMatte* matte_;        ///< null: the mesh decides, or nobody asks
+  const RealtimeWorld* realtime_;   ///< null: everything is traced
   const Recipe& recipe_;
   const Answers& answers_;
   Worlds depth_worlds_;

@@ -79,6 +79,12 @@ Eigen::Array2f EnvironmentMap::place(const Eigen::Vector3f& direction) const {
   return {column, row};
 }
 
+Eigen::Vector3d EnvironmentMap::direction_of(double column, double row) const {
+  const double azimuth = (column / map_.width_px - static_cast<double>(turn_) - 0.5) * 2 * std::numbers::pi;
+  const double polar = row / map_.height_px * std::numbers::pi;
+  return {std::sin(azimuth) * std::sin(polar), std::cos(polar), -std::cos(azimuth) * std::sin(polar)};
+}
+
 Rgb EnvironmentMap::radiance(const Eigen::Vector3f& direction) const {
   const Eigen::Array2f at = place(direction) - 0.5F;
   const Eigen::Array2f corner = at.floor();

@@ -33,6 +33,9 @@ class EnvironmentMap {
 
   /// The integral of radiance over the whole sphere, W/m2: no surface gets more.
   [[nodiscard]] Rgb total_w_m2() const { return total_w_m2_; }
+  /// Radiance of a texel, and the unit direction of a place of the map in texels from its left upper corner.
+  [[nodiscard]] Rgb texel(int column, int row) const { return map_.rgb(column, row); }
+  [[nodiscard]] Eigen::Vector3d direction_of(double column, double row) const;
   [[nodiscard]] int width_px() const { return map_.width_px; }
   [[nodiscard]] int height_px() const { return map_.height_px; }
 

@@ -172,7 +172,7 @@ Composite compose(const StimulusSums& sums, Compositing compositing, int threads
 
 Composite compose_half(const StimulusSums& sums, std::size_t half, int threads) {
   const int samples = (sums.spp + 1 - static_cast<int>(half)) / 2;
-  return compose_pixels(sums.halves[half], sums, samples, Compositing::ratio, threads);
+  return compose_pixels(sums.halves[half], sums, samples, sums.compositing, threads);
 }
 
 std::optional<double> estimated_noise(const StimulusSums& sums, double exposure_ev) {

@@ -6,12 +6,6 @@
 
 namespace seamline::renderer {
 
-/// How the change that the object makes in the local scene is put onto the background.
-enum class Compositing {
-  ratio,    ///< background * with / without (paper Eq. 1)
-  additive  ///< background + with - without (Debevec 1998), for comparison
-};
-
 /// A finished stimulus, in linear radiance.
 struct Composite {
   Image picture;
@@ -29,8 +23,11 @@ struct Composite {
 /// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
 /// 1 in proportion: sheets have sealed that surface in. Medians of large pictures are taken over every few
 /// pixels.
-[[nodiscard]] Composite compose(const StimulusSums& sums, Compositing compositing = Compositing::ratio,
-                                int threads = 1);
+[[nodiscard]] Composite compose(const StimulusSums& sums, Compositing compositing, int threads = 1);
+/// As the sums say.
+[[nodiscard]] inline Composite compose(const StimulusSums& sums) {
+  return compose(sums, sums.compositing);
+}
 
 /// The same from one half of the samples only (0 or 1): what errors are estimated from.
 [[nodiscard]] Composite compose_half(const StimulusSums& sums, std::size_t half, int threads = 1);

@@ -66,6 +66,12 @@ struct StimulusPixel {
   StimulusPixel& operator+=(const StimulusPixel& other);
 };
 
+/// How the change that the object makes in the local scene is put onto the background.
+enum class Compositing {
+  ratio,    ///< background * with / without (paper Eq. 1)
+  additive  ///< background + with - without (Debevec 1998)
+};
+
 struct StimulusSums {
   int width_px = 0, height_px = 0, spp = 0;
   Halves<StimulusPixel> halves = {};
@@ -73,6 +79,7 @@ struct StimulusSums {
   bool depth_lights_uncovered =
       false;  ///< whether the depth mesh decides how much light `without_object` has
   std::int64_t rays = 0;
+  Compositing compositing = Compositing::ratio;  ///< which its picture is of
 };
 
 }  // namespace seamline::renderer

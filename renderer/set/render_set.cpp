@@ -19,6 +19,7 @@
 #include "renderer/set/sharing/work_list.h"
 #include "renderer/set/stimulus_scene.h"
 #include "renderer/set/timings.h"
+#include "stimuli/pictures/difference.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -259,9 +260,12 @@ class SetRenderer {
     const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
     const EstimatedStimulus made = estimator.stimulus(
         how, depth != nullptr ? depth->world() : DepthWorld(nullptr), report(weights_.stimulus, id));
-    const Composite composite = compose(made.sums, Compositing::ratio, threads_);
+    const Composite composite = compose(made.sums, made.sums.compositing, threads_);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
+    if (depth != nullptr && work.stimulus.depth.pipeline != Pipeline{} && how.answers.needs_depth())
+      record.pipeline_error = display_rmse(composite.picture, traced_picture(estimator, how, *depth),
+                                           scene.definition.exposure_ev);
     if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
     if (request_.layers)
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
@@ -270,6 +274,13 @@ class SetRenderer {
     timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
     ++summary_.rendered;
     if (mark_) mark_->finished_one();
+  }
+
+  /// What methods of real time stand for.
+  [[nodiscard]] Image traced_picture(SceneEstimator& estimator, const Recipe& how,
+                                     const LocalScene& depth) const {
+    const EstimatedStimulus traced = estimator.stimulus(how, depth.traced_world(), {});
+    return compose(traced.sums, Compositing::ratio, threads_).picture;
   }
 
   [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }

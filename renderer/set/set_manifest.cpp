@@ -39,6 +39,7 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
     if (auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
       record->stimulus.depth.chain = stimulus.depth.chain;  // which the record holds as a text only
       record->stimulus.depth.mitigation = stimulus.depth.mitigation;
+      record->stimulus.depth.pipeline = stimulus.depth.pipeline;
       out.stimuli.push_back(*record);
       scenes.insert(stimulus.truth);
     }

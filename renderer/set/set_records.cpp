@@ -127,6 +127,7 @@ std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
   std::string text = fmt::format("{} {} {}", word(stimulus.isolation),
                                  word(mesh_.value_or(stimulus.depth.mesh)), stimulus.depth.mesh_tolerance);
   if (stimulus.depth.mitigation != Mitigation{}) text += " " + canonical_text(stimulus.depth.mitigation);
+  if (stimulus.depth.pipeline != Pipeline{}) text += " pipeline " + canonical_text(stimulus.depth.pipeline);
   if (stimulus.depth.albedo != MeshAlbedo::constant)
     text += fmt::format(" mesh albedo {}", word(stimulus.depth.albedo));
   if (!stimulus.depth.chain) return text;

@@ -2,6 +2,7 @@
 
 #include "renderer/estimators/mesh_albedo.h"
 #include "renderer/estimators/mitigation_masks.h"
+#include "renderer/estimators/realtime_methods.h"
 
 namespace seamline::renderer {
 
@@ -41,17 +42,22 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
   const Geometry& truth = estimator.geometry().truth;
   Image photograph;
   if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
-  LocalScene local = make_local_scene(truth, settings,
-                                      {.albedo = scene.definition.albedo,
-                                       .traces_rays = traces_rays,
-                                       .threads = threads,
-                                       .photograph = scene.camera,
-                                       .picture = photograph.values.empty() ? nullptr : &photograph});
+  LocalScene local =
+      make_local_scene(truth, settings,
+                       {.albedo = scene.definition.albedo,
+                        .traces_rays = traces_rays,
+                        .threads = threads,
+                        .photograph = scene.camera,
+                        .picture = photograph.values.empty() ? nullptr : &photograph,
+                        .keeps_triangles = looks_at_triangles(settings.pipeline),
+                        .tests_depth = settings.pipeline.occlusion == PipelineOcclusion::depth_test});
   if (settings.albedo != MeshAlbedo::constant)
     paint_mesh(local.geometry, truth, settings,
                {photograph, scene.camera, scene.light, scene.definition.albedo, threads});
   if (settings.mitigation != Mitigation{})
     add_masks(scene, estimator.geometry(), settings, photograph, threads, local);
+  if (settings.pipeline != Pipeline{})
+    add_realtime_methods(scene, estimator.geometry(), settings.pipeline, threads, local);
   return local;
 }
 

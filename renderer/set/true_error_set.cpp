@@ -42,6 +42,7 @@ Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const 
     if (const auto of_study = settings.find(record.id); of_study != settings.end()) {
       depth.chain = of_study->second.chain;
       depth.mitigation = of_study->second.mitigation;
+      depth.pipeline = of_study->second.pipeline;
     }
     groups[{truth_of(record.stimulus), record.stimulus.object_index, depth}].push_back(record);
   }

@@ -15,6 +15,7 @@ class LightRays {
   struct Arriving {
     std::size_t index;  ///< whatever the caller counts
     Rgb radiance;
+    float past_object = 1.0F;  ///< the share that a shadow map lets past the object; of rays 1
   };
 
   /// From `point` past the object and from `real.start` past the real world; nothing arrives from below that

@@ -19,13 +19,19 @@ enum class Quantity {
   calibration_error_deg,
   calibration_error_m,
   depth_field_of_view_deg,
-  depth_delay_ms
+  depth_delay_ms,
+  shadow_map_px,
+  shadow_bias_texels,
+  light_count,
+  field_bands,
+  field_shells
 };
-inline constexpr std::array<Quantity, 10> every_quantity = {
+inline constexpr std::array<Quantity, 15> every_quantity = {
     Quantity::depth_width_px,        Quantity::texels_per_degree,   Quantity::mesh_tolerance,
     Quantity::sun_radius_deg,        Quantity::depth_noise,         Quantity::outlier_share,
     Quantity::calibration_error_deg, Quantity::calibration_error_m, Quantity::depth_field_of_view_deg,
-    Quantity::depth_delay_ms};
+    Quantity::depth_delay_ms,        Quantity::shadow_map_px,       Quantity::shadow_bias_texels,
+    Quantity::light_count,           Quantity::field_bands,         Quantity::field_shells};
 
 /// What is known of a quantity: one row of the table in quantity.cpp.
 struct QuantityFacts {

@@ -57,6 +57,21 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
       break;
     case Quantity::sun_radius_deg:
       break;
+    case Quantity::shadow_map_px:
+      depth.pipeline.shadow_map_px = static_cast<int>(level);
+      break;
+    case Quantity::shadow_bias_texels:
+      depth.pipeline.shadow_bias_texels = level;
+      break;
+    case Quantity::light_count:
+      depth.pipeline.light_count = static_cast<int>(level);
+      break;
+    case Quantity::field_bands:
+      depth.pipeline.field_bands = static_cast<int>(level);
+      break;
+    case Quantity::field_shells:
+      depth.pipeline.field_shells = static_cast<int>(level);
+      break;
     case Quantity::depth_noise:
     case Quantity::outlier_share:
     case Quantity::calibration_error_deg:

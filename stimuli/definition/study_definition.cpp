@@ -61,6 +61,7 @@ std::string chain_line(const DepthSettings& depth) {
   std::string out = depth.chain ? "depth " + canonical_text(depth.chain) + "\n" : std::string();
   if (depth.albedo != MeshAlbedo::constant) out += fmt::format("mesh albedo {}\n", word(depth.albedo));
   if (depth.mitigation != Mitigation{}) out += "mitigation " + canonical_text(depth.mitigation) + "\n";
+  if (depth.pipeline != Pipeline{}) out += "pipeline " + canonical_text(depth.pipeline) + "\n";
   return out;
 }
 

@@ -17,6 +17,7 @@
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/light_definition.h"
+#include "stimuli/definition/methods/pipeline.h"
 #include "stimuli/definition/mitigation.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "stimuli/definition/quantity.h"
@@ -50,6 +51,7 @@ struct DepthSettings {
   std::optional<DepthChain> chain = {};  ///< none: the paper's exact panorama
   MeshAlbedo albedo = MeshAlbedo::constant;
   Mitigation mitigation = {};
+  Pipeline pipeline = {};
 
   [[nodiscard]] int height_px() const;  ///< of the panorama W / 2
   auto operator<=>(const DepthSettings&) const = default;

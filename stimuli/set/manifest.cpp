@@ -21,7 +21,8 @@ constexpr int widest_depth_px = 16384;  ///< as in study files
 bool is_varied(const Stimulus& stimulus) {
   return stimulus.quantity != Quantity::depth_width_px || !stimulus.condition.empty() ||
          truth_of(stimulus) != stimulus.scene || stimulus.depth.chain.has_value() ||
-         stimulus.depth.albedo != MeshAlbedo::constant || stimulus.depth.mitigation != Mitigation{};
+         stimulus.depth.albedo != MeshAlbedo::constant || stimulus.depth.mitigation != Mitigation{} ||
+         stimulus.depth.pipeline != Pipeline{};
 }
 
 /// Whole numbers are written as such, as they were when only these were allowed.
@@ -49,6 +50,8 @@ Json to_json(const ManifestStimulus& record) {
       json["condition"]["mesh_albedo"] = word(stimulus.depth.albedo);
     if (stimulus.depth.mitigation != Mitigation{})
       json["condition"]["mitigation"] = canonical_text(stimulus.depth.mitigation);
+    if (stimulus.depth.pipeline != Pipeline{})
+      json["condition"]["pipeline"] = canonical_text(stimulus.depth.pipeline);
     json["level"] = {{"quantity", facts(stimulus.quantity).key}, {"value", stimulus.level}};
     json["truth"] = truth_of(stimulus);
   }
@@ -59,6 +62,7 @@ Json to_json(const ManifestStimulus& record) {
   json["spp"] = record.spp;
   json["rays"] = record.rays;
   json["rmse"] = record.rmse ? Json(*record.rmse) : Json(nullptr);
+  if (record.pipeline_error) json["pipeline_error"] = *record.pipeline_error;
   json["mesh"] = {{"triangles", record.mesh.triangles},
                   {"max_relative_error", record.mesh.max_relative_error}};
   if (const auto& sensor = record.mesh.sensor)
@@ -175,6 +179,7 @@ ManifestStimulus read_record(const JsonFields& fields) {
   record.rays = fields.get<std::int64_t>("rays");
   const auto rmse = fields.get<Json>("rmse");
   if (rmse.is_number()) record.rmse = rmse.get<double>();
+  if (fields.has("pipeline_error")) record.pipeline_error = fields.get<double>("pipeline_error");
   const JsonFields mesh = fields.object("mesh");
   record.mesh = {.triangles = mesh.get<std::int64_t>("triangles"),
                  .max_relative_error = mesh.get<double>("max_relative_error")};

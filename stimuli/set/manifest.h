@@ -58,6 +58,9 @@ struct ManifestStimulus {
   int spp = 0;
   std::int64_t rays = 0;       ///< traced for this stimulus
   std::optional<double> rmse;  ///< estimated noise, display units 0..1; none at 1 sample a pixel
+  /// Of methods of real time: root mean square difference from the same stimulus traced, display units, with
+  /// the noise of both.
+  std::optional<double> pipeline_error = {};
   MeshRecord mesh;
   TinyDenominators tiny_denominators;
   double clipped_share = 0;  ///< share of channel values over display white

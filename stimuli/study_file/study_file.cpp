@@ -8,6 +8,7 @@
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
 #include "stimuli/study_file/study_file_people.h"
+#include "stimuli/study_file/study_file_pipeline.h"
 #include "stimuli/study_file/study_file_procedure.h"
 #include "stimuli/study_file/study_file_scene.h"
 #include "stimuli/study_file/study_file_session.h"
@@ -59,6 +60,11 @@ std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
     case Quantity::calibration_error_m:
     case Quantity::depth_field_of_view_deg:
     case Quantity::depth_delay_ms:
+    case Quantity::shadow_map_px:
+    case Quantity::shadow_bias_texels:
+    case Quantity::light_count:
+    case Quantity::field_bands:
+    case Quantity::field_shells:
       return midpoint;  // nobody knows
   }
   return midpoint;
@@ -169,6 +175,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_level_is_seen(table, study);
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);
+  check_pipelines_are_seen(table, study);
   const auto observer = table.table("observer");
   study.observer =
       observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);

@@ -201,6 +201,11 @@ void refuse_level_of_depth(const TomlTable& table, const LevelDefinition& level)
     case Quantity::depth_width_px:  // no key of this table
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:
+    case Quantity::shadow_map_px:
+    case Quantity::shadow_bias_texels:
+    case Quantity::light_count:
+    case Quantity::field_bands:
+    case Quantity::field_shells:
       return;
   }
 }
@@ -295,6 +300,11 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
       break;
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:
+    case Quantity::shadow_map_px:
+    case Quantity::shadow_bias_texels:
+    case Quantity::light_count:
+    case Quantity::field_bands:
+    case Quantity::field_shells:
       break;
   }
   if (!chain || sensor) return;

@@ -10,6 +10,7 @@
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_mitigation.h"
+#include "stimuli/study_file/study_file_pipeline.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -52,6 +53,10 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
       if (level != 0 && level < 1e-9)
         throw table.complaint(key, "0 or at least 1e-09", fmt::format("{}", level));
       break;
+    case Quantity::light_count:
+      if (std::exp2(std::round(std::log2(level))) != level)
+        throw table.complaint(key, "powers of two, because median cut halves", fmt::format("{}", level));
+      break;
     case Quantity::sun_radius_deg:
     case Quantity::depth_noise:
     case Quantity::outlier_share:
@@ -59,6 +64,10 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
     case Quantity::calibration_error_m:
     case Quantity::depth_field_of_view_deg:
     case Quantity::depth_delay_ms:
+    case Quantity::shadow_map_px:
+    case Quantity::shadow_bias_texels:
+    case Quantity::field_bands:
+    case Quantity::field_shells:
       break;
   }
 }
@@ -122,6 +131,11 @@ void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
     case Quantity::calibration_error_m:
     case Quantity::depth_field_of_view_deg:
     case Quantity::depth_delay_ms:
+    case Quantity::shadow_map_px:  // and these of the table `pipeline`
+    case Quantity::shadow_bias_texels:
+    case Quantity::light_count:
+    case Quantity::field_bands:
+    case Quantity::field_shells:
       return;
   }
 }
@@ -144,6 +158,7 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
   }
   depth.albedo = read_mesh_albedo(table, depth.albedo);
   depth.mitigation = read_mitigation(table, depth.mitigation);
+  depth.pipeline = read_pipeline(table, level, depth.pipeline);
   if (has_sensor(depth)) {
     for (const char* key : {"depth_width_px", "yaw_texels"})
       if (table.has(key) && !width_is_level(level.quantity))
@@ -173,7 +188,8 @@ std::string meaning(const ConditionDefinition& condition) {
       fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
                   condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
       canonical_text(condition.depth.chain) +
-      fmt::format(" {} {}\n", word(condition.depth.albedo), canonical_text(condition.depth.mitigation));
+      fmt::format(" {} {} {}\n", word(condition.depth.albedo), canonical_text(condition.depth.mitigation),
+                  canonical_text(condition.depth.pipeline));
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
   return text;
 }

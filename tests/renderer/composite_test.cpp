@@ -141,8 +141,10 @@ TEST(Composite, PointOfTheObjectBehindTheDepthMeshIsLitFromTheMeshsOwnSurface) {
   ASSERT_TRUE(face && mesh && mesh->distance_m < face->distance_m);
   const Sampler sampler(1, 0, 0, 0);
   const RealQuestion from_face{&sheet, &*face}, from_mesh{&sheet, &*mesh};
-  EXPECT_EQ(leaving_object(ObjectQuestions::all_of(from_face), object, *face, light, sampler).total()[0], 0.0F);
-  EXPECT_GT(leaving_object(ObjectQuestions::all_of(from_mesh), object, *face, light, sampler).total()[0], 0.4F);
+  EXPECT_EQ(leaving_object(ObjectQuestions::all_of(from_face), object, *face, light, sampler).total()[0],
+            0.0F);
+  EXPECT_GT(leaving_object(ObjectQuestions::all_of(from_mesh), object, *face, light, sampler).total()[0],
+            0.4F);
 }
 
 TEST(Composite, AdditiveFormEqualsTheRatioWhereTheLocalSceneIsTheTruth) {

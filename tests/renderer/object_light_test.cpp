@@ -47,9 +47,9 @@ TEST(DirectOnObject, IsThatOfEachPointAlone) {
     direct_on_object(asked, object, light, direct, rays);
     int dark = 0, lit = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Rgb alone =
-          leaving_object({asked[i].lit_past, {nullptr, nullptr}, {nullptr, nullptr}}, object, points[i], light, asked[i].sampler)
-              .direct;
+      const Rgb alone = leaving_object({asked[i].lit_past, {nullptr, nullptr}, {nullptr, nullptr}}, object,
+                                       points[i], light, asked[i].sampler)
+                            .direct;
       ASSERT_LT((direct[i] - alone).abs().maxCoeff(), 1e-5F) << i << " of " << sky_rays;
       (alone.isZero() ? dark : lit) += 1;
     }

@@ -218,7 +218,9 @@ class StimulusRounds {
 
   [[nodiscard]] StimulusSums assembled(const DepthFilters& filters,
                                        std::optional<std::size_t> only_half = {}) const {
-    return assemble_stimulus({truth_, recipe_, depth_, order_}, filters, options_.threads, only_half);
+    return assemble_stimulus(
+        {truth_, recipe_, depth_, order_, sampler_.is_dark_layer(), sampler_.compositing()}, filters,
+        options_.threads, only_half);
   }
 
   struct Judged {
@@ -241,7 +243,7 @@ class StimulusRounds {
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
       StimulusSums sampled = assembled(no_filters(), half);
-      divide_alike(made.halves[half], sampled.halves[half]);
+      if (made.compositing == Compositing::ratio) divide_alike(made.halves[half], sampled.halves[half]);
       pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     }
     ErrorEstimate error = with_bias_of_truth(pictures);

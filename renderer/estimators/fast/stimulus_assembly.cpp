@@ -16,7 +16,8 @@ class Assembly {
         recipe_(sources.recipe),
         answers_(sources.recipe.answers),
         depth_(sources.depth),
-        order_(sources.order) {}
+        order_(sources.order),
+        dark_layer_(sources.dark_layer) {}
 
   /// Whether a tile has anything for `add_object`: elsewhere all of it is 0, and most of a picture is not read.
   [[nodiscard]] bool has_object(std::size_t tile) const {
@@ -155,6 +156,7 @@ class Assembly {
 
   /// Light that truth and depth mesh answer together.
   [[nodiscard]] Split join(const Split& truth, const Split& depth) const {
+    if (dark_layer_) return depth;
     const bool direct_from_truth = answers_.receiver == Who::truth && answers_.real_lit == Who::truth;
     if (answers_.bounce == Who::truth)
       return {depth.total(), truth.bounce, truth.mirrored};  // the sky is in depth.bounce
@@ -182,6 +184,7 @@ class Assembly {
   const Answers& answers_;
   const DepthAnswers& depth_;
   const ObjectOrder& order_;
+  bool dark_layer_;
 };
 
 }  // namespace
@@ -193,7 +196,8 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
   for (std::size_t half = 0; half < 2; ++half)
     if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
   out.guides = truth.guides;
-  out.depth_lights_uncovered = depth_lights_uncovered(sources.recipe.answers);
+  out.depth_lights_uncovered = depth_lights_uncovered(sources.recipe.answers) && !sources.dark_layer;
+  out.compositing = sources.compositing;
   out.rays = sources.depth.counts.traced;
   const Assembly assembly(sources);
   const FilteredBounce unfiltered;

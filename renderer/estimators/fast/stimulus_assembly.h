@@ -13,6 +13,8 @@ struct StimulusSources {
   const Recipe& recipe;
   const DepthAnswers& depth;
   const ObjectOrder& order;  ///< empty: truth and depth mesh agree on who is in front
+  bool dark_layer = false;   ///< what the depth mesh answers off the object is all there is of its shadow
+  Compositing compositing = Compositing::ratio;
 };
 
 /// How light that the depth mesh answers is filtered.

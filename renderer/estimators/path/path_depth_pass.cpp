@@ -95,7 +95,7 @@ class PixelRenderer {
       out.without_object += pair.without_object.direct;
       out.with_object += pair.with_object.direct;
     }
-    if (answers_.bounce == Who::truth) {
+    if (answers_.bounce == Who::truth && !sampler_.is_dark_layer()) {
       out.without_object += pair.without_object.bounce + pair.without_object.mirrored;
       out.with_object += pair.with_object.bounce + pair.with_object.mirrored;
     }
@@ -146,8 +146,9 @@ StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geom
   StimulusSums sums{.width_px = truth.width_px, .height_px = truth.height_px, .spp = options.spp};
   for (auto& half : sums.halves) half.resize(truth.guides.size());
   sums.guides.resize(truth.guides.size());
-  sums.depth_lights_uncovered = depth_lights_uncovered(recipe.answers);
   const StimulusSampler sampler(scene, geometry, depth, recipe, options.seed);
+  sums.depth_lights_uncovered = depth_lights_uncovered(recipe.answers) && !sampler.is_dark_layer();
+  sums.compositing = sampler.compositing();
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     PixelRenderer pixel(sampler);

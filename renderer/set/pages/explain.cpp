@@ -150,6 +150,11 @@ std::string depth_text(const StudyDefinition& study) {
       beside += fmt::format("Mitigation{}: {}.\n",
                             condition.name.empty() ? "" : " in the condition " + condition.name,
                             canonical_text(condition.depth.mitigation));
+  for (const ConditionDefinition& condition : conditions)
+    if (condition.depth.pipeline != Pipeline{})
+      beside += fmt::format("Pipeline{}: {}; what it does not name is traced.\n",
+                            condition.name.empty() ? "" : " of the condition " + condition.name,
+                            canonical_text(condition.depth.pipeline));
   if (exact)
     return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
            "it "
