@@ -104,5 +104,26 @@ TEST(StudyFilePipeline, RefusesWhatWouldBeIgnored) {
               HasSubstr("mitigation"));
 }
 
+TEST(StudyFilePipeline, FieldsHaveBandsAndShellsAndNoDarkLayer) {
+  EXPECT_EQ(
+      canonical_text(piped("[pipeline]\nshadows = \"occlusion_field\"\nfield_bands = 6").depth.pipeline),
+      "shadows occlusion_field 6 bands 8 shells");
+  EXPECT_THAT(pipeline_complaint("[pipeline]\nfield_bands = 2"), HasSubstr("occlusion_field"));
+  EXPECT_THAT(pipeline_complaint("[pipeline]\nshadows = \"occlusion_field\"\nfield_bands = 9"),
+              HasSubstr("field_bands"));
+  EXPECT_THAT(pipeline_complaint("[pipeline]\nshadows = \"occlusion_field\"", "\"overlap\""),
+              HasSubstr("pipeline.shadows"));
+  EXPECT_THAT(pipeline_complaint("[pipeline]\nshadows = \"occlusion_field\"\ncompositing = \"dark_layer\""),
+              HasSubstr("pipeline.compositing"));
+}
+
+TEST(StudyFilePipeline, OfTheReadyStudyHasATruthForEachSun) {
+  const StudyDefinition study =
+      read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / "realtime_methods.toml",
+                 AssetCheck::not_needed);
+  EXPECT_EQ(study.conditions.size(), 14U);
+  EXPECT_EQ(list_truths(study).size(), 2U) << "one sun is hard and one soft";
+}
+
 }  // namespace
 }  // namespace seamline
