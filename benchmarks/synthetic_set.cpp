@@ -48,7 +48,11 @@ int main(int argc, char** argv) {
   try {
     if (argc != 4) throw InputError("usage: seamline_synthetic_set STUDY.toml SET ONLY");
     const StudyDefinition study = read_study(argv[1]);
-    render_set(study, {.set_folder = argv[2], .only = argv[3]});
+    // As an element of a job, so that `--status` knows the set.
+    RenderRequest first{.set_folder = argv[2], .part = JobPart::stimuli, .element = "stimuli-1"};
+    for (const Stimulus& stimulus : list_stimuli(study))
+      if (matches_pattern(stimulus_id(stimulus), argv[3])) first.ids.insert(stimulus_id(stimulus));
+    render_set(study, first);
     copy_stimuli(study, argv[2]);
     fmt::print("{}\n", render_set(study, {.set_folder = argv[2]}).seconds);
     return 0;

@@ -1,5 +1,7 @@
 #include "stimuli/study_file/study_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 
@@ -16,6 +18,7 @@
 #include "stimuli/study_file/toml_table.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
+#include "support/text/limits.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -145,6 +148,20 @@ void check_mesh_albedo_is_seen(const TomlTable& table, const StudyDefinition& st
           "\"" + std::string(word(condition.depth.albedo)) + "\"");
 }
 
+/// A set of more could be rendered, and its manifest never be read.
+void require_a_set_that_can_be_read(const TomlTable& table, const StudyDefinition& study) {
+  const std::size_t shown = study.level.values.size() * std::max<std::size_t>(1, study.conditions.size());
+  std::size_t stimuli = 0;
+  for (const SceneDefinition& scene : study.scenes)
+    stimuli += scene.artifacts.size() * scene.objects.size() * shown;
+  if (stimuli > static_cast<std::size_t>(limits::most_stimuli))
+    throw table.complaint("scene",
+                          fmt::format("at most {} stimuli (artifacts x objects x levels x conditions), or "
+                                      "several studies",
+                                      limits::most_stimuli),
+                          fmt::format("{}", stimuli));
+}
+
 StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   const std::filesystem::path& path = folders.study_file;
   check_format(table);
@@ -183,6 +200,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   const std::filesystem::path folder = path.parent_path();
   check_carried_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
+  require_a_set_that_can_be_read(table, study);
   return study;
 }
 

@@ -180,5 +180,21 @@ TEST(StudyFileLevel, RefusesWhatWouldBeIgnoredOrMeanTwoThings) {
       HasSubstr("levels above 0 on the log2 axis"));
 }
 
+TEST(StudyFileLevel, MoreStimuliThanAManifestHoldsAreRefusedBeforeTheyAreListed) {
+  const auto widths = [](int count) {
+    std::string text = "depth_width_px = [2";
+    for (int i = 2; i <= count; ++i) text += ", " + std::to_string(2 * i);
+    std::string conditions = "]\n";
+    for (int c = 0; c < 100; ++c)
+      conditions += "[[condition]]\nname = \"c" + std::to_string(c) + "\"\nyaw_texels = 0." +
+                    std::to_string(100 + c) + "\n";
+    return text + conditions;
+  };
+  EXPECT_THAT(complaint(widths(667)),
+              HasSubstr("scene: wanted at most 200000 stimuli (artifacts x objects x levels x conditions), or "
+                        "several studies, found 200100"));
+  EXPECT_EQ(list_stimuli(study_with(widths(100))).size(), 30000U);
+}
+
 }  // namespace
 }  // namespace seamline
