@@ -1,5 +1,6 @@
 // Three hosts for the page: a plain static server, one like JATOS whose append fails at random, and a stand-in for
 // `seamline serve` that fails at random too. Each keeps what it accepted.
+import { spawn } from "node:child_process";
 import { createServer } from "node:http";
 import { randomBytes } from "node:crypto";
 import { readFileSync, existsSync } from "node:fs";
@@ -158,4 +159,45 @@ export async function fakeServe(folder, { trouble = 0.2, next = () => null } = {
     json(response, status, answer);
   });
   return Object.assign(host, { lines, trouble, people });
+}
+
+/** `seamline serve` itself. `restart` kills it and starts it again at the same address; `where(secret)` is what its log knows. */
+export async function realServe(program, folder, set, log) {
+  let child;
+  let port = 0;
+  const start = () =>
+    new Promise((resolve, reject) => {
+      child = spawn(program, ["serve", folder, "--set", set, "--log", log, "--port", String(port)]);
+      let said = "";
+      const hear = (text) => {
+        said += text;
+        const found = /http:\/\/127\.0\.0\.1:(\d+)\//.exec(said);
+        if (found) resolve((port = Number(found[1])));
+      };
+      child.stdout.on("data", hear);
+      child.stderr.on("data", hear);
+      child.on("exit", () => reject(new Error(said)));
+    });
+  await start();
+  const address = "http://localhost:" + port + "/";
+  const ended = () => new Promise((resolve) => child.once("exit", resolve));
+  const ask = async (path, headers = {}) => (await fetch("http://127.0.0.1:" + port + path, { headers })).json();
+  return {
+    address,
+    trouble: 0,
+    where: (secret) => ask("/api/where", { Authorization: "Bearer " + secret }),
+    health: () => ask("/health"),
+    async restart(pause_ms) {
+      const over = ended();
+      child.kill("SIGKILL");
+      await over;
+      await new Promise((resolve) => setTimeout(resolve, pause_ms));
+      await start();
+    },
+    async stop() {
+      const over = ended();
+      child.kill("SIGTERM");
+      await over;
+    },
+  };
 }

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { fakeServe, jatosHost, staticHost } from "./hosts.mjs";
+import { fakeServe, jatosHost, realServe, staticHost } from "./hosts.mjs";
 import { act, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
@@ -17,6 +17,8 @@ let acknowledged = 0;
 let resent = 0;
 
 const HOSTS = {
+  program: () =>
+    realServe(process.env.SEAMLINE_PROGRAM, folder, join(work, "tiny-set"), join(mkdtempSync(join(work, "log-")), "log.sqlite")),
   serve: () => fakeServe(folder, { trouble: 0.1 }),
   jatos: () => jatosHost(folder, 0.15),
   static: () => staticHost(folder),
@@ -25,6 +27,12 @@ const HOSTS = {
 /** What the browser keeps, as lines. */
 const kept = (page) =>
   page.evaluate(async () => (await globalThis.seamline.store.messages()).map((message) => JSON.stringify(message)));
+
+/** An enrolment at a server is kept as it was sent: without the code that the server gave. */
+function named(line, participant) {
+  const message = JSON.parse(line);
+  return JSON.stringify(message.participant === "" ? { ...message, participant } : message);
+}
 
 async function session(kind) {
   const host = await HOSTS[kind]();
@@ -64,6 +72,7 @@ async function session(kind) {
       await browser.setOffline(false);
     },
     async host() {
+      if (host.restart) return host.restart(Math.random() * 700);
       const usual = host.trouble;
       host.trouble = 1;
       await page.waitForTimeout(50 + Math.random() * 700);
@@ -72,6 +81,7 @@ async function session(kind) {
   };
   const kinds = ["reload", "reload", "reload", "reload", "close", "close", "network", "network"];
   if (kind !== "static") kinds.push("host");
+  if (kind === "program") kinds.push("host", "host");
   if (sessions % 4 === 0) kinds.push("kill");
 
   try {
@@ -99,12 +109,19 @@ async function session(kind) {
       await page.waitForTimeout(10).catch(() => {});
     }
     const own = await kept(page);
-    const lines = kind === "static" ? own : host.lines;
+    const lines = kind === "static" || kind === "program" ? own.map((line) => named(line, participant)) : host.lines;
     const messages = messagesOf(lines, participant);
-    const { slot } = messages[0].body;
+    const there = host.where ? await host.where(await page.evaluate(() => globalThis.seamline.host.identity.secret)) : null;
+    const slot = there ? there.slot : messages[0].body.slot;
     const order = JSON.parse(readFileSync(join(folder, "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
     const answers = checkWhole(messages, order);
     assert.ok(answers.length >= most);
+    if (there) {
+      // What the log has, besides what the browser has.
+      assert.deepEqual(there.answered, answers.map((answer) => answer.trial_index));
+      assert.ok(there.completed);
+      assert.equal(there.next_sequence, messages.length);
+    }
     assert.equal(own.length, messages.length, "kept here and stored there");
     acknowledged += answers.length;
     resent += lines.length - messages.length;
@@ -118,7 +135,7 @@ async function session(kind) {
 const done = () => Object.values(tally).reduce((sum, one) => sum + one, 0);
 let failed = 0;
 for (let turn = 0; done() < count && failed === 0; ++turn) {
-  const kind = Object.keys(HOSTS)[turn % 3];
+  const kind = Object.keys(HOSTS)[turn % Object.keys(HOSTS).length];
   try {
     await session(kind);
     console.log("ok      %s; %d disruptions so far", kind, done());

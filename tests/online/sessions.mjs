@@ -1,8 +1,9 @@
 // Whole sessions by real clicks and keys, on the three hosts that a page can have.
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { fakeServe, jatosHost, staticHost } from "./hosts.mjs";
+import { fakeServe, jatosHost, realServe, staticHost } from "./hosts.mjs";
 import { actUntil, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
@@ -35,6 +36,19 @@ async function visiting(address, work_with, options = {}) {
   }
 }
 
+/** `seamline import` takes a file of lines, once, and says that nothing is missing; twice changes nothing. */
+function importLines(lines) {
+  const folder = mkdtempSync(join(work, "import-"));
+  const file = join(folder, "lines.jsonl");
+  writeFileSync(file, lines.join("\n") + "\n");
+  const log = join(folder, "log.sqlite");
+  const run = () => execFileSync(process.env.SEAMLINE_PROGRAM, ["import", log, file, "--set", join(work, "tiny-set")], { encoding: "utf8" });
+  const said = run();
+  run();
+  const status = execFileSync(process.env.SEAMLINE_PROGRAM, ["log", log, "--status"], { encoding: "utf8" });
+  return { said, status };
+}
+
 const tests = {
   async "a static host: by the mouse, and the answers as a file"() {
     const host = await staticHost(folderOf("tiny"));
@@ -46,6 +60,7 @@ const tests = {
       const messages = messagesOf(readFileSync(await download.path(), "utf8").trimEnd().split("\n"), seen.participant);
       assert.equal(messages[0].body.origin, "static");
       checkWhole(messages, orderOf("tiny", messages[0].body.slot));
+      console.log("  " + importLines(messages.map((message) => JSON.stringify(message))).status.trim().split("\n").join("\n  "));
       // Reopened, it is still over, and the answers can still be saved.
       await page.reload();
       await actUntil(page, ["thanks"]);
@@ -64,6 +79,7 @@ const tests = {
       for (let i = 0; i < 50 && !host.ended; ++i) await page.waitForTimeout(100);
       assert.ok(host.ended);
     });
+    console.log("  " + importLines(host.lines).said.trim().split("\n").join("\n  "));
     console.log("  %d lines appended for %d messages", host.lines.length, new Set(host.lines).size);
     await host.stop();
   },
@@ -76,6 +92,26 @@ const tests = {
       checkWhole(messagesOf(host.lines, "s-1"), orderOf("tiny", 0));
     });
     await host.stop();
+  },
+
+  async "seamline serve itself, and an adaptive study that it places"() {
+    for (const study of ["tiny", "adaptive"]) {
+      const host = await realServe(process.env.SEAMLINE_PROGRAM, folderOf(study), join(work, study + "-set"), join(mkdtempSync(join(work, "log-")), "log.sqlite"));
+      await visiting(host.address, async (page) => {
+        await actUntil(page, ["trial"], { patience_ms: 120000 });
+        await page.reload();
+        await actUntil(page, ["thanks"], { patience_ms: 120000, mouse: true });
+        const lines = await page.evaluate(async () => (await globalThis.seamline.store.messages()).map((one) => JSON.stringify(one)));
+        const secret = await page.evaluate(() => globalThis.seamline.host.identity.secret);
+        const { participant, slot, completed, answered } = await host.where(secret);
+        const messages = lines.map((line) => JSON.parse(line)).map((one, at) => (at === 0 ? { ...one, participant } : one));
+        const answers = checkWhole(messages, study === "tiny" ? orderOf(study, slot) : null);
+        assert.equal(completed, true);
+        assert.deepEqual(answered, answers.map((answer) => answer.trial_index));
+        assert.deepEqual(await host.health(), { status: "ok", participants: 1, answers: answers.length });
+      });
+      await host.stop();
+    }
   },
 
   async "an adaptive study: the server places the trials"() {
@@ -221,17 +257,19 @@ const tests = {
 };
 
 let failed = 0;
+let passed = 0;
 const wanted = process.argv[2] ?? "";
 for (const [name, test] of Object.entries(tests)) {
   if (!name.includes(wanted)) continue;
   const begun = Date.now();
   try {
     await test();
+    ++passed;
     console.log("ok      %s (%s s)", name, ((Date.now() - begun) / 1000).toFixed(1));
   } catch (error) {
     ++failed;
     console.log("FAILED  %s\n%s", name, error.stack);
   }
 }
-console.log("%d passed, %d failed", Object.keys(tests).length - failed, failed);
+console.log("%d passed, %d failed", passed, failed);
 process.exit(failed === 0 ? 0 : 1);

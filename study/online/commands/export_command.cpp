@@ -33,8 +33,8 @@ void run_export(const ExportOptions& options) {
                                          .pilot = options.pilot});
   fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.web, summary.files,
              static_cast<double>(summary.bytes) / 1e6, summary.pictures,
-             summary.slots > 0 ? fmt::format("{} orders", summary.slots)
-                               : std::string("trials placed by `seamline serve`"));
+             summary.adaptive ? std::string("trials placed by `seamline serve`")
+                              : fmt::format("{} orders", summary.slots));
 }
 
 }  // namespace

@@ -37,10 +37,6 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                        .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
                                  "--serve `seamline serve` will)",
                        .found = "\"quest_plus\""});
-  if (adaptive && request.slots)
-    throw input_error({.field = "--slots",
-                       .wanted = "no slots, because a server places the trials of an adaptive study",
-                       .found = fmt::format("{}", *request.slots)});
   const int orders = set.study.session.orders;
   if (orders > 0 && request.slots && *request.slots > orders)
     throw input_error({.field = "--slots",
@@ -127,8 +123,8 @@ WebSummary export_web(const WebRequest& request) {
   add_page(files);
   const TrialRules rules = make_trial_rules(set);
   const WebPictures pictures = add_pictures(set, files);
-  const int slots = rules.quest_plus ? 0 : slots_of(set, request);
-  for (int slot = 0; slot < slots; ++slot) {
+  const int slots = slots_of(set, request);
+  for (int slot = 0; !rules.quest_plus && slot < slots; ++slot) {
     stop_if_interrupted();
     files.add(order_file(slot), order_text(set, pictures, decided_trials(rules, slot, {})));
   }
@@ -146,6 +142,7 @@ WebSummary export_web(const WebRequest& request) {
   publish_folder(folder, out);
 
   WebSummary summary{.slots = slots,
+                     .adaptive = rules.quest_plus != nullptr,
                      .pictures = static_cast<int>(pictures.map.size()),
                      .files = static_cast<int>(files.files().size()) + 1};
   for (const auto& [name, file] : files.files()) summary.bytes += file.bytes;

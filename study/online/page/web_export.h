@@ -15,7 +15,8 @@ struct WebRequest {
 };
 
 struct WebSummary {
-  int slots = 0;  ///< 0 where a server places the trials
+  int slots = 0;
+  bool adaptive = false;  ///< no trials are planned: `seamline serve` places them
   int pictures = 0;
   int files = 0;
   std::int64_t bytes = 0;

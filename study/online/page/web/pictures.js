@@ -50,7 +50,14 @@ export function makePictures(known, { away, progress }) {
   let queue = [];
   let loading = null;
 
-  async function load(file) {
+  const coming = new Map(); // those on their way: nothing is fetched twice
+
+  function load(file) {
+    if (!coming.has(file)) coming.set(file, fetchAll(file).finally(() => coming.delete(file)));
+    return coming.get(file);
+  }
+
+  async function fetchAll(file) {
     if (!bytes.has(file)) bytes.set(file, await persistently(() => fetchChecked(facts.get(file)), away));
     const mapFile = facts.get(file).map;
     if (!maps.has(mapFile)) {
