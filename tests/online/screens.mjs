@@ -19,6 +19,8 @@ const CASES = [
   { name: "1.1x", study: "tiny", ratio: 1.1, width: 1283, height: 907, quiet: true },
   { name: "1.75x", study: "tiny", ratio: 1.75, width: 1281, height: 901, quiet: true },
   { name: "small", study: "tiny", ratio: 1, width: 640, height: 560 },
+  { name: "too-small", study: "tiny", ratio: 1, width: 500, height: 400 },
+  { name: "large", study: "tiny", ratio: 1, width: 1280, height: 900, large: true },
   { name: "arabic", study: "arabic", ratio: 1, width: 1100, height: 800 },
 ];
 
@@ -38,7 +40,7 @@ async function wrongPixels(page, folder, trial, shot) {
   return differences(picture, decodePng(shot), place.left, place.top);
 }
 
-async function walk({ name, study, ratio, width, height, quiet }) {
+async function walk({ name, study, ratio, width, height, quiet, large }) {
   const folder = join(work, study + "-page");
   const host = await staticHost(folder);
   const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { ratio, width, height });
@@ -92,6 +94,7 @@ async function walk({ name, study, ratio, width, height, quiet }) {
         }
         await lookAt(seen.screen + (seen.screen === "instructions" ? seen.words.length : ""));
       }
+      if (seen.screen === "consent" && large) await page.locator("label.option").last().click();
       if (seen.screen === "thanks") break;
       if (seen.guard) {
         await lookAt("guard");

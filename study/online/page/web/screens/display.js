@@ -58,7 +58,9 @@ function cardStep(app, draft, done) {
     size.textContent = card_px + " px = 85.60 mm";
     slider.setAttribute("aria-valuetext", size.textContent);
   };
-  room.style.height = ((most * CARD.height_mm) / CARD.width_mm / ratio) * 0.8 + "px";
+  // Room for the largest card, as far as the slider stays in sight: so the page does not move while the frame grows.
+  const tallest = (most * CARD.height_mm) / CARD.width_mm;
+  room.style.minHeight = Math.min(tallest, Math.max(app.screen.size().height - 20 * em, 120 * ratio)) / ratio + "px";
   slider.value = String(draft.card_px);
   show(draft.card_px);
   return [
