@@ -205,11 +205,11 @@ void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text) {
 
 void draw_figure(const std::vector<RealtimeRow>& rows, const FigureText& text) {
   PlotPanel shadows{.title = "shadows and light",
-                    .x_label = "run time of a frame (s)",
+                    .x_label = "processor time of a frame (s)",
                     .y_label = "RMSE beside rays (display units)",
                     .marks = {{.at = one_step, .label = "one 8-bit step"}}};
   PlotPanel others{.title = "normals, occlusion, compositing",
-                   .x_label = "run time of a frame (s)",
+                   .x_label = "processor time of a frame (s)",
                    .y_label = "RMSE beside rays (display units)",
                    .marks = {{.at = one_step, .label = "one 8-bit step"}}};
   for (const RealtimeRow& row : rows) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 
 #include "renderer/common/parallel.h"
-#include "renderer/common/stopwatch.h"
 #include "renderer/depth/local_scene.h"
 #include "renderer/estimators/realtime_methods.h"
 #include "renderer/estimators/stimulus_sampler.h"
@@ -80,6 +80,11 @@ void ask_frame(const ConvergenceSubject& subject, const DepthWorld& world) {
   });
 }
 
+/// Of all threads: what other programs take meanwhile is not in it.
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 double middle(std::array<double, 3> seconds) {
   std::sort(seconds.begin(), seconds.end());
   return seconds[1];
@@ -118,12 +123,12 @@ std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject, con
                     static_cast<double>((runs + 1) * list.size()));
   for (std::size_t run = 0; run < runs; ++run)
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const Stopwatch making;
+      const double start_s = processor_seconds();
       const DepthWorld world = world_of(list[i].pipeline);
-      prepare[i][run] = list[i].pipeline == Pipeline{} ? 0 : making.seconds();
-      const Stopwatch asking;
+      prepare[i][run] = list[i].pipeline == Pipeline{} ? 0 : processor_seconds() - start_s;
+      const double asked_s = processor_seconds();
       ask_frame(subject, world);
-      ask[i][run] = asking.seconds();
+      ask[i][run] = processor_seconds() - asked_s;
       progress.advance(1, list[i].name + " " + list[i].setting);
     }
   for (std::size_t i = 0; i < list.size(); ++i) {

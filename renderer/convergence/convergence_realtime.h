@@ -17,7 +17,7 @@ struct RealtimeRow {
 
 /// Every method of `[pipeline]` in its settings, on the subject's local scene, and rays beside them. The
 /// depth mesh answers all questions but those of bounce light and mirrors, which no method answers. Seconds
-/// are medians of three, taken in turn, with the subject's threads; a picture has the subject's samples.
+/// are processor time over all threads, medians of three, taken in turn; a picture has the subject's samples.
 [[nodiscard]] std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject,
                                                         const TruthSums& truth);
 

@@ -197,8 +197,8 @@ PartTables tables_of(const std::vector<RealtimeRow>& rows) {
                             {"frame_seconds", "s", "both"}},
                 .rows = {}},
       .slopes = {},
-      .remarks = {
-          "The depth mesh answers everything but bounce light and mirrors; seconds are medians of three."}};
+      .remarks = {"The depth mesh answers everything but bounce light and mirrors; seconds are processor "
+                  "time, medians of three."}};
   for (const RealtimeRow& row : rows)
     out.table.rows.push_back({row.method, row.setting, row.rmse, row.prepare_seconds, row.ask_seconds,
                               row.prepare_seconds + row.ask_seconds});
