@@ -1,0 +1,65 @@
+// serve, import and merge as people type them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+using test::fresh_folder;
+using test::Outcome;
+using test::read_text;
+using test::run_seamline;
+using test::write_text;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void expect_refused(const std::string& arguments, const std::string& said) {
+  const Outcome outcome = run_seamline(arguments);
+  EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.output;
+  EXPECT_THAT(outcome.output, StartsWith("seamline: ")) << arguments;
+  EXPECT_THAT(outcome.output, HasSubstr(said)) << arguments;
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+}
+
+TEST(OnlineCommands, InvitationsArePrintedAndTheirHashesStored) {
+  const auto folder = fresh_folder("online-tokens");
+  const std::string file = (folder / "tokens").string();
+  const Outcome made = run_seamline("serve --make-tokens 3 --tokens " + file);
+  EXPECT_EQ(made.status, 0) << made.output;
+  EXPECT_EQ(made.output.size(), 3U * 33);
+  EXPECT_EQ(read_text(file).size(), 3U * 65);
+  EXPECT_EQ(std::filesystem::status(file).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  expect_refused("serve --make-tokens 3", "wanted --tokens FILE");
+  expect_refused("serve " + folder.string() + " --make-tokens 3 --tokens " + file,
+                 "nothing served by the same");
+}
+
+TEST(OnlineCommands, AConfigurationForNginxIsWritten) {
+  const auto folder = fresh_folder("online-nginx");
+  const std::string file = (folder / "nginx.conf").string();
+  const Outcome written = run_seamline("serve --nginx " + file + " --port 8123");
+  EXPECT_EQ(written.status, 0) << written.output;
+  EXPECT_THAT(read_text(file), HasSubstr("server 127.0.0.1:8123;"));
+  expect_refused("serve --nginx " + file + " --log x.sqlite", "nothing served by the same");
+}
+
+TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {
+  const auto folder = fresh_folder("online-wrong");
+  const std::string none = (folder / "none").string(), text = (folder / "text.txt").string();
+  write_text(text, "no message\n");
+  expect_refused("serve", "wanted a folder of seamline export --web");
+  expect_refused("serve " + none, "found no log");
+  expect_refused("serve " + none + " --log " + none, "files.json");
+  expect_refused("serve " + none + " --log " + none + " --port 70000", "--port");
+  expect_refused("import " + none + ".sqlite " + text, "--set: wanted the rendered set");
+  expect_refused("merge " + none + " " + none, "no such file");
+  EXPECT_FALSE(std::filesystem::exists(none + ".sqlite"));
+}
+
+}  // namespace
+}  // namespace seamline
