@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -15,17 +16,36 @@ namespace seamline::study::online {
 namespace {
 
 constexpr double most_slots = 9999;
+constexpr int usual_k = 5;
 
 struct ExportOptions {
   std::string source;
-  std::string web;
-  std::optional<int> slots;
-  bool serve = false, pilot = false;
+  std::string web, csv;
+  std::optional<int> slots, k;
+  bool serve = false, pilot = false, anonymise = false;
 };
 
+void run_tables(const ExportOptions& options) {
+  const TableSummary summary = export_tables(
+      {.log = options.source,
+       .out_folder = options.csv,
+       .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt});
+  fmt::print("{}: {} answers of {} participants\n", options.csv, summary.answers, summary.participants);
+  if (!options.anonymise) return;
+  for (const GroupedField& field : summary.fields)
+    fmt::print("  {}: every answer is shared by at least {}{}\n", field.field, field.smallest_group,
+               field.withheld ? " (so few people that none is kept)" : "");
+  if (!summary.fields.empty())
+    fmt::print("  all answers of the form together: the smallest group is {}\n",
+               summary.smallest_combination);
+}
+
 void run_export(const ExportOptions& options) {
-  if (options.web.empty())
-    throw input_error({.field = "seamline export", .wanted = "--web DIR", .found = "nothing to write"});
+  if (options.web.empty() == options.csv.empty())
+    throw input_error({.field = "seamline export",
+                       .wanted = "--web DIR with a set, or --csv DIR with a log",
+                       .found = options.web.empty() ? "nothing to write" : "both"});
+  if (!options.csv.empty()) return run_tables(options);
   const WebSummary summary = export_web({.set_folder = options.source,
                                          .out_folder = options.web,
                                          .slots = options.slots,
@@ -41,16 +61,31 @@ void run_export(const ExportOptions& options) {
 
 void add_export_command(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write a study as a page for browsers");
-  command->add_option("source", options->source, "folder of the rendered set")->required();
-  command->add_option(
+  CLI::App* command = app.add_subcommand(
+      "export", "Write a study as a page for browsers, or a log as tables for other programs");
+  command->add_option("source", options->source, "folder of the rendered set; with --csv the log, LOG.sqlite")
+      ->required();
+  CLI::Option* web = command->add_option(
       "--web", options->web,
       "folder for the page, for any static host, JATOS or `seamline serve`; whole or not at all");
+  CLI::Option* csv = command->add_option(
+      "--csv", options->csv, "folder for tables: answers, catch answers, participants, dictionary");
+  CLI::Option* anonymise =
+      command
+          ->add_flag("--anonymise", options->anonymise,
+                     "new codes, times to a tenth of a second, no days, rare answers of the form grouped")
+          ->needs(csv);
+  add_number(*command, "--k", options->k, {2, 1000}, "of --anonymise: the smallest group (else 5)")
+      ->needs(anonymise);
   add_number(*command, "--slots", options->slots, {1, most_slots},
-             "orders to plan (the study's session.orders, else 200)");
-  command->add_flag("--serve", options->serve,
-                    "only `seamline serve` will host it, which an adaptive study needs");
-  command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent");
+             "orders to plan (the study's session.orders, else 200)")
+      ->needs(web);
+  command
+      ->add_flag("--serve", options->serve,
+                 "only `seamline serve` will host it, which an adaptive study needs")
+      ->needs(web);
+  command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent")
+      ->needs(web);
   command->callback([options] { run_export(*options); });
 }
 

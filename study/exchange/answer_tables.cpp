@@ -1,0 +1,110 @@
+#include "study/exchange/answer_tables.h"
+
+#include <set>
+
+namespace seamline::study {
+namespace {
+
+CsvValue whole(std::int64_t value) {
+  return value;
+}
+CsvValue yes_or_no(bool value) {
+  return std::int64_t{value ? 1 : 0};
+}
+CsvValue as_text(std::string_view value) {
+  return std::string(value);
+}
+CsvValue in_seconds(std::int64_t time_ns) {
+  return 1e-9 * static_cast<double>(time_ns);
+}
+
+CsvTable table_of_answers(const LogContents& log) {
+  CsvTable table{
+      .name = "answers",
+      .columns = {{"participant", "", "code of the participant, as in participants.csv"},
+                  {"trial_index", "", "place in the participant's order, catch trials counted, from 0"},
+                  {"stimulus_id", "", "as in the set's manifest"},
+                  {"scene", "", "name of the scene"},
+                  {"artifact", "", "which question the depth mesh answered wrongly"},
+                  {"object", "", "name of the object that was inserted"},
+                  {"object_index", "", "where it stood: 1 left, 2 middle, 3 right"},
+                  {"condition", "", "name of the condition; empty where the study has one"},
+                  {"level", std::string(facts(log.quantity).unit), std::string(facts(log.quantity).name)},
+                  {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
+                  {"correct", "", "1 where that is object_index"},
+                  {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
+                  {"noticeability", "", "0 where the choice is wrong, else the rating"},
+                  {"choice_s", "s", "from the picture's onset to the choice"},
+                  {"rating_s", "s", "from the picture's onset to the rating"},
+                  {"image_scale", "", "screen pixels a picture pixel"}},
+      .rows = {}};
+  for (const Answer& a : log.answers)
+    table.rows.push_back({as_text(a.participant), whole(a.trial_index), as_text(a.stimulus_id),
+                          as_text(a.scene), as_text(word(a.artifact)), as_text(a.object),
+                          whole(a.object_index), as_text(a.condition), a.level, whole(a.chosen_index),
+                          yes_or_no(a.correct()), whole(a.rating), whole(a.noticeability()),
+                          in_seconds(a.choice_ns), in_seconds(a.rating_ns), a.image_scale});
+  return table;
+}
+
+CsvTable table_of_catches(const LogContents& log) {
+  CsvTable table{
+      .name = "catch_answers",
+      .columns = {{"participant", "", "code of the participant, as in participants.csv"},
+                  {"trial_index", "", "place in the participant's order, from 0"},
+                  {"kind", "", "attention: an insertion nobody can miss; reference: nothing inserted"},
+                  {"scene", "", "name of the scene"},
+                  {"right_index", "", "1 to 3; 0 where nothing is right"},
+                  {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
+                  {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
+                  {"choice_s", "s", "from the picture's onset to the choice"},
+                  {"rating_s", "s", "from the picture's onset to the rating"}},
+      .rows = {}};
+  for (const CatchTrialAnswer& c : log.catches)
+    table.rows.push_back({as_text(c.participant), whole(c.trial_index), as_text(word(c.kind)),
+                          as_text(c.scene), whole(c.right_index), whole(c.chosen_index), whole(c.rating),
+                          in_seconds(c.choice_ns), in_seconds(c.rating_ns)});
+  return table;
+}
+
+CsvTable table_of_participants(const LogContents& log) {
+  CsvTable table{.name = "participants",
+                 .columns = {{"participant", "", "code of the participant"},
+                             {"origin", "", "window, serve, static or jatos"},
+                             {"completed", "", "1: all trials are answered"},
+                             {"excluded", "", "1: marked as excluded in the log"},
+                             {"pilot", "", "1: a trial run"},
+                             {"simulated", "", "1: no person"},
+                             {"observer", "", "kind of the simulated observer; empty for a person"},
+                             {"slot", "", "which order of trials"},
+                             {"restarts", "", "how often earlier answers were set aside"}},
+                 .rows = {}};
+  std::set<std::string> fields;
+  for (const ParticipantRecord& participant : log.participants)
+    for (const FormAnswer& answer : participant.form) fields.insert(answer.field);
+  for (const std::string& field : fields)
+    table.columns.push_back({"form_" + field, "", "answer to this question of the form; empty: none"});
+  for (const ParticipantRecord& p : log.participants) {
+    std::vector<CsvValue> row = {as_text(p.code),       as_text(word(p.origin)), yes_or_no(p.completed),
+                                 yes_or_no(p.excluded), yes_or_no(p.pilot),      yes_or_no(p.simulated),
+                                 as_text(p.observer),   whole(p.slot),           whole(p.restarts)};
+    for (const std::string& field : fields) {
+      std::string value;
+      for (const FormAnswer& answer : p.form)
+        if (answer.field == field) value = answer.value;
+      row.emplace_back(value);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<CsvTable> answer_tables(const LogContents& log) {
+  std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
+  tables.push_back(data_dictionary(tables));
+  return tables;
+}
+
+}  // namespace seamline::study
