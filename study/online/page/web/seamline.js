@@ -270,7 +270,20 @@ class Study {
   /** A screen that was measured before is not measured again. */
   async confirmKnownDisplay() {
     const profile = await this.store.fact("display " + screenKey());
-    if (profile) this.step({ type: "display_confirmed", facts: displayFacts(this, profile) });
+    if (!profile) return;
+    this.step({ type: "display_confirmed", facts: displayFacts(this, profile) });
+    await this.#nothingPending(); // else the page would show the check for a moment
+  }
+
+  #nothingPending() {
+    return new Promise((resolve) => {
+      if (!this.visit.pending) return resolve();
+      const stop = this.onChange(() => {
+        if (this.visit.pending) return;
+        stop();
+        resolve();
+      });
+    });
   }
 
   keepProfile(key, profile) {
