@@ -10,8 +10,8 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr float nearest_m = 1e-3F;
-constexpr float nothing = std::numeric_limits<float>::infinity();
+constexpr float cut_off_m = 1e-3F;
+constexpr float no_depth_m = std::numeric_limits<float>::infinity();
 
 /// A corner of a triangle in the picture. `value` is what is linear over the picture: depth of parallel
 /// views, 1 / depth from a point.
@@ -108,11 +108,11 @@ int cut_at_nearest(const std::array<Eigen::Vector3f, 3>& seen, std::array<Eigen:
   int count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector3f &from = seen[i], &to = seen[(i + 1) % 3];
-    if (from.z() >= nearest_m) out[static_cast<std::size_t>(count++)] = from;
-    if ((from.z() >= nearest_m) != (to.z() >= nearest_m)) {
-      const float share = (nearest_m - from.z()) / (to.z() - from.z());
+    if (from.z() >= cut_off_m) out[static_cast<std::size_t>(count++)] = from;
+    if ((from.z() >= cut_off_m) != (to.z() >= cut_off_m)) {
+      const float share = (cut_off_m - from.z()) / (to.z() - from.z());
       Eigen::Vector3f between = from + share * (to - from);
-      between.z() = nearest_m;
+      between.z() = cut_off_m;
       out[static_cast<std::size_t>(count++)] = between;
     }
   }
@@ -150,7 +150,7 @@ void draw_mesh(const Projection& projection, const ProjectedMesh& mesh, std::spa
       const std::array<Eigen::Vector3f, 3> seen = {mesh.seen_m[triangle[0]], mesh.seen_m[triangle[1]],
                                                    mesh.seen_m[triangle[2]]};
       const float nearest = std::min({seen[0].z(), seen[1].z(), seen[2].z()});
-      if (!(nearest >= nearest_m)) {
+      if (!(nearest >= cut_off_m)) {
         std::array<Eigen::Vector3f, 4> polygon;
         const int corners = cut_at_nearest(seen, polygon);
         for (int i = 2; i < corners; ++i)
@@ -175,7 +175,7 @@ ViewedPoint view_point(const DrawView& view, const DepthPicture& picture, const 
 
 void draw_depth(const DrawView& view, std::span<const TriangleSpan> meshes, int threads,
                 DepthPicture& picture) {
-  std::fill(picture.depth_m.begin(), picture.depth_m.end(), nothing);
+  std::fill(picture.depth_m.begin(), picture.depth_m.end(), no_depth_m);
   const Projection projection(view, picture);
   std::vector<ProjectedMesh> projected;
   projected.reserve(meshes.size());
@@ -191,9 +191,9 @@ void draw_depth(const DrawView& view, std::span<const TriangleSpan> meshes, int 
 }
 
 DepthPicture empty_picture(int width_px, int height_px) {
-  return {
-      width_px, height_px,
-      std::vector<float>(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), nothing)};
+  return {width_px, height_px,
+          std::vector<float>(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px),
+                             no_depth_m)};
 }
 
 Eigen::Matrix3f axes_along(const Eigen::Vector3f& forward) {

@@ -15,8 +15,6 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Eigen::Matrix3d some_rotation(double angle_rad, const Eigen::Vector3d& axis) {
   return Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
 }
@@ -222,8 +220,8 @@ template <class Check>
 void each_sample(const OcclusionField& field, std::size_t shell, const Check& check) {
   for (int row = 1; row < field.shape.latitudes - 1; row += 3)
     for (int column = 0; column < field.shape.longitudes; column += 5) {
-      const double polar = pi * row / (field.shape.latitudes - 1),
-                   azimuth = 2 * pi * column / field.shape.longitudes;
+      const double polar = std::numbers::pi * row / (field.shape.latitudes - 1),
+                   azimuth = 2 * std::numbers::pi * column / field.shape.longitudes;
       const Eigen::Vector3f direction(static_cast<float>(std::sin(polar) * std::cos(azimuth)),
                                       static_cast<float>(std::cos(polar)),
                                       static_cast<float>(std::sin(polar) * std::sin(azimuth)));
@@ -282,7 +280,7 @@ TEST(OcclusionField, TurnsWithItsObject) {
   // The field of a turned box at a turned place is the field of the box there, turned by its coefficients.
   const BoxField scene;
   const OcclusionField field = scene.field(4, 4);
-  const Eigen::Matrix3d turn = some_rotation(pi / 2, Eigen::Vector3d::UnitY());
+  const Eigen::Matrix3d turn = some_rotation(std::numbers::pi / 2, Eigen::Vector3d::UnitY());
   const std::vector<std::shared_ptr<const SurfaceMesh>> turned_box = {
       test::box({-0.2F, -0.5F, -4.3F}, {0.2F, 0.5F, -3.7F}, 0.5F, 1)};
   const Geometry turned(turned_box);
