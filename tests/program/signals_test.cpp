@@ -73,7 +73,7 @@ int status_after(const Running& running, int signal) {
 
 /// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
 struct Work {
-  fs::path folder, set, long_set, log, counts, depth, photograph, rig, rig_depth;
+  fs::path folder, set, long_set, log, small_log, lines, counts, depth, photograph, rig, rig_depth;
 };
 
 /// A set whose pictures go on for gigabytes after their last byte that says anything.
@@ -96,6 +96,18 @@ void write_rig(const Work& work) {
   write_exr(work.rig_depth, Image(4096, 3072, 1, 2.0F));
 }
 
+/// What a page would say whose participant opened it again and again.
+void write_lines(const Work& work, const RenderedSet& set) {
+  std::string lines;
+  for (int i = 0; i < 200000; ++i)
+    lines += fmt::format(
+        "{{\"format\":\"seamline-online-1\",\"study_hash\":\"{}\",\"set_hash\":\"{}\",\"participant\":"
+        "\"w-aaaaaaaaaaaaaaaa\",\"sequence\":{},\"id\":\"00000000-0000-4000-8000-{:012}\",\"kind\":\"begin\","
+        "\"body\":{{\"user_agent\":\"x\"}}}}\n",
+        set.manifest.study_hash, set.set_hash, i + 1, i);
+  test::write_text(work.lines, lines);
+}
+
 const Work& work() {
   static const Work made = [] {
     const fs::path folder = fresh_folder("signals");
@@ -103,14 +115,17 @@ const Work& work() {
               .set = folder / "set",
               .long_set = folder / "long-set",
               .log = folder / "log.sqlite",
+              .small_log = folder / "small.sqlite",
+              .lines = folder / "lines.jsonl",
               .counts = folder / "counts.csv",
               .depth = folder / "depth.exr",
               .photograph = folder / "photograph.exr",
               .rig = folder / "rig.toml",
               .rig_depth = folder / "rig-depth.exr"};
-    (void)test::write_picture_set(
+    const RenderedSet set = test::write_picture_set(
         work.set, {.width_px = 640, .height_px = 480, .widths = "64, 128, 256, 512, 1024, 2048, 4096, 8192"});
     write_long_set(work.long_set);
+    write_lines(work, set);
     std::string counts = "level,correct,trials\n";
     for (int level = 1; level <= 2000; ++level) counts += fmt::format("{},{},60\n", level, 20 + level % 41);
     test::write_text(work.counts, counts);
@@ -118,6 +133,7 @@ const Work& work() {
     write_rig(work);
     for (const std::string& made_by :
          {"study " + work.set.string() + " --observer guesser --count 12000 --log " + work.log.string(),
+          "study " + work.set.string() + " --observer perfect --count 1 --log " + work.small_log.string(),
           "capture builtin:bedroom --width 4096 --out " + work.depth.string()})
       if (const test::Outcome outcome = run_seamline(made_by); outcome.status != 0)
         throw std::runtime_error(outcome.output);
@@ -147,7 +163,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"export", ""}};
+    {"export", ""},         {"import", ""},       {"merge", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -213,6 +229,8 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   }
   if (command == "sense")
     return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
+  if (command == "import") return {out + ".sqlite", at.lines.string(), "--set", at.set.string()};
+  if (command == "merge") return {at.small_log.string(), at.log.string()};
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
@@ -240,6 +258,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
 TEST(Signals, AreTriedOnEveryCommand) {
   std::set<std::string> tried;
   for (const auto& [command, what] : commands) tried.insert(command);
+  tried.insert("serve");  // a signal is its only end, and a good one: tests/online
   std::set<std::string> listed;
   const std::string help = run_seamline("--help").output;
   const std::regex line("\n  ([a-z]+)  ");
