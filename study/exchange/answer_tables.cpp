@@ -21,7 +21,7 @@ CsvValue in_seconds(std::int64_t time_ns) {
 CsvTable table_of_answers(const LogContents& log) {
   CsvTable table{
       .name = "answers",
-      .columns = {{"participant", "", "code of the participant, as in participants.csv"},
+      .columns = {{"participant", "", "code of the participant, as in the table of participants"},
                   {"trial_index", "", "place in the participant's order, catch trials counted, from 0"},
                   {"stimulus_id", "", "as in the set's manifest"},
                   {"scene", "", "name of the scene"},
@@ -50,7 +50,7 @@ CsvTable table_of_answers(const LogContents& log) {
 CsvTable table_of_catches(const LogContents& log) {
   CsvTable table{
       .name = "catch_answers",
-      .columns = {{"participant", "", "code of the participant, as in participants.csv"},
+      .columns = {{"participant", "", "code of the participant, as in the table of participants"},
                   {"trial_index", "", "place in the participant's order, from 0"},
                   {"kind", "", "attention: an insertion nobody can miss; reference: nothing inserted"},
                   {"scene", "", "name of the scene"},

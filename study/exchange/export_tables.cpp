@@ -1,6 +1,5 @@
 #include "study/exchange/export_tables.h"
 
-#include "study/exchange/answer_tables.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 
@@ -24,8 +23,11 @@ TableSummary export_tables(const TableRequest& request) {
   const TemporaryFolder work(out);
   const fs::path folder = work / "tables";
   fs::create_directory(folder);
-  for (const CsvTable& table : answer_tables(log))
-    write_file_atomically(folder / (table.name + ".csv"), csv_text(table));
+  const Readers readers = request.anonymise_k ? Readers::everybody : Readers::owner;
+  for (const DatasetFile& file : dataset_files(log, request.layout, request.anonymise_k)) {
+    fs::create_directories((folder / file.path).parent_path());
+    write_file_atomically(folder / file.path, file.text, readers);
+  }
   publish_folder(folder, out);
   return summary;
 }

@@ -3,14 +3,16 @@
 #include <optional>
 
 #include "study/exchange/anonymise.h"
+#include "study/exchange/dataset.h"
 
 namespace seamline::study {
 
-/// What `seamline export LOG --csv DIR` asks for.
+/// What `seamline export LOG --csv DIR`, `--psych-ds DIR` and `--bids DIR` ask for.
 struct TableRequest {
   std::filesystem::path log;
   std::filesystem::path out_folder;     ///< not there yet, or empty
   std::optional<int> anonymise_k = {};  ///< the smallest group of `anonymise`; none: as it is
+  TableLayout layout = TableLayout::plain;
 };
 
 struct TableSummary {
@@ -20,8 +22,9 @@ struct TableSummary {
   int smallest_combination = 0;
 };
 
-/// Writes the tables of `answer_tables` as CSV: whole or not at all, the same bytes for the same log and
-/// program. Throws InputError when the log cannot be read or the folder holds something.
+/// Writes the tables of `answer_tables` in the layout: whole or not at all, the same bytes for the same log
+/// and program. What is not anonymised is for its owner's eyes alone (0600, as the log). Throws InputError
+/// when the log cannot be read or the folder holds something.
 TableSummary export_tables(const TableRequest& request);
 
 }  // namespace seamline::study

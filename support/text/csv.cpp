@@ -12,12 +12,15 @@ namespace seamline {
 
 namespace {
 
-std::string safe_text(std::string_view outside) {
+std::string without_formula(std::string_view outside) {
   const std::string text = clean_text(outside);
-  std::string safe;
-  if (!text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos)
-    safe = "'";
-  safe += text;
+  const bool formula =
+      !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;
+  return (formula ? "'" : "") + text;
+}
+
+std::string safe_text(std::string_view outside) {
+  const std::string safe = without_formula(outside);
   if (safe.find_first_of(",\"\n\r") == std::string::npos) return safe;
   std::string quoted = "\"";
   for (char c : safe) {
@@ -32,6 +35,20 @@ struct CsvCellText {
   std::string operator()(const std::string& text) const { return safe_text(text); }
   std::string operator()(double number) const { return std::isfinite(number) ? number_text(number) : ""; }
   std::string operator()(std::int64_t number) const { return std::to_string(number); }
+};
+
+struct TsvCellText {
+  std::string operator()(const std::string& text) const {
+    std::string safe = without_formula(text);
+    for (char& c : safe)
+      if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+    return or_none(safe);
+  }
+  template <class Other>
+  std::string operator()(const Other& other) const {
+    return or_none(CsvCellText{}(other));
+  }
+  static std::string or_none(const std::string& text) { return text.empty() ? "n/a" : text; }
 };
 
 }  // namespace
@@ -54,6 +71,20 @@ std::string csv_text(const CsvTable& table) {
     assert(row.size() == table.columns.size());
     for (std::size_t i = 0; i < row.size(); ++i)
       text += (i == 0 ? "" : ",") + std::visit(CsvCellText{}, row[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string tsv_text(const CsvTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    text += (i == 0 ? "" : "\t") + TsvCellText{}(table.columns[i].name);
+  text += "\n";
+  for (const std::vector<CsvValue>& row : table.rows) {
+    assert(row.size() == table.columns.size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += (i == 0 ? "" : "\t") + std::visit(TsvCellText{}, row[i]);
     text += "\n";
   }
   return text;

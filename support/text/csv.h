@@ -30,6 +30,10 @@ struct CsvTable {
 /// one that is infinite or not a number is an empty cell, as what does not exist.
 [[nodiscard]] std::string csv_text(const CsvTable& table);
 
+/// The same with tabs between the cells, as BIDS wants it: what has no value is "n/a", and tabs and line ends
+/// within text are blanks, because nothing is quoted.
+[[nodiscard]] std::string tsv_text(const CsvTable& table);
+
 /// The columns of several tables as a table of their own: file, column, unit, meaning.
 [[nodiscard]] CsvTable data_dictionary(const std::vector<CsvTable>& tables);
 

@@ -1,11 +1,13 @@
 #include "study/online/commands/export_command.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
@@ -20,17 +22,18 @@ constexpr int usual_k = 5;
 
 struct ExportOptions {
   std::string source;
-  std::string web, csv;
+  std::string web, csv, psych_ds, bids;
   std::optional<int> slots, k;
   bool serve = false, pilot = false, anonymise = false;
 };
 
-void run_tables(const ExportOptions& options) {
+void run_tables(const ExportOptions& options, const std::string& folder, TableLayout layout) {
   const TableSummary summary = export_tables(
       {.log = options.source,
-       .out_folder = options.csv,
-       .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt});
-  fmt::print("{}: {} answers of {} participants\n", options.csv, summary.answers, summary.participants);
+       .out_folder = folder,
+       .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt,
+       .layout = layout});
+  fmt::print("{}: {} answers of {} participants\n", folder, summary.answers, summary.participants);
   if (!options.anonymise) return;
   for (const GroupedField& field : summary.fields)
     fmt::print("  {}: every answer is shared by at least {}{}\n", field.field, field.smallest_group,
@@ -41,11 +44,21 @@ void run_tables(const ExportOptions& options) {
 }
 
 void run_export(const ExportOptions& options) {
-  if (options.web.empty() == options.csv.empty())
-    throw input_error({.field = "seamline export",
-                       .wanted = "--web DIR with a set, or --csv DIR with a log",
-                       .found = options.web.empty() ? "nothing to write" : "both"});
-  if (!options.csv.empty()) return run_tables(options);
+  std::vector<std::string> asked;
+  for (const auto& [folder, flag] :
+       {std::pair(options.web, "--web"), std::pair(options.csv, "--csv"),
+        std::pair(options.psych_ds, "--psych-ds"), std::pair(options.bids, "--bids")})
+    if (!folder.empty()) asked.emplace_back(flag);
+  if (asked.size() != 1)
+    throw input_error(
+        {.field = "seamline export",
+         .wanted = "--web DIR with a set, or one of --csv, --psych-ds and --bids DIR with a log",
+         .found = asked.empty() ? "nothing to write" : fmt::format("{}", fmt::join(asked, " and "))});
+  if (options.anonymise && !options.web.empty())
+    throw input_error({.field = "--anonymise", .wanted = "a log's tables to write", .found = "--web"});
+  if (!options.csv.empty()) return run_tables(options, options.csv, TableLayout::plain);
+  if (!options.psych_ds.empty()) return run_tables(options, options.psych_ds, TableLayout::psych_ds);
+  if (!options.bids.empty()) return run_tables(options, options.bids, TableLayout::bids);
   const WebSummary summary = export_web({.set_folder = options.source,
                                          .out_folder = options.web,
                                          .slots = options.slots,
@@ -63,18 +76,23 @@ void add_export_command(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand(
       "export", "Write a study as a page for browsers, or a log as tables for other programs");
-  command->add_option("source", options->source, "folder of the rendered set; with --csv the log, LOG.sqlite")
+  command
+      ->add_option("source", options->source,
+                   "folder of the rendered set for --web, else the log, LOG.sqlite")
       ->required();
   CLI::Option* web = command->add_option(
       "--web", options->web,
       "folder for the page, for any static host, JATOS or `seamline serve`; whole or not at all");
-  CLI::Option* csv = command->add_option(
-      "--csv", options->csv, "folder for tables: answers, catch answers, participants, dictionary");
+  command->add_option("--csv", options->csv,
+                      "folder for tables: answers, catch answers, participants, dictionary");
+  command->add_option("--psych-ds", options->psych_ds,
+                      "folder for the same tables in the layout of Psych-DS");
+  command->add_option("--bids", options->bids,
+                      "folder for the same answers in the layout of BIDS (behaviour)");
   CLI::Option* anonymise =
-      command
-          ->add_flag("--anonymise", options->anonymise,
-                     "new codes, times to a tenth of a second, no days, rare answers of the form grouped")
-          ->needs(csv);
+      command->add_flag("--anonymise", options->anonymise,
+                        "of tables: new codes, times to a tenth of a second, no days, rare answers of the "
+                        "form grouped");
   add_number(*command, "--k", options->k, {2, 1000}, "of --anonymise: the smallest group (else 5)")
       ->needs(anonymise);
   add_number(*command, "--slots", options->slots, {1, most_slots},

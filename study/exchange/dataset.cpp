@@ -1,0 +1,73 @@
+#include "study/exchange/dataset.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "study/exchange/answer_tables.h"
+#include "support/files/assets.h"
+#include "support/text/csv.h"
+#include "support/text/printable.h"
+
+namespace seamline::study {
+namespace {
+
+bool ascii_letter_or_figure(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::vector<DatasetFile> plain_files(const LogContents& log) {
+  std::vector<DatasetFile> files;
+  for (const CsvTable& table : answer_tables(log)) files.push_back({table.name + ".csv", csv_text(table)});
+  return files;
+}
+
+}  // namespace
+
+std::string file_label(const std::string& name) {
+  std::string label;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(label), ascii_letter_or_figure);
+  return label.empty() ? "study" : label;
+}
+
+std::string dataset_readme(const LogContents& log, const std::string& layout,
+                           const std::optional<int>& anonymise_k) {
+  const auto simulated = std::count_if(log.participants.begin(), log.participants.end(),
+                                       [](const ParticipantRecord& p) { return p.simulated; });
+  std::string text = fmt::format(
+      "# {}\n\nAnswers to the study \"{}\", written by Seamline {} in the layout of {}.\n\n"
+      "- People: {}{}. Everybody is in it, also the excluded and trial runs, each marked.\n"
+      "- Answers: {} to stimuli, {} to catch trials. A trial is a picture with three objects; the "
+      "participant "
+      "says which one\n  was inserted by a computer, and how noticeable that is, from 1 (slightly) to 4 "
+      "(extremely).\n"
+      "- Study file: SHA-256 of its settings {}. Stimuli: SHA-256 of their manifest {}.\n",
+      clean_text(log.study_name), clean_text(log.study_name), program_version(), layout,
+      log.participants.size(), simulated > 0 ? fmt::format(", {} of them simulated", simulated) : "",
+      log.answers.size(), log.catches.size(), log.study_hash, log.set_hash);
+  text += anonymise_k
+              ? fmt::format(
+                    "- Anonymised: codes are new, times are rounded to a tenth of a second, "
+                    "and no answer to a single\n  question of the form is shared by "
+                    "fewer than {} people.\n",
+                    *anonymise_k)
+              : "- Not anonymised: codes are those of the log, and answers of the form are as given.\n";
+  return text +
+         "- Not said here, because the program does not know it: authors, licence, ethics approval. Add them "
+         "before\n  you share this folder.\n";
+}
+
+std::vector<DatasetFile> dataset_files(const LogContents& log, TableLayout layout,
+                                       const std::optional<int>& anonymise_k) {
+  switch (layout) {
+    case TableLayout::plain:
+      return plain_files(log);
+    case TableLayout::psych_ds:
+      return psych_ds_files(log, anonymise_k);
+    case TableLayout::bids:
+      return bids_files(log, anonymise_k);
+  }
+  return {};
+}
+
+}  // namespace seamline::study
