@@ -9,6 +9,7 @@
 #include "analysis/report/page/report_html.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
+#include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/threshold_text.h"
@@ -23,10 +24,14 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   AnalysisOptions options;
   options.field_of_view_deg = request.field_of_view_deg;
   options.exclude_screened = request.exclude_screened;
-  const Analysis analysis =
+  std::optional<Archive> archive;
+  if (!request.frozen.empty()) archive = read_archive(request.frozen);
+  Analysis analysis =
       analyze(study::read_log(request.log), request.include_pilot,
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
+
+  if (archive) compare_with_archive(analysis, *archive);
 
   const ReportNumbers numbers = report_numbers(analysis);
   const std::filesystem::path& folder = request.report_folder;
@@ -48,7 +53,8 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   write("report.html", report_html(analysis, numbers, figures, samples));
   std::vector<std::string> notes = analysis.notes;
   for (const std::string& note : notes_on(samples)) notes.push_back(note);
-  return {.table = table_text(analysis),
+  return {.frozen = frozen_text(analysis),
+          .table = table_text(analysis),
           .checks = checks_text(analysis),
           .sections = numbers_text(numbers),
           .notes = std::move(notes),

@@ -13,12 +13,14 @@ struct AnalysisRequest {
   int bootstrap_replicates = 10000;
   std::uint64_t seed = 1;  ///< of the bootstrap; same seed, same intervals, for any number of threads
   bool include_pilot = false;
-  int threads = 0;                ///< 0: as many as the machine has
-  double field_of_view_deg = 90;  ///< horizontal, for which thresholds are also stated
-  bool exclude_screened = false;  ///< leave out the participants whom a screen names
+  int threads = 0;                    ///< 0: as many as the machine has
+  double field_of_view_deg = 90;      ///< horizontal, for which thresholds are also stated
+  std::filesystem::path frozen = {};  ///< an archive of seamline freeze to compare with; empty: none
+  bool exclude_screened = false;      ///< leave out the participants whom a screen names
 };
 
 struct AnalysisSummary {
+  std::string frozen;                 ///< the verdict, and a line each for what deviates; empty: no archive
   std::string table;                  ///< Table 1 from the data beside the paper's, for a terminal
   std::string checks;                 ///< the same thresholds otherwise estimated and with others left out
   std::string sections;               ///< psychometric functions, comparisons, tracks, response times

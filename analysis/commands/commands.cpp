@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/commands/analyze.h"
+#include "analysis/commands/freeze_command.h"
 #include "analysis/commands/plan_command.h"
 #include "analysis/commands/predict_command.h"
 #include "analysis/psychometric/report/fit_command.h"
@@ -16,7 +17,8 @@ namespace {
 
 void run_analyze(const AnalysisRequest& request) {
   const AnalysisSummary summary = analyze_log(request);
-  std::printf("%s\n%s\n%s", summary.table.c_str(), summary.checks.c_str(), summary.sections.c_str());
+  std::printf("%s%s\n%s\n%s", summary.frozen.c_str(), summary.table.c_str(), summary.checks.c_str(),
+              summary.sections.c_str());
   for (const std::string& note : summary.notes) std::printf("Note: %s\n", note.c_str());
   std::printf("Report: %s\n", summary.report_html.c_str());
 }
@@ -37,11 +39,14 @@ void add_analysis_commands(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--exclude-screened", request->exclude_screened,
                     "leave out the participants whom a screen names (else they are named and used)");
+  command->add_option("--frozen", request->frozen,
+                      "an archive of seamline freeze: says what deviates from it");
   command->callback([request] { run_analyze(*request); });
 
   add_fit_command(app);
   add_predict_command(app);
   add_plan_command(app);
+  add_freeze_command(app);
 }
 
 }  // namespace seamline::analysis

@@ -15,24 +15,12 @@ bool meets(const PlannedInterval& interval, double wanted_octaves) {
   return !interval.planted || interval.median_octaves <= wanted_octaves;
 }
 
-/// Whether every interval of a design that can be had is narrow enough, and at least one can be had.
-bool meets(const StudyPlan& plan, const PlannedDesign& design) {
-  bool some = false;
-  for (const PlanRow& row : plan.rows) {
-    if (row.width_set != design.width_set || row.participants != design.participants) continue;
-    if (!meets(row.perceptual, plan.wanted_octaves) || !meets(row.slightly_noticeable, plan.wanted_octaves))
-      return false;
-    some = some || row.perceptual.planted || row.slightly_noticeable.planted;
-  }
-  return some;
-}
-
 std::vector<PlannedDesign> designs_that_meet(const StudyPlan& plan) {
   std::vector<PlannedDesign> designs;
   for (const PlanRow& row : plan.rows) {
     if (row.artifact != plan.rows.front().artifact) continue;
     const PlannedDesign design{.width_set = row.width_set, .participants = row.participants};
-    if (meets(plan, design)) designs.push_back(design);
+    if (meets_wish(plan, design)) designs.push_back(design);
   }
   return designs;
 }
@@ -75,6 +63,17 @@ CsvTable table_of(const StudyPlan& plan) {
 }
 
 }  // namespace
+
+bool meets_wish(const StudyPlan& plan, const PlannedDesign& design) {
+  bool some = false;
+  for (const PlanRow& row : plan.rows) {
+    if (row.width_set != design.width_set || row.participants != design.participants) continue;
+    if (!meets(row.perceptual, plan.wanted_octaves) || !meets(row.slightly_noticeable, plan.wanted_octaves))
+      return false;
+    some = some || row.perceptual.planted || row.slightly_noticeable.planted;
+  }
+  return some;
+}
 
 std::optional<PlannedDesign> fewest_participants(const StudyPlan& plan) {
   const std::vector<PlannedDesign> designs = designs_that_meet(plan);

@@ -12,6 +12,9 @@ struct PlannedDesign {
   int participants = 0;
 };
 
+/// Whether every interval of a design that can be had is narrow enough, and at least one can be had.
+[[nodiscard]] bool meets_wish(const StudyPlan& plan, const PlannedDesign& design);
+
 /// The design that meets the wish with the fewest participants (then the fewest widths), none when no design
 /// tried does.
 [[nodiscard]] std::optional<PlannedDesign> fewest_participants(const StudyPlan& plan);

@@ -8,6 +8,7 @@
 #include "stimuli/study_file/study_file.h"
 
 #include "study/observers/observer.h"
+#include "support/files/assets.h"
 #include "support/text/error.h"
 
 namespace seamline::analysis {
@@ -100,6 +101,26 @@ AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogConte
 }
 
 }  // namespace
+
+void compare_with_archive(Analysis& analysis, const Archive& archive) {
+  AnalysisDone done{.program_version = program_version(),
+                    .study_hash = analysis.log.study_hash,
+                    .set_hash = analysis.log.set_hash,
+                    .analysis = {.thresholds = {},
+                                 .include_pilot = analysis.include_pilot,
+                                 .exclude_screened = analysis.options.exclude_screened,
+                                 .field_of_view_deg = analysis.options.field_of_view_deg,
+                                 .bootstrap_replicates = analysis.resampling.replicates,
+                                 .seed = analysis.resampling.seed,
+                                 .rules = rules_of_analysis(),
+                                 .by_hand = {}},
+                    .participants_used = analysis.counts.used,
+                    .excluded = {}};
+  for (const ParticipantUse& person : analysis.people)
+    if (person.use == Use::excluded) done.excluded.push_back(person.record.code);
+  analysis.frozen = compare_with_frozen(archive, done);
+  analysis.notes.insert(analysis.notes.begin(), verdict_of(*analysis.frozen));
+}
 
 Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingRequest& resampling,
                  const AnalysisOptions& options) {

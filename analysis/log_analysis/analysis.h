@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/log_analysis/origins.h"
+#include "analysis/preregistration/deviations.h"
 #include "analysis/scores/cells.h"
 #include "analysis/scores/opinion_score.h"
 #include "analysis/scores/participants.h"
@@ -55,13 +56,17 @@ struct Analysis {
   ScoreMatrix scores;                             ///< of the people used
   std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
   SosParameter sos;                               ///< of noticeability, 0 to 4
-  PlantedValues planted;           ///< empty unless every used participant is a `threshold` observer
-  std::vector<std::string> notes;  ///< what a reader must know, a sentence each
+  PlantedValues planted;                   ///< empty unless every used participant is a `threshold` observer
+  std::vector<std::string> notes;          ///< what a reader must know, a sentence each
+  std::optional<FrozenComparison> frozen;  ///< none where nothing was frozen (`compare_with_archive`)
 };
 
 /// Computes everything. Throws InputError when no participant can be used.
 [[nodiscard]] Analysis analyze(study::LogContents log, bool include_pilot,
                                const ResamplingRequest& resampling, const AnalysisOptions& options = {});
+
+/// Sets `frozen`, and says its verdict in the first note.
+void compare_with_archive(Analysis& analysis, const Archive& archive);
 
 /// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
 /// observers": goes on every figure and table.

@@ -2,21 +2,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 
+#include "refusal.h"
 #include "run_program.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {
 namespace {
 
+using test::expect_refused;
 using test::fresh_folder;
 using test::Outcome;
 using test::run_program;
 using test::run_seamline;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 /// Six simulated people who answered a small set; the log's path.
 std::string answered_log(const std::filesystem::path& folder) {
@@ -32,23 +32,16 @@ TEST(ExchangeCommand, OneLayoutAtATimeAndNothingIsOverwritten) {
   const auto folder = fresh_folder("exchange");
   const std::string log = answered_log(folder);
   const std::string out = (folder / "out").string();
-  const auto refused = [](const std::string& arguments, const std::string& said) {
-    const Outcome outcome = run_seamline(arguments);
-    EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.output;
-    EXPECT_THAT(outcome.output, StartsWith("seamline: "));
-    EXPECT_THAT(outcome.output, HasSubstr(said)) << arguments;
-    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
-  };
-  refused("export " + log, "found nothing to write");
-  refused("export " + log + " --csv " + out + " --bids " + out, "found --csv and --bids");
-  refused("export " + log + " --web " + out + " --anonymise", "--anonymise: wanted a log's tables");
+  expect_refused("export " + log, "found nothing to write");
+  expect_refused("export " + log + " --csv " + out + " --bids " + out, "found --csv and --bids");
+  expect_refused("export " + log + " --web " + out + " --anonymise", "--anonymise: wanted a log's tables");
   EXPECT_FALSE(std::filesystem::exists(out));
   for (const std::string layout : {"--csv", "--psych-ds", "--bids"}) {
     const std::string place = out + layout;
     const Outcome written = run_seamline("export " + log + " " + layout + " " + place + " --anonymise");
     EXPECT_EQ(written.status, 0) << written.output;
     EXPECT_THAT(written.output, HasSubstr("answers of 6 participants"));
-    refused("export " + log + " " + layout + " " + place, "wanted a folder that is empty");
+    expect_refused("export " + log + " " + layout + " " + place, "wanted a folder that is empty");
   }
 }
 

@@ -2,28 +2,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "refusal.h"
 #include "run_program.h"
 
 namespace seamline {
 namespace {
 
+using test::expect_refused;
 using test::fresh_folder;
 using test::Outcome;
 using test::read_text;
 using test::run_seamline;
 using test::write_text;
 using testing::HasSubstr;
-using testing::StartsWith;
-
-void expect_refused(const std::string& arguments, const std::string& said) {
-  const Outcome outcome = run_seamline(arguments);
-  EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.output;
-  EXPECT_THAT(outcome.output, StartsWith("seamline: ")) << arguments;
-  EXPECT_THAT(outcome.output, HasSubstr(said)) << arguments;
-  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
-}
 
 TEST(OnlineCommands, InvitationsArePrintedAndTheirHashesStored) {
   const auto folder = fresh_folder("online-tokens");

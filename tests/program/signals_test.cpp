@@ -163,7 +163,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"export", ""},         {"import", ""},       {"merge", ""}};
+    {"export", ""},         {"import", ""},       {"merge", ""},     {"freeze", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -234,6 +234,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
+  if (command == "freeze") return {quick, "--studies", "1000000", "--out", out + ".json"};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};
 }

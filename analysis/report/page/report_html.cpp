@@ -11,6 +11,7 @@
 #include "analysis/report/page/origins_section.h"
 #include "analysis/report/page/page_style.h"
 #include "analysis/report/page/people_section.h"
+#include "analysis/report/page/preregistration_section.h"
 #include "analysis/report/page/psychometric_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
@@ -123,7 +124,8 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), page_style());
-  html += header(analysis) + contents + thresholds_section(analysis) + differences_html(analysis) + origins_html(analysis) +
+  html += header(analysis) + contents + preregistration_html(analysis) + thresholds_section(analysis) +
+          differences_html(analysis) + origins_html(analysis) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
           times_html(numbers, figures);

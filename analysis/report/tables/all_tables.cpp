@@ -4,6 +4,7 @@
 #include "analysis/report/tables/comparisons_tables.h"
 #include "analysis/report/tables/noticeability_tables.h"
 #include "analysis/report/tables/people_tables.h"
+#include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/tables/psychometric_tables.h"
 
 namespace seamline::analysis {
@@ -16,6 +17,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
            response_times_table(numbers), participants_table(numbers), tracks_table(numbers)})
     tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
+  if (analysis.frozen) tables.push_back(deviations_table(*analysis.frozen));
   return tables;
 }
 

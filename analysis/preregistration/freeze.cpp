@@ -1,0 +1,64 @@
+#include "analysis/preregistration/freeze.h"
+
+#include <algorithm>
+
+#include "stimuli/set/manifest.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+#include "support/text/printable.h"
+
+namespace seamline::analysis {
+namespace {
+
+void require_thresholds(const std::vector<std::string>& thresholds) {
+  if (thresholds.empty())
+    throw input_error({.field = "--thresholds", .wanted = "at least one of PT, SN and IP", .found = "none"});
+  for (const std::string& name : thresholds)
+    if (name != "PT" && name != "SN" && name != "IP")
+      throw input_error({.field = "--thresholds", .wanted = "PT, SN or IP, with commas", .found = name});
+}
+
+void require_text(const std::string& field, const std::string& text) {
+  if (!is_utf8(text)) throw input_error({.field = field, .wanted = "UTF-8", .found = "other bytes"});
+}
+
+FrozenSet frozen_set(const std::filesystem::path& folder, const std::string& study_hash) {
+  const Manifest manifest = read_manifest(folder);
+  if (manifest.study_hash != study_hash)
+    throw input_error({.file = folder.string(),
+                       .field = "study.sha256",
+                       .wanted = "a set of the study that is frozen (" + study_hash.substr(0, 12) + ")",
+                       .found = manifest.study_hash.substr(0, 12)});
+  return {.set_hash = set_hash(folder), .stimuli = static_cast<int>(manifest.stimuli.size())};
+}
+
+}  // namespace
+
+Preregistration freeze_study(const std::filesystem::path& study_file,
+                             const std::vector<std::filesystem::path>& sets, FrozenAnalysis analysis) {
+  require_thresholds(analysis.thresholds);
+  require_text("--by-hand", analysis.by_hand);
+  const StudyDefinition study = read_study(study_file, AssetCheck::not_needed);
+  Preregistration content{.program_version = program_version(),
+                          .study_name = study.name,
+                          .study_hash = study_hash(study),
+                          .study_text = read_file(study_file),
+                          .sets = {},
+                          .analysis = std::move(analysis),
+                          .participants = 0,
+                          .why_so_many = {},
+                          .plan = {}};
+  require_text(study_file.string(), content.study_text);
+  content.analysis.rules = rules_of_analysis();
+  for (const std::filesystem::path& folder : sets) {
+    const FrozenSet set = frozen_set(folder, content.study_hash);
+    if (std::find(content.sets.begin(), content.sets.end(), set) != content.sets.end())
+      throw input_error({.file = folder.string(), .wanted = "each set once", .found = "it twice"});
+    content.sets.push_back(set);
+  }
+  return content;
+}
+
+}  // namespace seamline::analysis
