@@ -6,7 +6,7 @@
 
 #include "study/app/screens/instruction_pictures.h"
 #include "study/app/screens/screen_names.h"
-#include "study/app/window/look.h"
+#include "window/look.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 

@@ -7,8 +7,8 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trace.h"
-#include "study/app/window/canvas.h"
-#include "study/app/window/window.h"
+#include "window/canvas.h"
+#include "window/window.h"
 #include "study/commands/commands.h"
 #include "study/running/visit_store.h"
 

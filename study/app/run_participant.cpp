@@ -6,7 +6,7 @@
 namespace seamline::study::app {
 
 void run_participant_in_window(const ParticipantRequest& request) {
-  app::require_display();
+  require_display();
   const RenderedSet set = load_rendered_set(request.set_folder);
   check_manifest_shapes(set.folder, set.manifest);  // their bytes are looked at when they are loaded
   VisitStore store(set, request.log, {.code = request.code, .pilot = request.pilot});

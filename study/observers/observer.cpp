@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "study/placement/psychometric_function.h"
 #include "study/placement/sigmoid_shape.h"
 #include "study/placement/trial.h"

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study {
 

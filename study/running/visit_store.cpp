@@ -1,6 +1,6 @@
 #include "study/running/visit_store.h"
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "support/text/error.h"
 
 namespace seamline::study {

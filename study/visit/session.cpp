@@ -1,6 +1,6 @@
 #include "study/visit/session.h"
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study {
 namespace {

@@ -1,6 +1,6 @@
 #include "study/visit/visit.h"
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "study/trials/catch_trials.h"
 
 namespace seamline::study {

@@ -1,5 +1,5 @@
 // Fonts from outside: shapes where they are right, one sentence where they are not.
-#include "study/app/window/glyphs.h"
+#include "window/glyphs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "study/app/window/input.h"
+#include "window/input.h"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +33,16 @@ TEST(Input, APressKeepsThePlaceWhereTheMouseWasThen) {
   EXPECT_TRUE(release.mouse_released);
   EXPECT_EQ(release.mouse.x_px, 90);
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(Input, TheRightButtonIsNoPressOfTheLeftOne) {
+  std::deque<RawInput> queue = {MousePressed{55, MouseButton::right}, MouseReleased{MouseButton::right}};
+  const FrameInput press = take_frame_input(queue, {1, 1}, 60);
+  EXPECT_TRUE(press.right_pressed);
+  EXPECT_FALSE(press.mouse_pressed);
+  const FrameInput release = take_frame_input(queue, {1, 1}, 61);
+  EXPECT_TRUE(release.right_released);
+  EXPECT_FALSE(release.mouse_released);
 }
 
 TEST(Input, WithoutNewsTheMouseStaysAndTheTimeIsTheFrames) {

@@ -8,7 +8,7 @@
 #include "study/app/pictures/display_profile.h"
 #include "study/app/pictures/picture_loader.h"
 #include "study/app/pictures/picture_place.h"
-#include "study/app/window/characters.h"
+#include "window/characters.h"
 #include "support/text/error.h"
 
 namespace seamline::study::app {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "tests/program/run_program.h"
 #include "tests/study/small_visit.h"
 

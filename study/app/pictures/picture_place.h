@@ -1,5 +1,5 @@
 #pragma once
-#include "study/app/window/geometry.h"
+#include "window/geometry.h"
 #include "study/trials/object_map.h"
 
 namespace seamline::study::app {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "study/app/pictures/picture_loader.h"
-#include "study/app/window/texture.h"
+#include "window/texture.h"
 #include "study/trials/object_map.h"
 #include "study/trials/rendered_set.h"
 

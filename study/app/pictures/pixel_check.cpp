@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/app/window/look.h"
+#include "window/look.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::study::app {

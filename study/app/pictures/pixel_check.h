@@ -2,8 +2,8 @@
 #include <cstdint>
 
 #include "study/app/pictures/picture_place.h"
-#include "study/app/window/canvas.h"
-#include "study/app/window/window.h"
+#include "window/canvas.h"
+#include "window/window.h"
 
 namespace seamline::study::app {
 

@@ -1,6 +1,6 @@
 #include "study/app/screens/instruction_pictures.h"
 
-#include "study/app/window/look.h"
+#include "window/look.h"
 #include "support/files/confined_path.h"
 
 namespace seamline::study::app {

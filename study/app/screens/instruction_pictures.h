@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "study/app/window/texture.h"
+#include "window/texture.h"
 #include "study/trials/rendered_set.h"
 
 namespace seamline::study::app {

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "study/app/screens/stage.h"
-#include "study/app/window/look.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 namespace {

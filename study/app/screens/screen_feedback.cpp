@@ -3,7 +3,7 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trial_view.h"
-#include "study/app/window/look.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 

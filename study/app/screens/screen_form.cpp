@@ -4,7 +4,7 @@
 #include <array>
 
 #include "study/app/screens/stage.h"
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "study/app/screens/screen_names.h"
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study::app {
 

@@ -6,8 +6,8 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trial_view.h"
-#include "study/app/window/look.h"
-#include "study/placement/overloaded.h"
+#include "window/look.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study::app {
 namespace {

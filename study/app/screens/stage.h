@@ -8,8 +8,8 @@
 
 #include "study/app/pictures/display_profile.h"
 #include "study/app/pictures/pixel_check.h"
-#include "study/app/window/ui.h"
-#include "study/app/window/window.h"
+#include "window/ui.h"
+#include "window/window.h"
 #include "study/trials/rendered_set.h"
 #include "study/visit/visit.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "study/app/window/characters.h"
+#include "window/characters.h"
 
 namespace seamline::study::app {
 

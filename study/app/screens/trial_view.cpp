@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/app/window/look.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 

@@ -6,7 +6,7 @@
 
 #include "study/log/now.h"
 #include "study/online/messages/message_writer.h"
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "study/running/participant_session.h"
 #include "support/files/hash.h"
 #include "support/text/printable.h"

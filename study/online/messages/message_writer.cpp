@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/placement/overloaded.h"
+#include "support/running/overloaded.h"
 #include "support/files/hash.h"
 
 namespace seamline::study::online {

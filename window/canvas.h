@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "study/app/window/geometry.h"
-#include "study/app/window/texture.h"
+#include "window/geometry.h"
+#include "window/texture.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 enum class Font { body, heading, small };
 
@@ -55,4 +55,4 @@ class Canvas {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

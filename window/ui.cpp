@@ -1,11 +1,11 @@
-#include "study/app/window/ui.h"
+#include "window/ui.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/app/window/look.h"
+#include "window/look.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 constexpr double padding_em = 1.6;
@@ -177,4 +177,4 @@ void Ui::picture(const Texture& texture) {
   gap(0.6);
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

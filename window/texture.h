@@ -1,7 +1,7 @@
 #pragma once
 #include "support/files/image.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 /// A picture in graphics memory, shown pixel for pixel: 8-bit codes as they are (no sRGB conversion, no
 /// mipmaps), nearest sampling. Its storage is used again for the next picture of the same size, so memory
@@ -29,4 +29,4 @@ class Texture {
   int width_px_ = 0, height_px_ = 0;
 };
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "study/app/window/canvas.h"
-#include "study/app/window/geometry.h"
-#include "study/app/window/input.h"
+#include "window/canvas.h"
+#include "window/geometry.h"
+#include "window/input.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 /// Something on the page that can be used, as the last frame laid it out.
 struct UiItem {
@@ -105,4 +105,4 @@ class Ui {
   std::vector<UiItem> items_, last_items_;
 };
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -5,9 +5,9 @@
 #include <string>
 #include <variant>
 
-#include "study/app/window/geometry.h"
+#include "window/geometry.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 enum class Key {
   other,
@@ -22,12 +22,15 @@ enum class Key {
   down,
   page_up,
   page_down,
+  remove,  ///< Delete
   digit,
+  letter,
 };
 
 struct KeyPress {
   Key key = Key::other;
-  int digit = 0;  ///< 0..9 with Key::digit, of the row or of the number pad
+  int digit = 0;    ///< 0..9 with Key::digit, of the row or of the number pad
+  char letter = 0;  ///< 'a'..'z' with Key::letter
   bool shift = false, control = false;
   bool repeated = false;  ///< held down: never an answer
 };
@@ -44,12 +47,17 @@ struct CharacterTyped {
 struct MouseMoved {
   Point position;
 };
+enum class MouseButton { left, right };
 struct MousePressed {
   std::int64_t now_ns = 0;
+  MouseButton button = MouseButton::left;
 };
-struct MouseReleased {};
+struct MouseReleased {
+  MouseButton button = MouseButton::left;
+};
 struct Scrolled {
   double lines = 0;  ///< positive: the wheel turned away from the person
+  bool shift = false;
 };
 struct FocusChanged {
   bool focused = false;
@@ -69,13 +77,19 @@ struct FrameInput {
   std::optional<KeyPress> key = {};
   std::u32string typed = {};
   Point mouse = {-1, -1};
-  bool mouse_pressed = false, mouse_released = false;
+  bool mouse_pressed = false, mouse_released = false;  ///< the left button
+  bool right_pressed = false, right_released = false;
   double scrolled_lines = 0;
+  bool scrolled_with_shift = false;
   std::optional<FocusChanged> focus = {};
   bool resized = false, close = false;
   bool anything = false;  ///< something happened, if only the mouse moved
 
   [[nodiscard]] bool pressed(Key wanted) const { return key && key->key == wanted; }
+  /// A letter's key, held down or not; `control` tells Ctrl and the letter from the letter alone.
+  [[nodiscard]] bool pressed_letter(char wanted, bool control = false) const {
+    return key && key->key == Key::letter && key->letter == wanted && key->control == control;
+  }
   /// The digit of a key that was pressed (not held), or 0.
   [[nodiscard]] int digit() const {
     return key && key->key == Key::digit && !key->repeated && !key->control ? key->digit : 0;
@@ -87,4 +101,4 @@ struct FrameInput {
 [[nodiscard]] FrameInput take_frame_input(std::deque<RawInput>& queue, const Point& mouse,
                                           std::int64_t now_ns);
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

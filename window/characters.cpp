@@ -1,4 +1,4 @@
-#include "study/app/window/characters.h"
+#include "window/characters.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 
 #include "support/text/error.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 constexpr char32_t no_character = 0xFFFD;
@@ -78,4 +78,4 @@ void refuse_text_that_needs_shaping(const std::string& file, const std::string& 
                          .found = fmt::format("U+{:04X}", static_cast<unsigned>(character))});
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -1,6 +1,6 @@
 // The only file that includes GLFW.
 #define GLFW_INCLUDE_GLEXT
-#include "study/app/window/window.h"
+#include "window/window.h"
 
 #include <GLFW/glfw3.h>
 
@@ -10,7 +10,7 @@
 
 #include "support/text/error.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 std::string last_glfw_error() {
@@ -19,7 +19,7 @@ std::string last_glfw_error() {
   return text == nullptr ? "none" : text;
 }
 
-constexpr std::array<std::pair<int, Key>, 12> named_keys = {{
+constexpr std::array<std::pair<int, Key>, 13> named_keys = {{
     {GLFW_KEY_TAB, Key::tab},
     {GLFW_KEY_ENTER, Key::enter},
     {GLFW_KEY_KP_ENTER, Key::enter},
@@ -32,6 +32,7 @@ constexpr std::array<std::pair<int, Key>, 12> named_keys = {{
     {GLFW_KEY_DOWN, Key::down},
     {GLFW_KEY_PAGE_UP, Key::page_up},
     {GLFW_KEY_PAGE_DOWN, Key::page_down},
+    {GLFW_KEY_DELETE, Key::remove},
 }};
 
 KeyPress key_press(int key, int modifiers, bool repeated) {
@@ -44,6 +45,9 @@ KeyPress key_press(int key, int modifiers, bool repeated) {
   } else if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) {
     press.key = Key::digit;
     press.digit = key - GLFW_KEY_KP_0;
+  } else if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) {
+    press.key = Key::letter;
+    press.letter = static_cast<char>('a' + (key - GLFW_KEY_A));
   }
   for (const auto& [code, name] : named_keys)
     if (code == key) press.key = name;
@@ -75,15 +79,18 @@ void on_move(GLFWwindow* window, double x, double y) {
 }
 
 void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
-  if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+  if (button != GLFW_MOUSE_BUTTON_LEFT && button != GLFW_MOUSE_BUTTON_RIGHT) return;
+  const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT ? MouseButton::left : MouseButton::right;
   if (action == GLFW_PRESS)
-    queue_of(window).emplace_back(MousePressed{monotonic_ns()});
+    queue_of(window).emplace_back(MousePressed{monotonic_ns(), which});
   else
-    queue_of(window).emplace_back(MouseReleased{});
+    queue_of(window).emplace_back(MouseReleased{which});
 }
 
 void on_scroll(GLFWwindow* window, double /*x*/, double y) {
-  queue_of(window).emplace_back(Scrolled{y});
+  const bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                     glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+  queue_of(window).emplace_back(Scrolled{y, shift});
 }
 
 void on_focus(GLFWwindow* window, int focused) {
@@ -99,11 +106,11 @@ void on_refresh(GLFWwindow* window) {
 }
 
 void on_close(GLFWwindow* window) {
-  glfwSetWindowShouldClose(window, GLFW_FALSE);  // the session decides
+  glfwSetWindowShouldClose(window, GLFW_FALSE);  // whoever opened the window decides
   queue_of(window).emplace_back(CloseAsked{});
 }
 
-void set_hints(const GLFWvidmode* mode, bool fullscreen) {
+void set_hints(const GLFWvidmode* mode, const WindowRequest& request) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
   glfwWindowHint(GLFW_RED_BITS, 8);
@@ -115,9 +122,9 @@ void set_hints(const GLFWvidmode* mode, bool fullscreen) {
   glfwWindowHint(GLFW_SAMPLES, 0);                // nothing may mix neighbouring pixels
   glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);  // nor encode codes that are encoded already
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
-  glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
+  glfwWindowHint(GLFW_RESIZABLE, request.resizable ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-  if (fullscreen && mode != nullptr) glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+  if (request.fullscreen && mode != nullptr) glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
 }
 
 }  // namespace
@@ -155,7 +162,7 @@ Window::Window(const WindowRequest& request) {
   const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
   if (request.fullscreen && mode == nullptr)
     throw input_error({.field = "display", .wanted = "a monitor", .found = "none"});
-  set_hints(mode, request.fullscreen);
+  set_hints(mode, request);
   handles_->window =
       request.fullscreen
           ? glfwCreateWindow(mode->width, mode->height, request.title.c_str(), monitor, nullptr)
@@ -257,4 +264,4 @@ ByteImage Window::read_back(int x_px, int y_px, int width_px, int height_px) con
   return image;
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "study/app/window/geometry.h"
-#include "study/app/window/input.h"
 #include "support/files/image.h"
+#include "window/geometry.h"
+#include "window/input.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 /// What the pictures are shown on.
 struct DisplayInfo {
@@ -25,6 +25,7 @@ struct WindowRequest {
   std::string title;
   bool fullscreen = true;
   int width_px = 1280, height_px = 800;  ///< of a window that is not fullscreen
+  bool resizable = false;                ///< by the person
 };
 
 /// Monotonic nanoseconds of the clock that all of a session's times are read from.
@@ -64,4 +65,4 @@ class Window {
   std::unique_ptr<Handles> handles_;
 };
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

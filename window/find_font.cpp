@@ -1,10 +1,10 @@
-#include "study/app/window/find_font.h"
+#include "window/find_font.h"
 
 #include <array>
 
 #include "support/text/error.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace fs = std::filesystem;
 namespace {
 
@@ -45,4 +45,4 @@ FontRequest find_font(const fs::path& wanted) {
                      .found = "neither"});
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace seamline::study {
+namespace seamline {
 
 /// Joins lambdas into one visitor for std::visit. Without a generic lambda among them, a new alternative of
 /// the variant does not compile until every visit handles it.
@@ -11,4 +11,4 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-}  // namespace seamline::study
+}  // namespace seamline

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 // Everything in the window is measured in framebuffer pixels, x to the right, y downwards from the top left.
 
@@ -38,4 +38,4 @@ struct Colour {
   return {value, value, value, static_cast<std::uint8_t>(alpha)};
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

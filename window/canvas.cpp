@@ -1,5 +1,5 @@
 // The only file that includes Dear ImGui.
-#include "study/app/window/canvas.h"
+#include "window/canvas.h"
 
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/core.h>
@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "study/app/window/characters.h"
-#include "study/app/window/glyphs.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
+#include "window/characters.h"
+#include "window/glyphs.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 ImVec2 vector(double x_px, double y_px) {
@@ -258,4 +258,4 @@ void Canvas::unclip() {
   ImGui::GetBackgroundDrawList()->PopClipRect();
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -1,8 +1,8 @@
 #pragma once
-#include "study/app/window/geometry.h"
+#include "window/geometry.h"
 
 /// How the window looks: neutral greys, so that nothing tints the eye before a picture.
-namespace seamline::study::app::look {
+namespace seamline::inline window::look {
 
 inline constexpr Colour background = grey(128);  ///< around pictures and behind every page
 inline constexpr Colour ink_on_background = grey(10);
@@ -23,4 +23,4 @@ inline constexpr Colour problem = {140, 28, 20, 255};
 inline constexpr Colour bracket = {255, 255, 255, 255};
 inline constexpr Colour bracket_edge = {0, 0, 0, 255};
 
-}  // namespace seamline::study::app::look
+}  // namespace seamline::inline window::look

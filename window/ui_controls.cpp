@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/app/window/look.h"
-#include "study/app/window/ui.h"
+#include "window/look.h"
+#include "window/ui.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 constexpr double control_em = 2.2;  ///< height
@@ -207,4 +207,4 @@ bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
   return use.used;
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 /// The characters of a UTF-8 text; bytes that are none become U+FFFD.
 [[nodiscard]] std::u32string characters_of(std::string_view utf8);
@@ -15,4 +15,4 @@ namespace seamline::study::app {
 /// Throws InputError when a text that the window will show has such a character. `field` says where it is.
 void refuse_text_that_needs_shaping(const std::string& file, const std::string& field, std::string_view text);
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -1,4 +1,4 @@
-#include "study/app/window/texture.h"
+#include "window/texture.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 std::vector<std::uint8_t> as_rgb(const ByteImage& image) {
@@ -65,4 +65,4 @@ void Texture::smooth(bool on) {
   set_parameter(GL_TEXTURE_MAG_FILTER, on ? GL_LINEAR : GL_NEAREST);
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

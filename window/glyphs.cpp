@@ -1,5 +1,5 @@
 // The only file that includes FreeType.
-#include "study/app/window/glyphs.h"
+#include "window/glyphs.h"
 
 #include <fmt/core.h>
 #include <ft2build.h>
@@ -12,7 +12,7 @@
 
 #include "support/text/error.h"
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 namespace {
 
 constexpr int smallest_size_px = 4, largest_size_px = 1024;
@@ -127,4 +127,4 @@ std::vector<Glyph> glyphs_of(std::string_view bytes, const std::string& file, st
   return glyphs;
 }
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace seamline::study::app {
+namespace seamline::inline window {
 
 /// The shape of one character at one size. Rows from the top; empty for a space.
 struct Glyph {
@@ -28,4 +28,4 @@ inline constexpr std::int64_t largest_font_bytes = std::int64_t{64} << 20;
 /// No letter is wider, higher, farther from its line or from the next letter, in sizes of the type.
 inline constexpr int largest_shape_em = 8;
 
-}  // namespace seamline::study::app
+}  // namespace seamline::inline window
