@@ -101,6 +101,47 @@ TEST_F(IntakeTest, AWholeVisitIsInTheLogAsOneOfTheWindowWouldBe) {
   EXPECT_EQ(database.execAndGet("SELECT count(*) FROM online_messages").getInt(), 1 + 1 + 1 + 2 + 2 * 26 + 1);
 }
 
+TEST_F(IntakeTest, ShownNamesAndIdsOfOlderPagesAreTheSameAnswers) {
+  const ShownNames names(set);
+  const auto said_by_todays_page = [&](const Page& page, Message message) {
+    if (auto* training = std::get_if<TrainingBody>(&message.body))
+      training->answer.stimulus_id =
+          names.name_of(training_trials(set)[static_cast<std::size_t>(training->training_index)]);
+    if (auto* answer = std::get_if<AnswerBody>(&message.body))
+      answer->answer.stimulus_id = names.name_of(page.order()[static_cast<std::size_t>(answer->trial_index)]);
+    return message;
+  };
+  std::vector<std::string> logs;
+  for (const bool today : {false, true}) {
+    const fs::path own = folder / (today ? "today.sqlite" : "older.sqlite");
+    Intake intake(set, own);
+    Page page = enrolled(intake, 1);
+    std::vector<Message> messages = page.the_rest();
+    if (today)
+      for (Message& message : messages) message = said_by_todays_page(page, message);
+    take_all(intake, messages);
+    EXPECT_TRUE(intake.where(page.code).completed);
+    std::string& text = logs.emplace_back();
+    const LogContents log = read_log(own);
+    for (const Answer& answer : log.answers)
+      text += fmt::format("{} {} {} {}\n", answer.trial_index, answer.stimulus_id, answer.chosen_index,
+                          answer.rating);
+    for (const CatchTrialAnswer& answer : log.catches)
+      text += fmt::format("{} {} {}\n", answer.trial_index, answer.chosen_index, answer.rating);
+  }
+  EXPECT_EQ(logs[0], logs[1]);
+  EXPECT_THAT(logs[0], HasSubstr(set.manifest.stimuli[0].id));
+}
+
+TEST_F(IntakeTest, ARefusalDoesNotTellTheRightAnswer) {
+  Intake intake(set, path);
+  Page page = enrolled(intake, 1);
+  const std::vector<Trial> trials = page.order();
+  const std::string sentence = refusal(intake, page.answer(trials[1], page.answer_to(0)));
+  EXPECT_THAT(sentence, testing::Not(HasSubstr(page.id_of(trials[0]))));
+  EXPECT_THAT(sentence, HasSubstr(ShownNames(set).name_of(trials[0])));
+}
+
 TEST_F(IntakeTest, AMessageThatCameBeforeIsTakenOnce) {
   Intake intake(set, path);
   Page page = enrolled(intake, 1);

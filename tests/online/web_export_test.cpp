@@ -7,9 +7,11 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "study/online/messages/shown_names.h"
 #include "study/online/page/web_pictures.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/trial_picture.h"
@@ -94,15 +96,15 @@ TEST_F(WebExport, ASlotHasTheTrialsThatTheWindowHas) {
   EXPECT_EQ(study.at("slots"), 5);
   EXPECT_EQ(study.at("most_trials"), 9);
   const TrialRules rules = make_trial_rules(set);
+  const ShownNames names(set);
   for (int slot = 0; slot < 5; ++slot) {
     const Json order = Json::parse(read_file(folder / "web" / fmt::format("orders/{:04}.json", slot)));
     const std::vector<Trial> trials = decided_trials(rules, slot, {});
     ASSERT_EQ(order.size(), trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      const ManifestStimulus& record = set.manifest.stimuli.at(static_cast<std::size_t>(trials[i].stimulus));
       EXPECT_EQ(order[i].at("trial_index"), i);
       EXPECT_EQ(order[i].at("kind"), word(trials[i].kind));
-      EXPECT_EQ(order[i].at("stimulus_id"), record.id);
+      EXPECT_EQ(order[i].at("stimulus_id"), names.name_of(trials[i]));
       EXPECT_FALSE(order[i].contains("right_index"));
       // The picture is the trial's, code by code, whoever made its file.
       const ByteImage shown = read_bytes_image(folder / "web" / order[i].at("picture").get<std::string>());
@@ -116,10 +118,13 @@ TEST_F(WebExport, StimuliAreTheSetsOwnBytes) {
   export_to("web");
   const Json study = Json::parse(read_file(folder / "web/study.json"));
   ASSERT_EQ(study.at("stimuli").size(), set.manifest.stimuli.size());
-  for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
-    const Json& stimulus = study.at("stimuli")[i];
-    EXPECT_EQ(stimulus.at("id"), set.manifest.stimuli[i].id);
-    EXPECT_EQ(stimulus.at("sha256"), set.manifest.stimuli[i].sha256);
+  const ShownNames names(set);
+  std::map<std::string, Json> shown;
+  for (const Json& stimulus : study.at("stimuli")) shown[stimulus.at("id")] = stimulus;
+  ASSERT_EQ(shown.size(), set.manifest.stimuli.size());
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+    const Json& stimulus = shown.at(names.name_of({.stimulus = i}));
+    EXPECT_EQ(stimulus.at("sha256"), set.manifest.stimuli[static_cast<std::size_t>(i)].sha256);
     EXPECT_EQ(sha256_of_file(folder / "web" / stimulus.at("file").get<std::string>()), stimulus.at("sha256"));
   }
   // 6 stimuli, 3 attention trials (one an object), 1 reference; all of one scene and so with one map.
@@ -163,6 +168,42 @@ TEST_F(WebExport, EveryWordIsTheStudysAndNothingTellsWhichObjectIsRight) {
     }
   EXPECT_FALSE(fs::exists(folder / "web/manifest.json"));
   EXPECT_FALSE(fs::exists(folder / "web/study.toml"));
+}
+
+TEST_F(WebExport, WhoReadsThePagesSourceFindsNoNameOfAStimulus) {
+  const RenderedSet set = make_set();
+  export_to("web");
+  for (const auto& [name, bytes] : files_below(folder / "web"))
+    for (const ManifestStimulus& stimulus : set.manifest.stimuli) {
+      EXPECT_THAT(bytes, Not(HasSubstr(stimulus.id))) << name;
+      EXPECT_THAT(name, Not(HasSubstr(stimulus.id)));
+    }
+  // Nor does the order of a list tell: it is that of the shown names.
+  const Json study = Json::parse(read_file(folder / "web/study.json"));
+  for (const auto& [list, key] : {std::pair("stimuli", "id"), std::pair("catches", "stimulus_id")}) {
+    std::vector<std::string> names;
+    for (const Json& one : study.at(list)) names.push_back(one.at(key));
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end())) << list;
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << list;
+  }
+}
+
+TEST_F(WebExport, NamesAreOfTheSetAndOfTheKindOfTrial) {
+  const RenderedSet set = make_set();
+  const ShownNames names(set);
+  const Trial trial{.kind = TrialKind::stimulus, .stimulus = 1};
+  EXPECT_EQ(names.name_of(trial), ShownNames(set).name_of(trial));
+  EXPECT_TRUE(names.is_name_of(trial, names.name_of(trial)));
+  EXPECT_TRUE(names.is_name_of(trial, set.manifest.stimuli[1].id));  // as older pages say
+  EXPECT_FALSE(names.is_name_of(trial, names.name_of({.kind = TrialKind::attention, .stimulus = 1})));
+  EXPECT_FALSE(names.is_name_of(trial, names.name_of({.kind = TrialKind::stimulus, .stimulus = 2})));
+  Manifest other = set.manifest;  // another set of the same study
+  other.stimuli.back().rays += 1;
+  fs::create_directories(folder / "other");
+  write_manifest(folder / "other", other);
+  RenderedSet of_other = set;
+  of_other.folder = folder / "other";
+  EXPECT_NE(ShownNames(of_other).name_of(trial), names.name_of(trial));
 }
 
 TEST_F(WebExport, NothingLeavesTheHost) {

@@ -88,6 +88,7 @@ std::string_view text(FormFault fault) {
 
 Intake::Intake(const RenderedSet& set, const std::filesystem::path& log)
     : set_(set),
+      names_(set),
       rules_(make_trial_rules(set)),
       script_(make_visit_script(set)),
       consent_sha256_(sha256(set.study.consent.text)),
@@ -270,9 +271,9 @@ void Intake::store(Person& who, const DisplayBody& body) {
 }
 
 void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
-  const std::string& id = set_.manifest.stimuli[static_cast<std::size_t>(planned.stimulus)].id;
-  if (answer.kind == planned.kind && answer.stimulus_id == id) return;
-  throw conflict(which, fmt::format("the planned {} {}", word(planned.kind), id),
+  if (answer.kind == planned.kind && names_.is_name_of(planned, answer.stimulus_id)) return;
+  // Whoever asks may be the participant: the set's own id would tell them the right answer.
+  throw conflict(which, fmt::format("the planned {} {}", word(planned.kind), names_.name_of(planned)),
                  fmt::format("{} {}", word(answer.kind), in_quotes(answer.stimulus_id)));
 }
 

@@ -11,6 +11,7 @@
 #include "study/log/online/online_log.h"
 #include "study/online/intake/refusal.h"
 #include "study/online/messages/message.h"
+#include "study/online/messages/shown_names.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/rendered_set.h"
 #include "study/visit/visit_script.h"
@@ -85,6 +86,7 @@ class Intake {
   [[nodiscard]] std::map<std::string, std::string> secrets() { return log_.secrets(); }
   [[nodiscard]] OnlineLog::Counts counts() { return log_.counts(); }
   [[nodiscard]] const RenderedSet& set() const { return set_; }
+  [[nodiscard]] const ShownNames& names() const { return names_; }
 
  private:
   struct Person {
@@ -114,6 +116,7 @@ class Intake {
   [[nodiscard]] static std::int64_t time_of(const Person& person);
 
   const RenderedSet& set_;
+  ShownNames names_;
   TrialRules rules_;
   VisitScript script_;
   std::string consent_sha256_;

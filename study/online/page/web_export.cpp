@@ -123,15 +123,17 @@ WebSummary export_web(const WebRequest& request) {
   add_page(files);
   const TrialRules rules = make_trial_rules(set);
   const WebPictures pictures = add_pictures(set, files);
+  const ShownNames names(set);
   const int slots = slots_of(set, request);
   for (int slot = 0; !rules.quest_plus && slot < slots; ++slot) {
     stop_if_interrupted();
-    files.add(order_file(slot), order_text(set, pictures, decided_trials(rules, slot, {})));
+    files.add(order_file(slot), order_text(names, pictures, decided_trials(rules, slot, {})));
   }
   const std::string font = add_font(set, files);
   const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);
   files.add("study.json", web_study_text({.set = set,
                                           .rules = rules,
+                                          .names = names,
                                           .pictures = pictures,
                                           .files = files.files(),
                                           .slots = slots,

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "study/online/page/web_format.h"
@@ -14,13 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string& id_of(const RenderedSet& set, int stimulus) {
-  return set.manifest.stimuli.at(static_cast<std::size_t>(stimulus)).id;
-}
-
-Json trial_json(const RenderedSet& set, const WebPictures& pictures, const Trial& trial) {
+Json trial_json(const ShownNames& names, const WebPictures& pictures, const Trial& trial) {
   return {{"kind", word(trial.kind)},
-          {"stimulus_id", id_of(set, trial.stimulus)},
+          {"stimulus_id", names.name_of(trial)},
           {"picture", pictures.file.at({trial.kind, trial.stimulus})}};
 }
 
@@ -61,32 +58,41 @@ Json training_json(const WebStudy& web, const VisitScript& script) {
   Json trials = Json::array();
   for (std::size_t i = 0; i < script.training.size(); ++i) {
     Json trial = {{"training_index", i}};
-    trial.update(trial_json(web.set, web.pictures, script.training[i]));
+    trial.update(trial_json(web.names, web.pictures, script.training[i]));
     trial["right_index"] = script.training_right[i];
     trials.push_back(std::move(trial));
   }
   return trials;
 }
 
+Json values_of(std::map<std::string, Json> by_name) {
+  Json values = Json::array();
+  for (auto& [name, value] : by_name) values.push_back(std::move(value));
+  return values;
+}
+
 Json stimuli_json(const WebStudy& web) {
-  Json stimuli = Json::array();
-  for (std::size_t i = 0; i < web.set.manifest.stimuli.size(); ++i) {
-    const std::string& file = web.pictures.file.at({TrialKind::stimulus, static_cast<int>(i)});
-    stimuli.push_back({{"id", web.set.manifest.stimuli[i].id},
-                       {"file", file},
-                       {"sha256", web.files.at(file).sha256},
-                       {"width_px", web.set.manifest.width_px},
-                       {"height_px", web.set.manifest.height_px}});
+  std::map<std::string, Json> by_name;
+  for (const auto& [trial, file] : web.pictures.file) {
+    if (trial.first != TrialKind::stimulus) continue;
+    const std::string name = web.names.name_of({.kind = trial.first, .stimulus = trial.second});
+    by_name[name] = {{"id", name},
+                     {"file", file},
+                     {"sha256", web.files.at(file).sha256},
+                     {"width_px", web.set.manifest.width_px},
+                     {"height_px", web.set.manifest.height_px}};
   }
-  return stimuli;
+  return values_of(std::move(by_name));
 }
 
 Json catches_json(const WebStudy& web) {
-  Json catches = Json::array();
-  for (const auto& [trial, file] : web.pictures.file)
-    if (trial.first != TrialKind::stimulus)
-      catches.push_back(trial_json(web.set, web.pictures, {.kind = trial.first, .stimulus = trial.second}));
-  return catches;
+  std::map<std::string, Json> by_name;
+  for (const auto& [trial, file] : web.pictures.file) {
+    if (trial.first == TrialKind::stimulus) continue;
+    const Trial shown{.kind = trial.first, .stimulus = trial.second};
+    by_name[web.names.name_of(shown)] = trial_json(web.names, web.pictures, shown);
+  }
+  return values_of(std::move(by_name));
 }
 
 Json pictures_json(const WebStudy& web) {
@@ -152,11 +158,11 @@ std::string web_study_text(const WebStudy& web) {
   return json.dump(1) + "\n";
 }
 
-std::string order_text(const RenderedSet& set, const WebPictures& pictures, std::span<const Trial> trials) {
+std::string order_text(const ShownNames& names, const WebPictures& pictures, std::span<const Trial> trials) {
   std::string text = "[";
   for (std::size_t i = 0; i < trials.size(); ++i) {
     Json trial = {{"trial_index", i}};
-    trial.update(trial_json(set, pictures, trials[i]));
+    trial.update(trial_json(names, pictures, trials[i]));
     text += (i == 0 ? "\n" : ",\n") + trial.dump();
   }
   return text + "\n]\n";

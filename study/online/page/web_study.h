@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 
+#include "study/online/messages/shown_names.h"
 #include "study/online/page/web_pictures.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/rendered_set.h"
@@ -12,6 +13,7 @@ namespace seamline::study::online {
 struct WebStudy {
   const RenderedSet& set;
   const TrialRules& rules;
+  const ShownNames& names;
   const WebPictures& pictures;
   const std::map<std::string, WebFile>& files;  ///< of the pictures, at least
   int slots = 0;
@@ -21,10 +23,12 @@ struct WebStudy {
 };
 
 /// `study.json`: everything that the page shows and asks, without right answers but those of the practice.
+/// Stimuli and catch trials stand in the order of their shown names, because the set's own order tells
+/// objects.
 [[nodiscard]] std::string web_study_text(const WebStudy& web);
 
 /// `orders/SLOT.json`: the trials of a slot, as the window has them.
-[[nodiscard]] std::string order_text(const RenderedSet& set, const WebPictures& pictures,
+[[nodiscard]] std::string order_text(const ShownNames& names, const WebPictures& pictures,
                                      std::span<const Trial> trials);
 
 /// `orders/0000.json` of slot 0.

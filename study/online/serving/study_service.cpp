@@ -171,10 +171,13 @@ void StudyService::later(HttpRequest request, Reply reply) {
           }
           const std::optional<std::pair<int, Trial>> due = intake.next_trial(code);
           if (!due) return answer({{"done", true}});
-          const std::string& id =
-              intake.set().manifest.stimuli[static_cast<std::size_t>(due->second.stimulus)].id;
           const std::string kind(word(due->second.kind));
-          const auto picture = site_.picture_of.find(kind + " " + id);
+          std::string id = intake.names().name_of(due->second);
+          auto picture = site_.picture_of.find(kind + " " + id);
+          if (picture == site_.picture_of.end()) {  // a page of an older version
+            id = intake.set().manifest.stimuli[static_cast<std::size_t>(due->second.stimulus)].id;
+            picture = site_.picture_of.find(kind + " " + id);
+          }
           if (picture == site_.picture_of.end())
             return error(500, "picture: wanted one of the page, found none");
           Json trial = {
