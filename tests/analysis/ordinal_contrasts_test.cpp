@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/ordinal/contrasts/contrasts.h"
+#include "analysis/ordinal/contrasts/contrasts_apart.h"
 #include "analysis/ordinal/contrasts/max_t.h"
 #include "support/arithmetic/random.h"
 #include "support/text/numbers.h"
@@ -143,6 +144,51 @@ TEST(Contrasts, IntervalsAndAdjustedPAgree) {
   const ContrastTable holm = test_contrasts(pairs_of_three(), coefficients, covariance, Correction::holm);
   EXPECT_DOUBLE_EQ(holm.rows[2].adjusted_p, 3 * holm.rows[2].p);
   EXPECT_LT(holm.rows[0].ci95_high - holm.rows[0].ci95_low, table.rows[0].ci95_high - table.rows[0].ci95_low);
+}
+
+TEST(Contrasts, PartsOfAFamilyAreAdjustedTogether) {
+  const Eigen::MatrixXd covariance = 0.08 * Eigen::Matrix3d::Identity();
+  const std::vector<EstimatedContrasts> parts = {
+      {.family = pairs_of_three(), .coefficients = Eigen::Vector3d(0, 1.1, -0.2), .covariance = covariance},
+      {.family = pairs_of_three(), .coefficients = Eigen::Vector3d(0, 0.5, 1.6), .covariance = covariance},
+      {.family = pairs_of_three(), .coefficients = Eigen::Vector3d(0, 9, 9), .covariance = {}}};
+  const ContrastTable table = test_contrasts_apart(parts);
+  EXPECT_EQ(table.correction, Correction::holm);
+  EXPECT_FALSE(table.joint_p.has_value());
+  ASSERT_EQ(table.rows.size(), 9u);
+  std::vector<double> p, adjusted;
+  for (const ContrastRow& row : table.rows) {
+    p.push_back(row.p);
+    adjusted.push_back(row.adjusted_p);
+  }
+  for (std::size_t i = 0; i < 9; ++i) {
+    const ContrastRow& row = table.rows[i];
+    if (i >= 6) {  // its model says nothing, and does not count
+      EXPECT_EQ(row.verdict, ContrastVerdict::not_estimable);
+      continue;
+    }
+    EXPECT_EQ(row.adjusted_p, holm_adjusted(p)[i]);
+    EXPECT_EQ(row.verdict == ContrastVerdict::differs, row.adjusted_p < 0.05);
+    // Simultaneous intervals of Bonferroni leave 0 out where six times p is below 5 %.
+    EXPECT_EQ(row.ci95_low > 0 || row.ci95_high < 0, 6 * row.p < 0.05) << row.name;
+  }
+  const ContrastTable alone = test_contrasts_apart({parts.data(), 1});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(alone.rows[i].estimate, table.rows[i].estimate);
+}
+
+TEST(Contrasts, VeryLargeFamiliesAreAdjustedByHolm) {
+  ContrastFamily family{.question = "Do they differ?", .contrasts = {}, .degrees_of_freedom = 19};
+  for (int i = 0; i <= most_joint_contrasts; ++i)
+    family.contrasts.push_back({.name = "a",
+                                .weights = Eigen::Vector2d(-1, 1 + 1e-3 * i),
+                                .more = "more",
+                                .less = "less",
+                                .undecided = "open"});
+  const ContrastTable table = test_contrasts(family, Eigen::Vector2d(0, 1), 0.1 * Eigen::Matrix2d::Identity(),
+                                             Correction::single_step);
+  EXPECT_EQ(table.correction, Correction::holm);
+  EXPECT_EQ(table.rows.size(), family.contrasts.size());
+  EXPECT_GE(table.rows[0].adjusted_p, table.rows[0].p);
 }
 
 TEST(Contrasts, WithoutVarianceNothingIsEstimable) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/ordinal/contrasts/contrast_rows.h"
+#include "analysis/ordinal/contrasts/contrasts_apart.h"
 #include "analysis/ordinal/contrasts/max_t.h"
 #include "analysis/statistics/distributions.h"
 #include "support/text/numbers.h"
@@ -15,7 +17,6 @@ namespace seamline::analysis {
 
 namespace {
 
-constexpr double significance = 0.05;
 /// Eigenvalues of the correlation below this share of the largest are combinations of other contrasts.
 constexpr double dependent_share = 1e-8;
 
@@ -69,18 +70,6 @@ void adjust(const Eigen::VectorXd& t, const Eigen::MatrixXd& correlation, std::v
   }
 }
 
-void conclude(const Contrast& contrast, bool odds_ratio, ContrastRow& row) {
-  row.verdict = row.adjusted_p < significance ? ContrastVerdict::differs : ContrastVerdict::not_shown;
-  const std::string& said = row.verdict == ContrastVerdict::not_shown ? contrast.undecided
-                            : row.estimate > 0                        ? contrast.more
-                                                                      : contrast.less;
-  const std::string odds =
-      odds_ratio ? fmt::format("odds ratio {:.3g}, 95 % {:.3g} to {:.3g}, ", std::exp(row.estimate),
-                               std::exp(row.ci95_low), std::exp(row.ci95_high))
-                 : "";
-  row.conclusion = fmt::format("{} ({}adjusted {}).", said, odds, p_text(row.adjusted_p));
-}
-
 }  // namespace
 
 std::string_view word(Correction correction) {
@@ -127,34 +116,15 @@ std::string p_text(double p) {
 
 ContrastTable test_contrasts(const ContrastFamily& family, const Eigen::VectorXd& coefficients,
                              const Eigen::MatrixXd& covariance, Correction correction) {
-  ContrastTable table{.question = family.question,
-                      .correction = correction,
-                      .degrees_of_freedom = family.degrees_of_freedom,
-                      .rows = {},
-                      .joint_p = {},
-                      .joint_contrasts = 0};
-  const bool known =
-      covariance.size() > 0 && covariance.rows() == coefficients.size() && family.degrees_of_freedom >= 1;
-  std::vector<std::size_t> estimable;
-  for (const Contrast& contrast : family.contrasts) {
-    ContrastRow row{.name = contrast.name,
-                    .estimate = nan,
-                    .standard_error = nan,
-                    .ci95_low = nan,
-                    .ci95_high = nan,
-                    .p = nan,
-                    .adjusted_p = nan,
-                    .verdict = ContrastVerdict::not_estimable,
-                    .conclusion = "Not estimable."};
-    const double variance = known ? contrast.weights.dot(covariance * contrast.weights) : nan;
-    if (std::isfinite(variance) && variance > 0) {
-      row.estimate = contrast.weights.dot(coefficients);
-      row.standard_error = std::sqrt(variance);
-      row.p = two_sided_tail(row.estimate / row.standard_error, family.degrees_of_freedom);
-      estimable.push_back(table.rows.size());
-    }
-    table.rows.push_back(std::move(row));
+  if (family.contrasts.size() > static_cast<std::size_t>(most_joint_contrasts)) {
+    const EstimatedContrasts all{.family = family, .coefficients = coefficients, .covariance = covariance};
+    return test_contrasts_apart({&all, 1});
   }
+  ContrastTable table = empty_table(family, correction);
+  table.rows = estimated_rows(family, coefficients, covariance);
+  std::vector<std::size_t> estimable;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (!std::isnan(table.rows[i].standard_error)) estimable.push_back(i);
   if (estimable.empty()) return table;
 
   const auto count = static_cast<Eigen::Index>(estimable.size());

@@ -23,6 +23,10 @@ class Builder {
     return all;
   }
 
+  [[nodiscard]] std::array<ContrastFamily, 2> of_conditions() const {
+    return {condition_family(), condition_slope_family()};
+  }
+
  private:
   [[nodiscard]] Weights column(int index) const {
     Weights weights = Weights::Zero(design_.data.predictors.cols());
@@ -244,6 +248,10 @@ class Builder {
 
 std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust) {
   return Builder(design, robust).families();
+}
+
+std::array<ContrastFamily, 2> condition_contrasts(const StudyDesign& design, bool robust) {
+  return Builder(design, robust).of_conditions();
 }
 
 }  // namespace seamline::analysis

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "analysis/ordinal/contrasts/contrasts.h"
@@ -10,5 +11,8 @@ namespace seamline::analysis {
 /// freedom (participants less groups), everything else has one less than the participants; infinite when
 /// `robust` is false.
 [[nodiscard]] std::vector<ContrastFamily> study_contrasts(const StudyDesign& design, bool robust);
+
+/// Of those the two about conditions: levels, then slopes. Either may be without contrasts.
+[[nodiscard]] std::array<ContrastFamily, 2> condition_contrasts(const StudyDesign& design, bool robust);
 
 }  // namespace seamline::analysis

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
+#include <utility>
 
+#include "analysis/ordinal/contrasts/condition_pairs.h"
 #include "analysis/ordinal/contrasts/max_t.h"
 #include "analysis/ordinal/contrasts/study_contrasts.h"
 #include "analysis/ordinal/likelihood/mixed_fit.h"
@@ -59,10 +62,8 @@ std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Ei
   return rows;
 }
 
-}  // namespace
-
-OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const ParticipantGroups& groups,
-                               const OrdinalStudyRequest& request) {
+OrdinalStudy fit_jointly(std::span<const study::Answer> answers, const ParticipantGroups& groups,
+                         const OrdinalStudyRequest& request) {
   OrdinalStudy study{
       .design = study_design(answers, groups, request.reference_level, request.axis, request.conditions),
       .fit = {},
@@ -93,6 +94,35 @@ OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const Par
         family, study.fit.coefficients, covariance.bottomRightCorner(effects, effects), request.correction));
   }
   return study;
+}
+
+/// Too many conditions for one model: artifacts over all conditions, conditions in pairs.
+OrdinalStudy fit_in_pairs(std::span<const study::Answer> answers, const ParticipantGroups& groups,
+                          const OrdinalStudyRequest& request, std::size_t cells) {
+  std::vector<study::Answer> pooled(answers.begin(), answers.end());
+  for (study::Answer& answer : pooled) answer.condition.clear();
+  OrdinalStudyRequest of_artifacts = request;
+  of_artifacts.conditions = {};
+  OrdinalStudy study = fit_jointly(pooled, groups, of_artifacts);
+  study.notes.push_back(fmt::format(
+      "The study has {} artifacts in conditions, more than the {} that one model holds. So artifacts and "
+      "objects are compared over all conditions together, and each condition with the first in a model of "
+      "these two alone; p values of conditions are adjusted by Holm over all of them, and their intervals by "
+      "Bonferroni.",
+      cells, most_cells_of_a_model));
+  ConditionPairs pairs = compare_condition_pairs(answers, groups, request, study.design.reference_level);
+  std::move(pairs.tables.begin(), pairs.tables.end(), std::back_inserter(study.contrasts));
+  std::move(pairs.notes.begin(), pairs.notes.end(), std::back_inserter(study.notes));
+  return study;
+}
+
+}  // namespace
+
+OrdinalStudy fit_ordinal_study(std::span<const study::Answer> answers, const ParticipantGroups& groups,
+                               const OrdinalStudyRequest& request) {
+  const std::size_t cells = count_cells(answers);
+  return cells > most_cells_of_a_model ? fit_in_pairs(answers, groups, request, cells)
+                                       : fit_jointly(answers, groups, request);
 }
 
 namespace {
