@@ -437,5 +437,21 @@ TEST(Nginx, TheConfigurationIsForThePort) {
   EXPECT_THAT(text, Not(HasSubstr("@PORT@")));
 }
 
+TEST(Nginx, NoServerOfItKeepsAddresses) {
+  const std::string text = nginx_configuration(8123);
+  std::size_t servers = 0;
+  for (std::size_t at = text.find("\nserver {"); at != std::string::npos; ++servers) {
+    const std::size_t next = text.find("\nserver {", at + 1);
+    const std::string block = text.substr(at, next - at);
+    EXPECT_THAT(block, testing::ContainsRegex("access_log (off|[^ ]+ seamline);"));
+    EXPECT_THAT(block, testing::ContainsRegex("error_log +[^ ]+ emerg;"));  // lines of lesser trouble name clients
+    at = next;
+  }
+  EXPECT_EQ(servers, 2U);
+  const std::size_t format = text.find("log_format");
+  EXPECT_THAT(text.substr(format, text.find(';', format) - format),
+              Not(testing::ContainsRegex("remote|http_|request_uri|args|query")));
+}
+
 }  // namespace
 }  // namespace seamline::study::online

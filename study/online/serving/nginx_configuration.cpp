@@ -11,7 +11,8 @@ limit_req_zone  $binary_remote_addr zone=seamline_requests:10m rate=50r/s;
 limit_req_zone  $binary_remote_addr zone=seamline_newcomers:10m rate=30r/m;
 limit_conn_zone $binary_remote_addr zone=seamline_connections:10m;
 
-# Neither addresses nor what a link carries behind its question mark (an invitation) are kept.
+# Neither addresses nor what a link carries behind its question mark (an invitation) are kept. Every line of
+# an error log has both, so only what stops nginx itself is written there.
 log_format seamline '$time_iso8601 $request_method $uri $status $body_bytes_sent $request_time';
 
 upstream seamline {
@@ -23,6 +24,8 @@ server {
   listen 80;
   listen [::]:80;
   server_name study.example.org;
+  access_log off;
+  error_log /var/log/nginx/seamline_error.log emerg;
   return 301 https://$host$request_uri;
 }
 
@@ -38,6 +41,7 @@ server {
   add_header Strict-Transport-Security "max-age=31536000" always;
 
   access_log /var/log/nginx/seamline.log seamline;
+  error_log  /var/log/nginx/seamline_error.log emerg;
   server_tokens off;
 
   client_max_body_size        1m;
