@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "study/log/log_place.h"
+#include "study/log/one_computer.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
@@ -49,6 +50,13 @@ void SessionClaims::open() {
   else if (errno == EEXIST)
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor_ < 0) throw trouble(path_, "a place where the log's lock file can be written", errno);
+  try {
+    claim_for_computer(descriptor_, path_, computer_place(path_));
+  } catch (...) {
+    ::close(descriptor_);
+    descriptor_ = -1;
+    throw;
+  }
 }
 
 bool SessionClaims::claim(std::int64_t participant) {
