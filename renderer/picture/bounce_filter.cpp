@@ -1,6 +1,8 @@
 #include "renderer/picture/bounce_filter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "renderer/common/parallel.h"
 
@@ -22,8 +24,7 @@ class TileSurfaces {
   TileSurfaces(const std::vector<Surface>& surfaces, const TileGrid& grid, const TileGrid::Rectangle& tile,
                int margin_px)
       : stride_(tile_side + 2 * margin_px), margin_px_(margin_px) {
-    for (std::vector<float>* values :
-         {&nx_, &ny_, &nz_, &x_m_, &y_m_, &z_m_, &plane_, &inverse_reach_, &weights_})
+    for (std::vector<float>* values : {&nx_, &ny_, &nz_, &x_m_, &y_m_, &z_m_, &plane_, &inverse_reach_})
       values->assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_), 0.0F);
     const int left = tile.left - margin_px, top = tile.top - margin_px;
     for (int y = std::max(top, 0); y < std::min(top + stride_, grid.height_px); ++y)
@@ -32,7 +33,8 @@ class TileSurfaces {
   }
 
   /// How like the surfaces of the tile's row `y` and those `dx`, `dy` pixels away are: 1 for like ones, 0 for
-  /// unlike ones and where there is none. The same seen from there, to the last bit but for rounding.
+  /// unlike ones and where there is none. The same seen from there, to the last bit: what changes its sign is
+  /// squared, and everything else is a product of the two or the larger one.
   [[nodiscard]] TileRow likeness(int y, int dx, int dy, float reach_divisor) const {
     const auto at = [&](const std::vector<float>& values, int x, int row) {
       return Eigen::Map<const TileRow>(&values[place(x, row)]);
@@ -52,24 +54,6 @@ class TileSurfaces {
     for (int squared = 0; squared < 5; ++squared) alike *= alike;
     return alike * near * near * far * far;
   }
-  /// Sums of weights of the whole picture, which `larger_sum` looks at.
-  void take_weights(const std::vector<float>& sums, const TileGrid& grid, const TileGrid::Rectangle& tile) {
-    const int left = tile.left - margin_px_, top = tile.top - margin_px_;
-    for (int y = std::max(top, 0); y < std::min(top + stride_, grid.height_px); ++y)
-      for (int x = std::max(left, 0); x < std::min(left + stride_, grid.width_px); ++x)
-        weights_[place(x - tile.left, y - tile.top)] = sums[grid.index(x, y)];
-  }
-  /// Of the tile's row and of those `dx`, `dy` pixels away.
-  [[nodiscard]] TileRow larger_sum(int y, int dx, int dy) const {
-    const Eigen::Map<const TileRow> here(&weights_[place(0, y)]), there(&weights_[place(dx, y + dy)]);
-    return here.max(there);
-  }
-  /// 1 where the tile's row has a surface, else 0.
-  [[nodiscard]] TileRow presence(int y) const {
-    TileRow out;
-    for (int i = 0; i < tile_side; ++i) out[i] = plane_[place(i, y)] > 0.0F ? 1.0F : 0.0F;
-    return out;
-  }
 
  private:
   /// Of a pixel counted from the tile's corner.
@@ -88,61 +72,139 @@ class TileSurfaces {
   std::vector<float> nx_, ny_, nz_, x_m_, y_m_, z_m_;
   std::vector<float> plane_;  ///< 1 / (distance from the tangent plane at which surfaces are unlike)
   std::vector<float> inverse_reach_;
-  std::vector<float> weights_;
 };
 
 constexpr float own_weight = b_spline[2] * b_spline[2];
 
-/// Calls `each(dx, dy, weights)` for the 24 neighbours of a tile's row: B-spline times likeness.
-template <class Each>
-void each_neighbour(const TileSurfaces& surfaces, int y, int step, float reach_divisor, const Each& each) {
-  for (int dy = -2; dy <= 2; ++dy)
-    for (int dx = -2; dx <= 2; ++dx) {
-      if (dx == 0 && dy == 0) continue;
-      const float share =
-          b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
-      each(dx * step, dy * step, TileRow(share * surfaces.likeness(y, dx * step, dy * step, reach_divisor)));
-    }
-}
+/// One of the 24 neighbours of a pixel, `step` pixels apart.
+struct Neighbour {
+  int dx, dy;        ///< in steps, -2 to 2
+  float share;       ///< of the B-spline
+  std::size_t pair;  ///< which of the 12 pairs: itself, or the one that it is seen from
+  bool is_ahead;     ///< to the right or below: its pair is kept here; else there
+};
 
-/// The sum of the weights of every pixel of a tile, its own among them; 0 without a surface.
-void sum_weights(const TileSurfaces& surfaces, const TileGrid& grid, const TileGrid::Rectangle& tile,
-                 int step, float reach_divisor, std::vector<float>& sums) {
-  for (int y = tile.top; y < tile.bottom; ++y) {
-    TileRow sum = own_weight * surfaces.presence(y - tile.top);
-    each_neighbour(surfaces, y - tile.top, step, reach_divisor,
-                   [&](int, int, const TileRow& weight) { sum += weight; });
-    std::copy_n(sum.data(), tile.right - tile.left,
-                sums.begin() + static_cast<std::ptrdiff_t>(grid.index(tile.left, y)));
+/// Row by row, as they are added up.
+constexpr std::array<Neighbour, 24> neighbours = [] {
+  std::array<Neighbour, 24> out{};
+  for (std::size_t i = 0; i < 25; ++i) {
+    if (i == 12) continue;
+    const std::size_t n = i < 12 ? i : i - 1;
+    out[n] = {static_cast<int>(i % 5) - 2, static_cast<int>(i / 5) - 2, b_spline[i % 5] * b_spline[i / 5],
+              i < 12 ? 11 - i : n - 12, i > 12};
   }
-}
+  return out;
+}();
+
+/// What one level of the filter weighs neighbours with, B-spline times likeness: of every pixel in the tiles
+/// asked for those with the 12 neighbours ahead of it. With the others they are the same, seen from there.
+class PairWeights {
+ public:
+  explicit PairWeights(const TileGrid& grid)
+      : grid_(grid),
+        stride_(static_cast<std::size_t>(grid.columns() * tile_side + 2 * margin_px)),
+        plane_(stride_ * static_cast<std::size_t>(grid.height_px)),
+        weights_(std::make_unique_for_overwrite<float[]>(plane_ * neighbours.size() / 2)),
+        sums_(std::make_unique_for_overwrite<float[]>(plane_)) {}
+
+  /// The pairs of a tile.
+  void find(const std::vector<Surface>& surfaces, int tile, int step, float reach_divisor) {
+    const TileGrid::Rectangle r = grid_.rectangle(tile);
+    const TileSurfaces here(surfaces, grid_, r, 2 * step);
+    for (int y = r.top; y < r.bottom; ++y)
+      for (const Neighbour& other : neighbours) {
+        if (!other.is_ahead) continue;
+        float* plane = weights_.get() + other.pair * plane_;
+        row(plane, r.left, y) =
+            other.share * here.likeness(y - r.top, other.dx * step, other.dy * step, reach_divisor);
+        clear_margins(plane, r, y);
+      }
+  }
+  /// The sums of the weights of a tile's pixels, their own among them; 0 without a surface. Pairs of the
+  /// tiles around it are known.
+  void sum(const std::vector<Surface>& surfaces, int tile, int step) {
+    const TileGrid::Rectangle r = grid_.rectangle(tile);
+    for (int y = r.top; y < r.bottom; ++y) {
+      TileRow sum = own_weight * presence(surfaces, r, y);
+      for (const Neighbour& other : neighbours) sum += at(other, r.left, y, step);
+      row(sums_.get(), r.left, y) = sum;
+      clear_margins(sums_.get(), r, y);
+    }
+  }
+
+  /// Of the row of a tile that begins at a pixel.
+  [[nodiscard]] TileRow at(const Neighbour& other, int left, int y, int step) const {
+    const int pair_y = other.is_ahead ? y : y + other.dy * step;
+    if (pair_y < 0) return TileRow::Zero();
+    return row(weights_.get() + other.pair * plane_, other.is_ahead ? left : left + other.dx * step, pair_y);
+  }
+  /// The larger sum of weights, of its pixels and of the neighbours; of those beyond the picture nothing.
+  [[nodiscard]] TileRow larger_sum(const Neighbour& other, int left, int y, int step) const {
+    const auto here = row(sums_.get(), left, y);
+    const int other_y = y + other.dy * step;
+    if (other_y < 0 || other_y >= grid_.height_px) return here;
+    return here.max(row(sums_.get(), left + other.dx * step, other_y));
+  }
+  /// 1 where there is a surface, else 0.
+  [[nodiscard]] TileRow presence(const std::vector<Surface>& surfaces, const TileGrid::Rectangle& tile,
+                                 int y) const {
+    TileRow out = TileRow::Zero();
+    for (int x = tile.left; x < tile.right; ++x)
+      out[x - tile.left] = surfaces[grid_.index(x, y)].normal.isZero() ? 0.0F : 1.0F;
+    return out;
+  }
+
+ private:
+  static constexpr int margin_px = 16;  ///< to the left and right of the picture, where weights are 0
+
+  [[nodiscard]] std::size_t place(int x, int y) const {
+    return static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x + margin_px);
+  }
+  [[nodiscard]] Eigen::Map<TileRow> row(float* plane, int x, int y) const {
+    return Eigen::Map<TileRow>(plane + place(x, y));
+  }
+  [[nodiscard]] Eigen::Map<const TileRow> row(const float* plane, int x, int y) const {
+    return Eigen::Map<const TileRow>(plane + place(x, y));
+  }
+  void clear_margins(float* plane, const TileGrid::Rectangle& tile, int y) const {
+    if (tile.left == 0) std::fill_n(plane + place(-margin_px, y), margin_px, 0.0F);
+    if (tile.right == grid_.width_px)
+      std::fill_n(plane + place(grid_.columns() * tile_side, y), margin_px, 0.0F);
+  }
+
+  TileGrid grid_;
+  std::size_t stride_, plane_;        ///< floats of a row and of a plane
+  std::unique_ptr<float[]> weights_;  ///< a plane a pair
+  std::unique_ptr<float[]> sums_;
+};
 
 /// One level of the filter in one tile. Where the sum is kept, two pixels exchange by their weight over the
 /// larger of their sums, and what a pixel does not get from others it keeps of its own: what one gets another
 /// gives. Else weights are what they are, because texels count their samples.
-void filter_tile(const TileSurfaces& surfaces, const TileGrid& grid, const TileGrid::Rectangle& tile,
-                 int step, const FilterStrength& strength, const std::vector<BounceTexel>& texels,
+void filter_tile(const PairWeights& weights, const std::vector<Surface>& surfaces, const TileGrid& grid,
+                 int tile, int step, bool keeps_sum, const std::vector<BounceTexel>& texels,
                  std::vector<BounceTexel>& filtered) {
-  const int count = tile.right - tile.left;
+  const TileGrid::Rectangle r = grid.rectangle(tile);
+  const int count = r.right - r.left;
   std::array<BounceTexel, tile_side> sum;
-  for (int y = tile.top; y < tile.bottom; ++y) {
+  for (int y = r.top; y < r.bottom; ++y) {
     sum.fill({});
-    TileRow own = surfaces.presence(y - tile.top) * (strength.keeps_sum ? 1.0F : own_weight);
-    const auto add_neighbours = [&](int dx, int dy, const TileRow& weight) {
+    TileRow own = weights.presence(surfaces, r, y) * (keeps_sum ? 1.0F : own_weight);
+    for (const Neighbour& other : neighbours) {
+      const TileRow weight = weights.at(other, r.left, y, step);
       TileRow share = (weight > negligible).select(weight, TileRow::Zero());
-      if (strength.keeps_sum) {
-        share /= surfaces.larger_sum(y - tile.top, dx, dy).max(negligible);
+      if (keeps_sum) {
+        share /= weights.larger_sum(other, r.left, y, step).max(negligible);
         own -= share;
       }
-      const int row = y + dy, column = tile.left + dx;
+      const int line = y + other.dy * step, column = r.left + other.dx * step;
       for (int i = 0; i < count; ++i)
         if (share[i] > 0.0F)
-          sum[static_cast<std::size_t>(i)].sums += share[i] * texels[grid.index(column + i, row)].sums;
-    };
-    each_neighbour(surfaces, y - tile.top, step, strength.reach_divisor, add_neighbours);
+          sum[static_cast<std::size_t>(i)].sums += share[i] * texels[grid.index(column + i, line)].sums;
+    }
     for (int i = 0; i < count; ++i)
-      sum[static_cast<std::size_t>(i)].sums += own[i] * texels[grid.index(tile.left + i, y)].sums;
-    std::copy_n(sum.begin(), count, filtered.begin() + static_cast<std::ptrdiff_t>(grid.index(tile.left, y)));
+      sum[static_cast<std::size_t>(i)].sums += own[i] * texels[grid.index(r.left + i, y)].sums;
+    std::copy_n(sum.begin(), count, filtered.begin() + static_cast<std::ptrdiff_t>(grid.index(r.left, y)));
   }
 }
 
@@ -162,24 +224,23 @@ Surface surface_of(const SeenSurface& sums, float samples, const Camera& camera,
 
 void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, const FilterStrength& strength,
                    int threads, std::vector<BounceTexel>& texels, const TileSet& where) {
-  std::vector<BounceTexel> filtered;
-  if (strength.levels > 0) filtered = texels;
-  // A pixel beside a tile exchanges with those in it.
+  if (strength.levels == 0) return;
+  std::vector<BounceTexel> filtered = texels;
+  // A pixel exchanges with those beside its tile, whose sums are of pairs with those beside them.
   const TileSet beside = with_neighbours(grid, where);
-  std::vector<float> sums(strength.keeps_sum && strength.levels > 0 ? texels.size() : 0, 0.0F);
+  const TileSet paired = strength.keeps_sum ? with_neighbours(grid, beside) : beside;
+  PairWeights weights(grid);
+  const auto each_tile = [&](const TileSet& tiles, const auto& work) {
+    parallel_for(grid.count(), threads, [&](int tile) {
+      if (tiles[static_cast<std::size_t>(tile)] != 0) work(tile);
+    });
+  };
   for (int level = 0; level < strength.levels; ++level) {
     const int step = 1 << level;
-    parallel_for(grid.count(), threads, [&](int tile) {
-      if (!strength.keeps_sum || beside[static_cast<std::size_t>(tile)] == 0) return;
-      const TileGrid::Rectangle r = grid.rectangle(tile);
-      sum_weights(TileSurfaces(surfaces, grid, r, 2 * step), grid, r, step, strength.reach_divisor, sums);
-    });
-    parallel_for(grid.count(), threads, [&](int tile) {
-      if (where[static_cast<std::size_t>(tile)] == 0) return;
-      const TileGrid::Rectangle r = grid.rectangle(tile);
-      TileSurfaces here(surfaces, grid, r, 2 * step);
-      if (strength.keeps_sum) here.take_weights(sums, grid, r);
-      filter_tile(here, grid, r, step, strength, texels, filtered);
+    each_tile(paired, [&](int tile) { weights.find(surfaces, tile, step, strength.reach_divisor); });
+    if (strength.keeps_sum) each_tile(beside, [&](int tile) { weights.sum(surfaces, tile, step); });
+    each_tile(where, [&](int tile) {
+      filter_tile(weights, surfaces, grid, tile, step, strength.keeps_sum, texels, filtered);
     });
     std::swap(texels, filtered);
   }
