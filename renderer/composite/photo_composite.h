@@ -1,9 +1,9 @@
 #pragma once
 #include <functional>
 
-#include "renderer/common/mask.h"
 #include "renderer/error/error_estimate.h"
 #include "renderer/estimators/estimator.h"
+#include "renderer/material/mask.h"
 #include "renderer/picture/composite.h"
 
 namespace seamline::renderer {

@@ -17,7 +17,7 @@ struct LocalScene {
   Geometry geometry;
   MeshRecord mesh;
   std::optional<OcclusionTest> occlusion = {};  ///< who is in front, where not the mesh decides
-  std::optional<ShadowMatte> matte = {};        ///< which real surfaces suns light, likewise
+  std::optional<ShadowMatte> matte = {};        ///< which real surfaces suns do not reach, likewise
   /// Methods of real time in place of rays, and who is in front by them; null: traced.
   std::shared_ptr<const RealtimeWorld> realtime = {};
   std::optional<OcclusionTest> realtime_occlusion = {};

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "renderer/material/mask.h"
 #include "renderer/depth/depth_map.h"
-#include "renderer/material/direction_mask.h"
 #include "renderer/realtime/depth_picture.h"
 #include "sensors/frame/depth_frame.h"
 #include "sensors/frame/depth_test.h"
@@ -52,7 +52,7 @@ struct OcclusionTest {
 struct DepthWorld {
   const Geometry* mesh = nullptr;            ///< null where nothing is asked of it
   const OcclusionTest* occlusion = nullptr;  ///< null: the mesh decides
-  const ShadowMatte* matte = nullptr;  ///< how much of suns reaches real surfaces; null: the mesh decides
+  const ShadowMatte* matte = nullptr;       ///< which real surfaces suns do not reach; null: the mesh decides
   const RealtimeWorld* realtime = nullptr;  ///< methods in place of rays; null: everything is traced
 
   // A mesh alone is a world of depth.

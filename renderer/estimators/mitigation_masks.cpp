@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "renderer/common/parallel.h"
 #include "renderer/common/sampler.h"
@@ -17,7 +18,11 @@ namespace {
 constexpr std::uint64_t matte_seed = 0x3a77e;
 constexpr int samples_a_pixel = 4;  ///< of the local scene's light, which is then smoothed
 constexpr int smoothing_px = 4;     ///< to either side
-constexpr float lit_by_less = 0.35F, shadowed_by_more = 0.65F;
+constexpr float shadowed_below = 0.25F, lit_above = 0.75F;  ///< of a sun's light; between them a part of it
+constexpr float lit_quantile =
+    0.8F;  ///< of what faces a sun around a place, so much is darker than what is lit
+constexpr float most_change = 1.6F;  ///< of a place's scale from everywhere's
+constexpr int block_px = 16;         ///< scales are found over three by three of them
 
 Eigen::Vector3f texel_direction(const DirectionMask& mask, int column, int row, double right, double down) {
   return panorama_direction(column + right, row + down, mask.width_px, mask.height_px).cast<float>();
@@ -138,6 +143,19 @@ Field display_values(const Image& photograph) {
   return out;
 }
 
+int blocks_across(int pixels) {
+  return (pixels + block_px - 1) / block_px;
+}
+
+/// None of no values, which it reorders.
+std::optional<float> quantile(std::vector<float>& values, float share) {
+  if (values.empty()) return std::nullopt;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<float>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 /// What the local scene has at one pixel.
 struct PixelLight {
   float without_suns = 0, suns = 0;  ///< mean radiance: A, and S where nothing is in the way
@@ -194,7 +212,7 @@ bool MaskedObject::may_meet(const Eigen::Vector3f& direction, float margin_rad) 
 
 DirectionMask occlusion_mask(const Geometry& world, const MaskedObject& object, int width_px, int threads) {
   constexpr int side = 4;
-  DirectionMask mask = empty_mask(width_px, 0.0F);
+  DirectionMask mask = even_mask(width_px, 0.0F);
   parallel_for(mask.height_px, threads, [&](int row) {
     for (int column = 0; column < mask.width_px; ++column) {
       if (!object.may_meet(texel_direction(mask, column, row, 0.5, 0.5), 2 * texel_rad(mask))) continue;
@@ -215,7 +233,7 @@ ShadowMatte shadow_matte(const Geometry& truth, const Light& light, const Camera
                          int threads) {
   constexpr int side = 3;
   ShadowMatte matte;
-  matte.of_suns.assign(light.suns.size(), empty_mask(width_px, 1.0F));
+  matte.of_suns.assign(light.suns.size(), even_mask(width_px, 0.0F));
   if (matte.of_suns.empty()) return matte;
   for (DirectionMask& mask : matte.of_suns) mask.known.assign(mask.texels.size(), 1);
   const DirectionMask& any = matte.of_suns.front();
@@ -225,7 +243,7 @@ ShadowMatte shadow_matte(const Geometry& truth, const Light& light, const Camera
     for (int column = 0; column < any.width_px; ++column) {
       const Eigen::Array2f place = picture_place(camera, texel_direction(any, column, row, 0.5, 0.5));
       if (!is_in_picture(camera, place, margin_px)) continue;
-      std::vector<int> asked(light.suns.size(), 0), arrived(light.suns.size(), 0);
+      std::vector<int> asked(light.suns.size(), 0), blocked(light.suns.size(), 0);
       for (int i = 0; i < side * side; ++i) {
         const Ray ray{Eigen::Vector3f::Zero(),
                       texel_direction(any, column, row, (i % side + 0.5) / side, (i / side + 0.5) / side)};
@@ -239,7 +257,7 @@ ShadowMatte shadow_matte(const Geometry& truth, const Light& light, const Camera
                                                        : Eigen::Array2f::Zero());
           if (sun_cosine(*point, to_sun) <= 0.0F) continue;
           ++asked[number];
-          arrived[number] += truth.occluded(leaving_ray(*point, to_sun, endless)) ? 0 : 1;
+          blocked[number] += truth.occluded(leaving_ray(*point, to_sun, endless)) ? 1 : 0;
         }
       }
       for (std::size_t number = 0; number < light.suns.size(); ++number) {
@@ -247,7 +265,7 @@ ShadowMatte shadow_matte(const Geometry& truth, const Light& light, const Camera
         const std::size_t texel = mask.index(column, row);
         mask.known[texel] = asked[number] > 0 ? 1 : 0;
         if (asked[number] > 0)
-          mask.texels[texel] = static_cast<float>(arrived[number]) / static_cast<float>(asked[number]);
+          mask.texels[texel] = static_cast<float>(blocked[number]) / static_cast<float>(asked[number]);
       }
     }
   });
@@ -267,7 +285,7 @@ DirectionMask detected_mask(const Geometry& local, const MaskedObject& object, i
                                static_cast<float>(camera.width_px) / camera.tan_half_horizontal;
   const int radius = std::clamp(static_cast<int>(std::lround(1.5F * pixels_a_texel)), 2, 64);
   const Field moved = guided(before, display_values(from.photograph), radius, 1e-4F);
-  DirectionMask mask = empty_mask(mask_width_px, 0.0F);
+  DirectionMask mask = even_mask(mask_width_px, 0.0F);
   parallel_for(mask.height_px, from.threads, [&](int row) {
     for (int column = 0; column < mask.width_px; ++column) {
       const Eigen::Vector3f direction = texel_direction(mask, column, row, 0.5, 0.5);
@@ -300,26 +318,45 @@ ShadowMatte detected_matte(const Geometry& local, const Light& light, int matte_
     const float* pixel = &from.photograph.values[3 * i];
     return (pixel[0] + pixel[1] + pixel[2]) / 3;
   };
-  std::vector<float> scales;
+  // As bright as the local scene, where both are lit.
+  const auto usual = [&](std::size_t i) {
+    return photographed(i) / std::max(shadowless.values[i] + lights[i].suns, 1e-12F);
+  };
+  std::vector<float> of_lit;
   for (std::size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].lit) scales.push_back(photographed(i) / (shadowless.values[i] + lights[i].suns));
-  if (scales.empty()) scales.push_back(1.0F);
-  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-  std::nth_element(scales.begin(), middle, scales.end());
-  const float scale = std::max(*middle, 1e-12F);
-  Field visible(camera.width_px, camera.height_px);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    visible.values[i] = lights[i].lit || !lights[i].faces_sun ? 1.0F : 0.0F;
-    if (!lights[i].faces_sun) continue;
-    const float seen = (photographed(i) / scale - shadowless.values[i]) / lights[i].suns;
-    if (lights[i].lit ? seen < lit_by_less : seen > shadowed_by_more)
-      visible.values[i] = std::clamp(seen, 0.0F, 1.0F) < 0.5F ? 0.0F : 1.0F;
-  }
-  DirectionMask mask = empty_mask(matte_width_px, 1.0F);
+    if (lights[i].lit) of_lit.push_back(usual(i));
+  const float everywhere = quantile(of_lit, lit_quantile).value_or(1.0F);
+  Field scales(blocks_across(camera.width_px), blocks_across(camera.height_px));
+  for (int row = 0; row < scales.height_px; ++row)
+    for (int column = 0; column < scales.width_px; ++column) {
+      std::vector<float> around;
+      for (int y = std::max((row - 1) * block_px, 0); y < std::min((row + 2) * block_px, camera.height_px);
+           ++y)
+        for (int x = std::max((column - 1) * block_px, 0);
+             x < std::min((column + 2) * block_px, camera.width_px); ++x)
+          if (lights[shadowless.index(x, y)].faces_sun) around.push_back(usual(shadowless.index(x, y)));
+      scales.values[scales.index(column, row)] =
+          std::clamp(quantile(around, lit_quantile).value_or(everywhere), everywhere / most_change,
+                     everywhere * most_change);
+    }
+  Field shadow(camera.width_px, camera.height_px);
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::size_t i = shadow.index(x, y);
+      if (!lights[i].faces_sun) continue;
+      const Eigen::Array2f block =
+          Eigen::Array2f(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) /
+          static_cast<float>(block_px);
+      const float scale = std::max(scales.at(block), 1e-12F);
+      const float seen = (photographed(i) / scale - shadowless.values[i]) / lights[i].suns;
+      shadow.values[i] =
+          1.0F - std::clamp((seen - shadowed_below) / (lit_above - shadowed_below), 0.0F, 1.0F);
+    }
+  DirectionMask mask = even_mask(matte_width_px, 0.0F);
   parallel_for(mask.height_px, from.threads, [&](int row) {
     for (int column = 0; column < mask.width_px; ++column) {
       const Eigen::Array2f place = picture_place(camera, texel_direction(mask, column, row, 0.5, 0.5));
-      if (is_in_picture(camera, place, 2.0F)) mask.texels[mask.index(column, row)] = visible.at(place);
+      if (is_in_picture(camera, place, 2.0F)) mask.texels[mask.index(column, row)] = shadow.at(place);
     }
   });
   matte.of_suns.assign(light.suns.size(), mask);

@@ -1,6 +1,6 @@
 #pragma once
+#include "renderer/material/mask.h"
 #include "renderer/light/light.h"
-#include "renderer/material/direction_mask.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "support/files/image.h"
@@ -24,9 +24,9 @@ struct MaskedObject {
 [[nodiscard]] DirectionMask occlusion_mask(const Geometry& world, const MaskedObject& object, int width_px,
                                            int threads);
 
-/// The matte that somebody would paint: how much of each sun arrives at what `truth` shows, over 3 x 3
-/// directions and, of suns with a disc, places on it. Surfaces that are turned away from a sun say nothing of
-/// it. Directions outside the camera's view are 1.
+/// The matte that somebody would paint: how much of each sun does not arrive at what `truth` shows, over 3 x
+/// 3 directions and, of suns with a disc, places on it. Surfaces that are turned away from a sun say nothing
+/// of it. Directions outside the camera's view are 0.
 [[nodiscard]] ShadowMatte shadow_matte(const Geometry& truth, const Light& light, const Camera& camera,
                                        int width_px, int threads);
 
@@ -44,12 +44,14 @@ struct DetectedFrom {
 [[nodiscard]] DirectionMask detected_mask(const Geometry& local, const MaskedObject& object,
                                           int depth_width_px, int mask_width_px, const DetectedFrom& from);
 
-/// The shadows of a coarse local scene, corrected where the photograph clearly disagrees. A pixel's light in
-/// the local scene is A + v S: what arrives without the suns, and each sun's share if nothing is in the way;
-/// v is 0 or 1 by the mesh. With k, the median of photograph over local scene where both are lit, m = (B / k
-/// - A) / S is the visibility that the photograph shows. Where v = 1 and m < 0.35, or v = 0 and m > 0.65, m
-/// decides; elsewhere v. Of several suns all get the same share. Dark paint passes for shadow: it assumes the
-/// local scene's albedo.
+/// The photograph's shadows, told by what the local scene would have there. A pixel's light in the local
+/// scene is A + v S: what arrives without the suns, and each sun's share if nothing is in the way. With k,
+/// how bright the photograph is beside a local scene that is lit, m = (B / k - A) / S is the visibility v
+/// that the photograph shows: shadow below 0.25, light above 0.75, a part of it between. k is looked for
+/// around the pixel (the fourth fifth of B / (A + S) over some 48 x 48 pixels that face a sun), because the A
+/// of a coarse mesh is wrong by another factor in every corner; it differs from the whole picture's by at
+/// most 1.6. Of several suns all get the same share. Dark paint passes for shadow: it assumes the local
+/// scene's albedo.
 [[nodiscard]] ShadowMatte detected_matte(const Geometry& local, const Light& light, int matte_width_px,
                                          const DetectedFrom& from);
 

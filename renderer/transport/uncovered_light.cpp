@@ -54,7 +54,7 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
           rays.add(receiver, points[i].lit, sample->direction, sample->far_m, {i, sample->radiance});
           continue;
         }
-        const float arrives = matte->of_suns[static_cast<std::size_t>(number)].at(receiver.position_m);
+        const float arrives = 1.0F - matte->of_suns[static_cast<std::size_t>(number)].at(receiver.position_m);
         if (arrives > 0.0F)
           rays.add(receiver, {nullptr, &receiver}, sample->direction, sample->far_m,
                    {i, arrives * sample->radiance});

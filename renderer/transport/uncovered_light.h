@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "renderer/material/direction_mask.h"
+#include "renderer/material/mask.h"
 #include "renderer/transport/light_rays.h"
 #include "renderer/transport/transport.h"
 
@@ -21,8 +21,8 @@ struct UncoveredPoint {
 /// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of
 /// their own. The sun is in `direct`, with what the points emit; the sky, which is smooth and may be
 /// filtered, in `bounce`. `pairs` is as long as `points`. What `rays` holds is forgotten:
-/// a caller who asks often keeps it for its memory. With a matte, that says how much of each sun arrives past
-/// the real world; sky and lamps ask its geometry.
+/// a caller who asks often keeps it for its memory. With a matte, that says how much of each sun does not
+/// arrive past the real world; sky and lamps ask its geometry.
 void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
                          std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts = nullptr,
                          const ShadowMatte* matte = nullptr);

@@ -128,7 +128,7 @@ TEST(ShadowMatte, OfASoftSunHasHalfLight) {
   for (std::size_t i = 0; i < matte.of_suns[0].texels.size(); ++i) {
     if (matte.of_suns[0].known[i] == 0) continue;
     const float share = matte.of_suns[0].texels[i];
-    (share == 0 ? dark : share == 1 ? lit : between) += 1;
+    (share == 0 ? lit : share == 1 ? dark : between) += 1;  // of the sun, what does not arrive
   }
   EXPECT_GT(between, 500);
   EXPECT_GT(lit, 1000);

@@ -107,7 +107,7 @@ TEST_F(PhotoComposite, AMatteThatSaysWhatTheLocalSceneSaysChangesNothing) {
   const Geometry objects(Meshes{test::sphere({0, -0.4F, -4}, 0.5F, 32, 0.5F, 1)});
   PhotoScene asked = scene(objects);
   const Image without = picture(asked);
-  const Mask none{Image(8, 4, 1, 0.0F), MaskDomain::panorama};
+  const Mask none = even_mask(8, 0.0F);
   asked.shadow_matte = &none;
   const Image with = picture(asked);
   for (std::size_t i = 0; i < with.values.size(); ++i) ASSERT_NEAR(with.values[i], without.values[i], 2e-3F);
@@ -119,7 +119,7 @@ TEST_F(PhotoComposite, WhereTheMatteSaysShadowAnObjectTakesNoSunlight) {
   const Geometry objects(Meshes{test::sphere({0, 0.6F, -4}, 0.4F, 32, 0.5F, 1)});
   PhotoScene asked = scene(objects);
   const Image sunlit = picture(asked, 64);
-  const Mask shadow{Image(8, 6, 1, 1.0F), MaskDomain::photograph};
+  const Mask shadow = PhotographMask{Image(8, 6, 1, 1.0F)};
   asked.shadow_matte = &shadow;
   const Image shaded = picture(asked, 64);
   float darkest_sunlit = 1, darkest_shaded = 1;
@@ -135,9 +135,10 @@ TEST_F(PhotoComposite, WhereTheMatteSaysShadowAnObjectTakesNoSunlight) {
 TEST_F(PhotoComposite, AMaskDecidesWhoIsInFrontAtItsOwnResolution) {
   const Geometry objects(Meshes{test::sphere({0, 0, -6}, 1, 32, 0.5F, 1)});
   PhotoScene asked = scene(objects);
-  Mask mask{Image(512, 384, 1, 0.0F), MaskDomain::photograph};
+  PhotographMask half{Image(512, 384, 1, 0.0F)};
   for (int y = 0; y < 384; ++y)
-    for (int x = 256; x < 512; ++x) mask.values.at(x, y) = 1.0F;  // the right half is in front
+    for (int x = 256; x < 512; ++x) half.values.at(x, y) = 1.0F;  // the right half is in front
+  const Mask mask = half;
   asked.occlusion.hides = [&](const MaskPlace& place, float) { return mask_at(mask, place) >= 0.5F; };
   light_.environment_radiance = Rgb::Zero();
   light_.suns.clear();
@@ -147,15 +148,15 @@ TEST_F(PhotoComposite, AMaskDecidesWhoIsInFrontAtItsOwnResolution) {
 }
 
 TEST_F(PhotoComposite, MasksAreFoundByDirectionAroundTheSeamAndByPlace) {
-  Mask mask{Image(4, 2, 1, 0.0F), MaskDomain::panorama};
-  mask.values.at(2, 0) = 1.0F;  // up, just to the right of -Z
+  DirectionMask mask = even_mask(4, 0.0F);
+  mask.texels[2] = 1.0F;  // up, just to the right of -Z
   const auto at = [&](const Eigen::Vector3f& direction) {
     return mask_at(mask, {direction.normalized(), Eigen::Array2f::Zero()});
   };
   EXPECT_NEAR(at({1, 1, -1}), std::clamp(at({1, 1, -1}), 0.5F, 1.0F), 0);
   EXPECT_NEAR(at({-1, 1, 1}), 0, 0.3F);
-  mask.values.at(2, 0) = 0.0F;
-  mask.values.at(3, 0) = mask.values.at(0, 0) = 1.0F;  // both sides of the seam behind
+  mask.texels[2] = 0.0F;
+  mask.texels[3] = mask.texels[0] = 1.0F;  // both sides of the seam behind
   EXPECT_NEAR(at({0, 1, 1}), at({0.001F, 1, 1}), 1e-2F);
   EXPECT_GT(at({0, 1, 1}), 0.7F);
 }
