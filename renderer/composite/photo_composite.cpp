@@ -146,6 +146,7 @@ PhotoEstimate photo_by_path(const PhotoScene& scene, const std::optional<double>
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = pictures.sampled[half] =
           compose_half(out.sums, half, options.threads).picture;
+    pictures.whole = compose(out.sums, out.sums.compositing, options.threads).picture;
     out.error = estimate_error(pictures, exposure_ev, options.threads);
     if (!error || ErrorTarget{*error}.met_by(out.error) || pass.spp >= most_spp) return out;
   }

@@ -13,8 +13,11 @@ SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangl
     for (int x = block.left; x < block.right; ++x)
       for (int c = 0; c < 3; ++c) {
         const float a = pictures.filtered[0].at(x, y, c) * gain, b = pictures.filtered[1].at(x, y, c) * gain;
-        const double difference = 0.5 * (double{srgb_from_linear(a)} - double{srgb_from_linear(b)});
-        sum.noise += difference * difference;
+        const float whole =
+            pictures.whole.values.empty() ? 0.5F * (a + b) : pictures.whole.at(x, y, c) * gain;
+        const double shown = srgb_from_linear(whole), off_a = shown - double{srgb_from_linear(a)},
+                     off_b = shown - double{srgb_from_linear(b)};
+        sum.noise += off_a * off_a + off_b * off_b + off_a * off_b;
         const float change_a = a - pictures.sampled[0].at(x, y, c) * gain;
         const float change_b = b - pictures.sampled[1].at(x, y, c) * gain;
         if (change_a == 0.0F || change_b == 0.0F) continue;
@@ -53,6 +56,7 @@ double ErrorEstimate::worst_tile() const {
 ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {
   for (const auto& halves : {&pictures.filtered, &pictures.sampled})
     for (const Image& half : *halves) require_numbers(half);
+  if (!pictures.whole.values.empty()) require_numbers(pictures.whole);
   const Image& any = pictures.filtered[0];
   const TileGrid grid{any.width_px, any.height_px};
   const BlockGrid blocks{any.width_px, any.height_px};

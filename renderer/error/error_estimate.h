@@ -27,13 +27,19 @@ struct ErrorEstimate {
   [[nodiscard]] double worst_tile() const;  ///< the largest of any tile
 };
 
-/// The same picture from each half of the samples, filtered and as sampled. Noise: a quarter of the squared
-/// difference of the filtered halves. Bias: the product of what the filter changed in one half and in the
-/// other; their noises are independent, so the mean of the product is the square of the common change. The
-/// display curve enters by its slope.
+/// The same picture from each half of the samples, filtered and as sampled, and from all of them.
 struct HalfPictures {
   std::array<Image, 2> filtered, sampled;
+  Image whole = {};  ///< as it is shown, filtered; empty: the mean of the halves
 };
+/// Noise: with a and b the whole less each half, as displayed, a^2 + b^2 + ab. Where the picture is the mean
+/// of its samples, b = -a, and that is a quarter of the squared difference of the halves. Where it is not
+/// (the display curve, white that is reached, a quotient of few samples, a rule for tiny denominators that
+/// takes either side) the whole lies off their middle. A bright speck is white in the whole and in the half
+/// that has it, so that a = 0 and b^2 is the speck's squared error, of which the difference of the halves is
+/// a quarter. Bias: the product of what the filter changed in one half and in the other; their noises are
+/// independent, so the mean of the product is the square of the common change. The display curve enters by
+/// its slope.
 [[nodiscard]] ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads);
 
 /// Slope of the sRGB curve; 0 where display white is reached.

@@ -82,8 +82,8 @@ TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, d
         double sum = 0;
         for (int c = 0; c < 3; ++c) {
           const std::size_t code = shown.values[reference[0].index(x, y) + static_cast<std::size_t>(c)];
-          const double a = linear[code] - reference[0].at(x, y, c) * gain;
-          const double b = linear[code] - reference[1].at(x, y, c) * gain;
+          const double a = linear[code] - std::min(1.0F, reference[0].at(x, y, c) * gain);
+          const double b = linear[code] - std::min(1.0F, reference[1].at(x, y, c) * gain);
           sum += double{slope[code]} * double{slope[code]} * a * b;
         }
         return sum;

@@ -25,7 +25,8 @@ struct TrueError {
 };
 
 /// In display units (0 to 1): `shown` is what people see, 8-bit sRGB codes made with `exposure_ev`, whose
-/// rounding is part of the error. The display curve enters by its slope at F, 0 where F is display white:
+/// rounding is part of the error. References beyond display white are white. The display curve enters by its
+/// slope at F, 0 where F is white:
 ///   mean over pixels and channels of slope^2 (F - R_a)(F - R_b).
 /// Sizes must agree.
 [[nodiscard]] TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference,

@@ -91,8 +91,8 @@ Finding try_planted_values() {
     attempts.emplace_back([=] { (void)display_image(picture); });
     attempts.emplace_back([=] { require_numbers(picture); });
     attempts.emplace_back([=] { (void)display_rmse(sound, picture, 0); });
-    attempts.emplace_back([=] { (void)estimate_error({{picture, sound}, {sound, sound}}, 0, 1); });
-    attempts.emplace_back([=] { (void)estimate_error({{sound, sound}, {sound, picture}}, 0, 1); });
+    attempts.emplace_back([=] { (void)estimate_error({{picture, sound}, {sound, sound}, {}}, 0, 1); });
+    attempts.emplace_back([=] { (void)estimate_error({{sound, sound}, {sound, picture}, {}}, 0, 1); });
     attempts.emplace_back([=] {
       const TemporaryFolder folder;
       write_picture_exr(folder / "picture.exr", picture);

@@ -43,6 +43,34 @@ TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
   EXPECT_NEAR(estimate.image.bias, 0.0, 4 * 0.05 * 0.05 / std::sqrt(128.0 * 96 * 3));
 }
 
+/// A picture of 0.2 in which a few pixels of one half of the samples have a speck; and its true error.
+TEST(ErrorEstimate, SpecksThatAreWhiteInTheWholeCountWhole) {
+  Random random(7);
+  HalfPictures pictures;
+  for (std::size_t half = 0; half < 2; ++half) pictures.filtered[half] = Image(128, 96, 3, 0.2F);
+  Image& one = pictures.filtered[0];
+  int specks = 0;
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 128; ++x)
+      if (random.uniform() < 0.01) {
+        for (int c = 0; c < 3; ++c) one.at(x, y, c) = 40.0F;
+        ++specks;
+      }
+  pictures.sampled = pictures.filtered;
+  const double error = 1.0 - double{srgb_from_linear(0.2F)};
+  EXPECT_NEAR(estimate_error(pictures, 0.0, 1).image.noise / (error * error * specks / (128.0 * 96)), 1,
+              1e-4);
+}
+
+/// Where a rule makes a pixel black in the whole and in one half, and leaves it in the other.
+TEST(ErrorEstimate, SeesARuleThatTakesEitherSide) {
+  HalfPictures pictures;
+  for (std::size_t half = 0; half < 2; ++half)
+    pictures.filtered[half] = pictures.sampled[half] = Image(32, 32, 3, half == 0 ? 0.0F : 0.3F);
+  pictures.whole = Image(32, 32, 3, 0.0F);
+  EXPECT_NEAR(std::sqrt(estimate_error(pictures, 0.0, 1).image.noise), srgb_from_linear(0.3F), 1e-5);
+}
+
 /// Ten blocks in five tiles.
 SamplingState ten_blocks(double noise, double rest, double image_square) {
   return {.grid = {10 * BlockGrid::side_px, BlockGrid::side_px},

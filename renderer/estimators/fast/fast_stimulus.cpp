@@ -234,6 +234,7 @@ class StimulusRounds {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
+    pictures.whole = compose(made, made.compositing, options_.threads).picture;
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
     if (!filtered || !look_for_bias) {
       pictures.sampled = pictures.filtered;
@@ -248,6 +249,7 @@ class StimulusRounds {
     }
     ErrorEstimate error = with_bias_of_truth(pictures);
     pictures.filtered = pictures.sampled;
+    pictures.whole = {};  // nobody has put it together
     return {{std::move(error), with_bias_of_truth(pictures)}, true};
   }
 

@@ -88,6 +88,7 @@ class PathEstimator : public SceneEstimator {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = pictures.sampled[half] = compose_half(out.sums, half, threads_).picture;
+    pictures.whole = compose(out.sums, out.sums.compositing, threads_).picture;
     const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, threads_);
     out.rmse = error.rmse();
     out.worst_tile = error.worst_tile();
