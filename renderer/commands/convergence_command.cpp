@@ -64,9 +64,10 @@ void add_convergence_command(CLI::App& app) {
   command->add_option("--only", options->only, "the stimulus id, or a pattern that matches one")->required();
   command->add_option("--out", options->out, "folder of the figures and tables; made when missing")
       ->required();
-  command->add_option("--parts", options->parts, "only these parts (default: all but links and realtime)")
+  command
+      ->add_option("--parts", options->parts, "only these parts (default: all but links, realtime and light)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime"}));
+      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime", "light"}));
   add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
              "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
       ->delimiter(',');

@@ -81,6 +81,7 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
     if (wanted(ConvergencePart::realtime))
       writer.add(ConvergencePart::realtime, measure_realtime(subject, truth));
   }
+  if (wanted(ConvergencePart::light)) writer.add(ConvergencePart::light, measure_light(subject));
   if (wanted(ConvergencePart::compositing))
     writer.add(ConvergencePart::compositing,
                measure_compositing(subject, compositing_share * request.seconds));

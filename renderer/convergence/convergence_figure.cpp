@@ -229,4 +229,29 @@ void draw_figure(const std::vector<RealtimeRow>& rows, const FigureText& text) {
   draw(text, std::vector{shadows, others});
 }
 
+void draw_figure(const LightResult& result, const FigureText& text) {
+  std::vector<PlotPanel> panels;
+  const auto last_strategy = [&](const std::string& light) {
+    std::string last;
+    for (const LightRow& row : result.rows)
+      if (row.light == light) last = row.strategy;
+    return last;
+  };
+  for (const LightRow& row : result.rows) {
+    if (panels.empty() || panels.back().title != row.light)
+      panels.push_back({.title = row.light,
+                        .x_label = "processor time (s)",
+                        .y_label = "root mean square error / mean radiance"});
+    PlotPanel& panel = panels.back();
+    if (row.rays > 1 && row.strategy != last_strategy(row.light)) continue;
+    const std::string title =
+        row.rays == 1 ? row.strategy : fmt::format("{}, {} rays a sample", row.strategy, row.rays);
+    if (panel.lines.empty() || panel.lines.back().title != title)
+      panel.lines.push_back({.title = title, .points = {}, .style = panel.lines.size()});
+    panel.lines.back().points.emplace_back(row.seconds, row.error);
+  }
+  for (PlotPanel& panel : panels) panel.guides.push_back(guide_from(panel.lines.front(), -0.5, "slope -0.5"));
+  draw(text, panels);
+}
+
 }  // namespace seamline::renderer

@@ -22,6 +22,9 @@ void draw_figure(const MeshResult& result, const FigureText& text);
 void draw_figure(const std::vector<WidthRow>& rows, const FigureText& text);
 /// Error against the seconds that the local scene takes, a line a link from "none" on.
 void draw_figure(const std::vector<LinkRow>& rows, const FigureText& text);
+/// Error against processor time, a panel a kind of light: its strategies with one ray a sample, and the last
+/// of them with more.
+void draw_figure(const LightResult& result, const FigureText& text);
 /// Error against the seconds of a frame, a line a method of real time; rays as a dotted line.
 void draw_figure(const std::vector<RealtimeRow>& rows, const FigureText& text);
 

@@ -42,8 +42,10 @@ std::string_view word(ConvergencePart part) {
       return "links";
     case ConvergencePart::realtime:
       return "realtime";
+    case ConvergencePart::light:
+      return "light";
   }
-  throw std::logic_error("a part that is none of the five");
+  throw std::logic_error("a part that is none of these");
 }
 
 ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest& request) {

@@ -12,12 +12,12 @@
 
 namespace seamline::renderer {
 
-/// The parts of `seamline convergence`, each with its own figure and table; `links` (captured depth) and
-/// `realtime` (methods of real time) are made where they are asked for.
-enum class ConvergencePart { samples, mesh, width, compositing, links, realtime };
-inline constexpr std::array<ConvergencePart, 6> every_convergence_part = {
-    ConvergencePart::samples,     ConvergencePart::mesh,  ConvergencePart::width,
-    ConvergencePart::compositing, ConvergencePart::links, ConvergencePart::realtime};
+/// The parts of `seamline convergence`, each with its own figure and table; `links` (captured depth),
+/// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for.
+enum class ConvergencePart { samples, mesh, width, compositing, links, realtime, light };
+inline constexpr std::array<ConvergencePart, 7> every_convergence_part = {
+    ConvergencePart::samples, ConvergencePart::mesh,     ConvergencePart::width, ConvergencePart::compositing,
+    ConvergencePart::links,   ConvergencePart::realtime, ConvergencePart::light};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
 /// What `seamline convergence` was asked for.

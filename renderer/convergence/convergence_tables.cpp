@@ -205,6 +205,34 @@ PartTables tables_of(const std::vector<RealtimeRow>& rows) {
   return out;
 }
 
+PartTables tables_of(const LightResult& result) {
+  PartTables out{
+      .table = {.name = "light",
+                .columns = {{"light", "", "what alone shines"},
+                            {"strategy", "", "how directions to it are chosen"},
+                            {"rays", "", "times that every sample chooses"},
+                            {"spp", "", "samples a pixel, each with a camera ray"},
+                            {"seconds", "s", "processor time"},
+                            {"traced", "million", "rays traced"},
+                            {"error", "", "root mean square over the pixels, over their mean radiance"}},
+                .rows = {}},
+      .slopes = {},
+      .remarks = {}};
+  for (const LightRow& row : result.rows)
+    out.table.rows.push_back({row.light, row.strategy, std::int64_t{row.rays}, std::int64_t{row.spp},
+                              row.seconds, mega(row.traced), row.error});
+  std::string agree;
+  for (const LightResult::Agreement& one : result.agreements)
+    agree += fmt::format("{}{} by {} {:+.2f} % ({:.2f})", agree.empty() ? "" : ", ", one.light, one.strategy,
+                         100 * one.excess, 100 * one.standard_error);
+  out.remarks.push_back(
+      fmt::format("Light that reaches the truth's first surfaces straight. The reference of each "
+                  "kind has {} samples by its last strategy; mean radiance with the most samples "
+                  "above it, with standard error: {}.",
+                  result.reference_spp, agree));
+  return out;
+}
+
 PartTables tables_of(const CompositingResult& result) {
   PartTables out{
       .table = {.name = "compositing",

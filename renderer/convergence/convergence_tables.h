@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "renderer/convergence/convergence_compositing.h"
+#include "renderer/convergence/convergence_light.h"
 #include "renderer/convergence/convergence_links.h"
 #include "renderer/convergence/convergence_mesh.h"
 #include "renderer/convergence/convergence_realtime.h"
@@ -25,6 +26,7 @@ struct PartTables {
 [[nodiscard]] PartTables tables_of(const CompositingResult& result);
 [[nodiscard]] PartTables tables_of(const std::vector<LinkRow>& rows);
 [[nodiscard]] PartTables tables_of(const std::vector<RealtimeRow>& rows);
+[[nodiscard]] PartTables tables_of(const LightResult& result);
 
 [[nodiscard]] CsvTable slope_table(const std::vector<SlopeRow>& rows);
 

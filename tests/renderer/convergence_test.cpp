@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "renderer/convergence/convergence_light.h"
 #include "renderer/convergence/convergence_mesh.h"
 #include "renderer/convergence/convergence_slope.h"
 #include "stimuli/study_file/study_file.h"
@@ -101,6 +104,31 @@ TEST_F(SmallSubject, IndependentRenderingsKeepCoverageAndTheLevelOfLight) {
   // Joined with itself, a rendering is what it was.
   const Image same = compose(join_independent(with, with)).picture, itself = compose(with).picture;
   for (std::size_t i = 0; i < same.values.size(); ++i) EXPECT_NEAR(same.values[i], itself.values[i], 1e-4F);
+}
+
+/// A stimulus of a ready study, small.
+ConvergenceSubject subject_of(const char* study, const char* stimulus) {
+  return load_subject(read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" / study),
+                      {.only = stimulus, .threads = 2, .width_px = 24, .height_px = 14});
+}
+
+TEST(MeasureLight, StrategiesAgreeAboutTheMeanAndMoreRaysLeaveLessNoise) {
+  for (const auto& [study, stimulus] :
+       {std::pair{"environment_light.toml", "gazebo-shadow-lion-interior-0064"},
+        std::pair{"many_lights.toml", "gazebo-shadow-lion-lamps-0064"}}) {
+    const LightResult result = measure_light(subject_of(study, stimulus));
+    EXPECT_GE(result.agreements.size(), 2U) << stimulus;
+    for (const LightResult::Agreement& one : result.agreements)
+      EXPECT_LT(std::abs(one.excess), 4 * one.standard_error + 1e-3) << one.light << " by " << one.strategy;
+    for (const LightRow& row : result.rows) {
+      const auto finer = std::find_if(result.rows.begin(), result.rows.end(), [&](const LightRow& other) {
+        return row.light == other.light && row.strategy == other.strategy && row.rays == other.rays &&
+               4 * row.spp == other.spp;
+      });
+      if (finer == result.rows.end()) continue;
+      EXPECT_LT(finer->error, 0.9 * row.error) << row.light << " by " << row.strategy << " " << row.spp;
+    }
+  }
 }
 
 }  // namespace
