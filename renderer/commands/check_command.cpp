@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 
 #include "renderer/commands/asset_root_option.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/check.h"
+#include "renderer/set/pages/artists_map.h"
 #include "renderer/set/pages/seams_page.h"
 #include "renderer/set/set_seams.h"
 #include "stimuli/study_file/study_file.h"
@@ -15,9 +17,16 @@
 #include "support/files/markdown_table.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "support/text/number_option.h"
 
 namespace seamline::renderer {
 namespace {
+
+struct CheckOptions {
+  std::string path, asset_root, out;
+  bool artists = false;
+  std::optional<int> coarse_px, fine_px;
+};
 
 void check_study(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
@@ -38,18 +47,33 @@ void check_study(const std::string& path, const std::string& asset_root) {
                        .found = fmt::format("{} broken (above)", broken)});
 }
 
-void check_set(const std::string& folder, const std::string& out) {
+void check_set(const CheckOptions& options) {
+  const std::string &folder = options.path, &out = options.out;
+  if (options.artists && out.empty())
+    throw input_error({.field = "--artists", .wanted = "--out FOLDER beside it", .found = "no folder"});
+  if (!options.artists && (options.coarse_px || options.fine_px))
+    throw input_error({.field = options.coarse_px ? "--coarse" : "--fine",
+                       .wanted = "only with --artists",
+                       .found = std::to_string(options.coarse_px.value_or(options.fine_px.value_or(0)))});
+  ArtistsRule rule;
+  rule.coarse_px = options.coarse_px.value_or(rule.coarse_px);
+  rule.fine_px = options.fine_px.value_or(rule.fine_px);
+  if (rule.coarse_px > rule.fine_px)
+    throw input_error({.field = "--coarse",
+                       .wanted = fmt::format("at most --fine, {}", rule.fine_px),
+                       .found = std::to_string(rule.coarse_px)});
   if (!out.empty()) prepare_output_folder(out);
+  if (options.artists) {
+    for (const std::filesystem::path& file : write_artists_maps(out, folder, rule))
+      fmt::print("{}\n", file.string());
+    return;
+  }
   const SetSeams seams = read_set_seams(folder);
   if (!out.empty()) write_seams_page(out, seams);
   fmt::print("{}\n\n{}", seams_meaning(seams), markdown_table(seam_cells_table(seams)));
   if (!out.empty())
     fmt::print("\nFigure and tables: {}\n", (std::filesystem::path(out) / "seams.html").string());
 }
-
-struct CheckOptions {
-  std::string path, asset_root, out;
-};
 
 /// Throws InputError at an option that the other kind of check would ignore.
 void require_not_given(const char* option, const std::string& value, const char* only) {
@@ -62,9 +86,12 @@ void run_check(const CheckOptions& options) {
   std::error_code error;
   if (std::filesystem::is_directory(options.path, error)) {
     require_not_given("--asset-root", options.asset_root, "a study file");
-    check_set(options.path, options.out);
+    check_set(options);
   } else {
     require_not_given("--out", options.out, "the folder of a rendered set");
+    require_not_given("--artists", options.artists ? options.path : "", "the folder of a rendered set");
+    require_not_given("--coarse", options.coarse_px ? options.path : "", "the folder of a rendered set");
+    require_not_given("--fine", options.fine_px ? options.path : "", "the folder of a rendered set");
     check_study(options.path, options.asset_root);
   }
 }
@@ -84,6 +111,14 @@ void add_check_command(CLI::App& app) {
   add_asset_root_option(*check, options->asset_root);
   check->add_option("--out", options->out,
                     "of a set: folder for seams.csv and seams.html; made when missing");
+  check->add_flag(
+      "--artists", options->artists,
+      "of a set, with --out: artists-SCENE.png instead, the reference with regions coloured by the "
+      "geometry they need: coarse is enough, fine, mask");
+  add_number(*check, "--coarse", options->coarse_px, {4, 65536},
+             "with --artists: the widest depth map that counts as coarse, in px (default: 256)");
+  add_number(*check, "--fine", options->fine_px, {4, 65536},
+             "with --artists: the widest depth map that may be asked for, in px (default: 1024)");
   check->callback([options] { run_check(*options); });
 }
 
