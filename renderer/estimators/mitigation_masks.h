@@ -1,6 +1,6 @@
 #pragma once
-#include "renderer/material/mask.h"
 #include "renderer/light/light.h"
+#include "renderer/material/mask.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "support/files/image.h"
