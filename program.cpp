@@ -7,6 +7,7 @@
 #include "demo.h"
 #include "registration/commands/commands.h"
 #include "renderer/commands/commands.h"
+#include "renderer/commands/x3d_options.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
 #include "study/online/commands/export_command.h"
@@ -33,7 +34,10 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
 #endif
   study::online::add_serve_command(*app);
   study::online::add_gathering_commands(*app);
-  study::online::add_export_command(*app);
+  study::online::add_export_command(*app, [](CLI::App& command) {
+    const renderer::X3dExport x3d = renderer::add_x3d_options(command);
+    return study::online::OtherPage{.flag = "--x3d", .is_asked = x3d.is_asked, .write = x3d.write};
+  });
   analysis::add_analysis_commands(*app);
   registration::add_registration_commands(*app);
   stability::add_stability_command(*app, any_case_failed);

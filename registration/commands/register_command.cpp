@@ -11,6 +11,7 @@
 #include "registration/files/point_cloud.h"
 #include "registration/mesh/register_by_mesh.h"
 #include "registration/pictures/photograph.h"
+#include "registration/pictures/points_picture.h"
 #include "registration/points/register_by_points.h"
 #include "sensors/repair/repair.h"
 #include "support/files/atomic_file.h"
@@ -107,11 +108,13 @@ void write_all(const fs::path& folder, const RegistrationRig& rig, const Registe
   write_png(folder / "extruded.png", mask_picture(rig.colour, registered.extruded));
   write_png(folder / "invented.png", mask_picture(rig.colour, registered.invented));
   write_png(folder / "edges.png", edges_over_photograph(registered, photograph, edge_ratio));
+  const ByteImage picture = display_image(photograph);
+  write_png(folder / "points.png",
+            points_picture(registered, picture, rig.depth_form.camera, rig.colour_from_depth));
   const bool in_world = rig.world_from_colour.has_value();
   write_file_atomically(
       folder / "points.ply",
-      point_cloud_ply(registered, display_image(photograph),
-                      rig.world_from_colour.value_or(Eigen::Isometry3d::Identity()),
+      point_cloud_ply(registered, picture, rig.world_from_colour.value_or(Eigen::Isometry3d::Identity()),
                       in_world ? "world frame" : "colour camera's frame: x right, y down, z forward"));
 }
 

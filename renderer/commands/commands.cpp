@@ -5,10 +5,12 @@
 #include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
 #include "renderer/commands/marker_command.h"
+#include "renderer/commands/person_command.h"
 #include "renderer/commands/picture_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
 #include "renderer/commands/workbench_command.h"
+#include "renderer/figures/field_command.h"
 
 namespace seamline::renderer {
 
@@ -21,6 +23,8 @@ void add_renderer_commands(CLI::App& app) {
   add_picture_command(app);
   add_sense_command(app);
   add_marker_command(app);
+  add_person_command(app);
+  add_field_command(app);
   add_bench_command(app);
 }
 

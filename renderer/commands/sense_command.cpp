@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "registration/files/camera_file.h"
+#include "registration/pictures/depth_picture.h"
 #include "renderer/common/parallel.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/depth/sensor/sensor_view.h"
@@ -62,28 +63,6 @@ float percentile(std::vector<float> values, double share) {
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
-}
-
-/// Distances for people: near is bright, holes are black, even steps of 1 / distance between the 1st and the
-/// 99th percentile, so that outliers do not decide.
-ByteImage depth_picture(const sensors::DepthFrame& frame) {
-  std::vector<float> measured;
-  std::copy_if(frame.depth_m.begin(), frame.depth_m.end(), std::back_inserter(measured),
-               [](float depth_m) { return !sensors::DepthFrame::is_hole(depth_m); });
-  ByteImage picture{.width_px = frame.camera.width_px,
-                    .height_px = frame.camera.height_px,
-                    .channels = 1,
-                    .values = std::vector<std::uint8_t>(frame.depth_m.size())};
-  if (measured.empty()) return picture;
-  const double brightest = 1 / static_cast<double>(percentile(measured, 0.01)),
-               darkest = 1 / static_cast<double>(percentile(measured, 0.99));
-  for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
-    if (sensors::DepthFrame::is_hole(frame.depth_m[i])) continue;
-    const double share =
-        (1 / static_cast<double>(frame.depth_m[i]) - darkest) / std::max(brightest - darkest, 1e-12);
-    picture.values[i] = static_cast<std::uint8_t>(std::lround(40 + 215 * std::clamp(share, 0.0, 1.0)));
-  }
-  return picture;
 }
 
 /// Amplitudes for people: the 99th percentile is white.
@@ -149,7 +128,7 @@ void run_sense(const SenseOptions& options) {
   write_exr(folder / "depth.exr", plane_of(rig.depth, measured.frame.depth_m));
   write_exr(folder / "true_depth.exr",
             plane_of(rig.depth, sensors::true_depth(seen, measured.frame.convention).depth_m));
-  write_png(folder / "depth.png", depth_picture(measured.frame));
+  write_png(folder / "depth.png", registration::depth_picture(measured.frame));
   if (!measured.frame.amplitude.empty()) {
     write_exr(folder / "amplitude.exr", plane_of(rig.depth, measured.frame.amplitude));
     write_png(folder / "amplitude.png", amplitude_picture(measured.frame));

@@ -67,8 +67,8 @@ class Register : public testing::Test {
   std::string depth_ = "depth.pgm";
 };
 
-const std::vector<std::string> written = {"registered.exr", "filled.png", "extruded.png",
-                                          "invented.png",   "edges.png",  "points.ply"};
+const std::vector<std::string> written = {"registered.exr", "filled.png", "extruded.png", "invented.png",
+                                          "edges.png",      "points.ply", "points.png"};
 
 TEST_F(Register, WritesEveryPartTheSameAgainAndCountsIt) {
   for (const std::string& way :

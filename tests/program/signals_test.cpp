@@ -163,7 +163,8 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"export", ""},         {"import", ""},       {"merge", ""},     {"freeze", ""}};
+    {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},      {"import", ""},
+    {"merge", ""},          {"freeze", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -231,6 +232,10 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
     return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
   if (command == "import") return {out + ".sqlite", at.lines.string(), "--set", at.set.string()};
   if (command == "merge") return {at.small_log.string(), at.log.string()};
+  if (command == "export" && what == "x3d")
+    return {"builtin:bedroom", "--x3d", out, "--object", "builtin:statue", "--spp", "4096"};
+  if (command == "person") return {"--out", out};
+  if (command == "field") return {"builtin:statue", "--out", out + ".png"};
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
@@ -245,7 +250,10 @@ TEST(Signals, TheFirstEndsEveryCommand) {
     // Without their libraries they end with their one sentence.
     if (command == "calibrate" && !registration::has_opencv()) continue;
     if (command == "marker" && !registration::has_aruco()) continue;
-    if (command == "export" && !fs::exists(web_page_folder() / "jspsych.js")) continue;
+    if (command == "export" &&
+        !fs::exists(what == "x3d" ? web_page_folder().parent_path() / "x3d" / "x3dom.js"
+                                  : web_page_folder() / "jspsych.js"))
+      continue;
     signal = signal == SIGTERM ? SIGINT : SIGTERM;
     SCOPED_TRACE(command + " " + what);
     std::vector<std::string> arguments = {command};

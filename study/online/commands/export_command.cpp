@@ -43,19 +43,23 @@ void run_tables(const ExportOptions& options, const std::string& folder, TableLa
                summary.smallest_combination);
 }
 
-void run_export(const ExportOptions& options) {
+void run_export(const ExportOptions& options, const OtherPage& other) {
   std::vector<std::string> asked;
   for (const auto& [folder, flag] :
        {std::pair(options.web, "--web"), std::pair(options.csv, "--csv"),
         std::pair(options.psych_ds, "--psych-ds"), std::pair(options.bids, "--bids")})
     if (!folder.empty()) asked.emplace_back(flag);
+  if (other.is_asked()) asked.push_back(other.flag);
   if (asked.size() != 1)
     throw input_error(
         {.field = "seamline export",
-         .wanted = "--web DIR with a set, or one of --csv, --psych-ds and --bids DIR with a log",
+         .wanted = fmt::format("--web DIR with a set, {} DIR with a set or a scene, or one of --csv, "
+                               "--psych-ds and --bids DIR with a log",
+                               other.flag),
          .found = asked.empty() ? "nothing to write" : fmt::format("{}", fmt::join(asked, " and "))});
-  if (options.anonymise && !options.web.empty())
-    throw input_error({.field = "--anonymise", .wanted = "a log's tables to write", .found = "--web"});
+  if (options.anonymise && (!options.web.empty() || other.is_asked()))
+    throw input_error({.field = "--anonymise", .wanted = "a log's tables to write", .found = asked.front()});
+  if (other.is_asked()) return other.write(options.source);
   if (!options.csv.empty()) return run_tables(options, options.csv, TableLayout::plain);
   if (!options.psych_ds.empty()) return run_tables(options, options.psych_ds, TableLayout::psych_ds);
   if (!options.bids.empty()) return run_tables(options, options.bids, TableLayout::bids);
@@ -72,13 +76,16 @@ void run_export(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app) {
+void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand(
-      "export", "Write a study as a page for browsers, or a log as tables for other programs");
+      "export",
+      "Write a study as a page for browsers, a scene in X3D, or a log as tables for other programs");
   command
       ->add_option("source", options->source,
-                   "folder of the rendered set for --web, else the log, LOG.sqlite")
+                   "folder of the rendered set for --web and --x3d (there also a scene: .glb, .gltf or "
+                   "builtin:NAME), else "
+                   "the log, LOG.sqlite")
       ->required();
   CLI::Option* web = command->add_option(
       "--web", options->web,
@@ -104,7 +111,8 @@ void add_export_command(CLI::App& app) {
       ->needs(web);
   command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent")
       ->needs(web);
-  command->callback([options] { run_export(*options); });
+  const OtherPage other = add_other_page(*command);
+  command->callback([options, other] { run_export(*options, other); });
 }
 
 }  // namespace seamline::study::online

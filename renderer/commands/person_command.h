@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace seamline::renderer {
+
+/// Adds `seamline person`.
+void add_person_command(CLI::App& app);
+
+}  // namespace seamline::renderer

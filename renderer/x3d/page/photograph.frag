@@ -1,0 +1,4 @@
+precision mediump float;
+uniform sampler2D colour;
+varying vec2 place;
+void main() { gl_FragColor = vec4(texture2D(colour, place).rgb, 1.0); }
