@@ -122,7 +122,8 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
                        .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
                        .found = "neither"});
   X3dSubject subject;
-  subject.title = request.source + " with " + request.object->file;
+  subject.title = fs::path(request.source).filename().string() + " with " +
+                  fs::path(request.object->file).filename().string();
   subject.camera =
       scene_camera(request.light, file, request.width_px, request.height_px, subject.camera_position_m);
   if (request.fov_deg)
