@@ -35,7 +35,7 @@ struct X3dOptions {
   int bounces = 4;
 };
 
-Eigen::Vector3d as_vector(const Three& v) {
+Eigen::Vector3d option_vector(const Three& v) {
   return {v[0], v[1], v[2]};
 }
 
@@ -50,8 +50,8 @@ PlacedModel model_of(const X3dOptions& options, bool has_height) {
   PlacedModel model;
   model.file = options.object;
   model.path = resolve_named_file(options.object, "--object");
-  model.position_m = as_vector(options.position_m);
-  model.rotation_deg = as_vector(options.rotation_deg);
+  model.position_m = option_vector(options.position_m);
+  model.rotation_deg = option_vector(options.rotation_deg);
   model.scale = options.scale;
   model.materials = MaterialModel::diffuse;
   if (has_height) {
@@ -74,7 +74,7 @@ void take_scene(const X3dOptions& options, const CLI::App& command, X3dRequest& 
   light.albedo = options.albedo;
   light.exposure_ev = options.exposure_ev;
   if (given("--at")) {
-    light.camera = CameraDefinition{as_vector(options.at_m), as_vector(options.look_at_m)};
+    light.camera = CameraDefinition{option_vector(options.at_m), option_vector(options.look_at_m)};
     const Eigen::Vector3d view = light.camera->look_at_m - light.camera->position_m;
     if (!(view.cross(Eigen::Vector3d::UnitY()).norm() > 1e-9 * view.norm()))
       throw input_error({.field = "--look-at",
@@ -82,9 +82,9 @@ void take_scene(const X3dOptions& options, const CLI::App& command, X3dRequest& 
                          .found = "one that is"});
   }
   if (given("--to-sun")) {
-    if (!(as_vector(options.to_sun).norm() > 0))
+    if (!(option_vector(options.to_sun).norm() > 0))
       throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
-    light.sun = SunDefinition{as_vector(options.to_sun).normalized(), options.irradiance, 0};
+    light.sun = SunDefinition{option_vector(options.to_sun).normalized(), options.irradiance, 0};
   }
 }
 

@@ -1,28 +1,29 @@
 #include "renderer/figures/field_figure.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "renderer/common/parallel.h"
-#include "renderer/realtime/harmonics/spherical_harmonics.h"
 #include "renderer/realtime/harmonics/occlusion_field.h"
+#include "renderer/realtime/harmonics/spherical_harmonics.h"
 
 namespace seamline::renderer {
 namespace {
 
-constexpr int view_px = 480, map_width_px = 288, map_height_px = 144, gap_px = 16;
-constexpr int latitudes = 17, longitudes = 32, rays = 8192;
+constexpr int view_px = 480, map_width_px = 288, map_height_px = 144, field_gap_px = 16;
+constexpr int latitudes = 17, longitudes = 32, field_rays = 8192;
 constexpr std::array bands_shown = {2, 4, 6};
-constexpr double pi = std::numbers::pi;
 
 using Colour = std::array<std::uint8_t, 3>;
 constexpr std::array<Colour, 3> highlights = {Colour{214, 39, 40}, Colour{31, 119, 180}, Colour{44, 140, 44}};
 /// Latitude and longitude of the samples that are shown: above, beside, below.
-constexpr std::array<std::pair<int, int>, 3> chosen = {std::pair{5, 4}, {8, 10}, {11, 7}};
+constexpr std::array<std::pair<int, int>, 3> shown_samples = {std::pair{5, 4}, {8, 10}, {11, 7}};
 
 Eigen::Vector3f sample_direction(int latitude, int longitude) {
-  const double polar = pi * latitude / (latitudes - 1), azimuth = 2 * pi * longitude / longitudes;
+  const double polar = std::numbers::pi * latitude / (latitudes - 1),
+               azimuth = 2 * std::numbers::pi * longitude / longitudes;
   return Eigen::Vector3d(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                          std::sin(polar) * std::sin(azimuth))
       .cast<float>();
@@ -30,7 +31,8 @@ Eigen::Vector3f sample_direction(int latitude, int longitude) {
 
 /// Through the centre of a texel of an equirectangular map, +Y up, its middle column towards -Z.
 Eigen::Vector3d map_direction(int x, int y) {
-  const double azimuth = 2 * pi * ((x + 0.5) / map_width_px - 0.5), polar = pi * (y + 0.5) / map_height_px;
+  const double azimuth = 2 * std::numbers::pi * ((x + 0.5) / map_width_px - 0.5),
+               polar = std::numbers::pi * (y + 0.5) / map_height_px;
   return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
@@ -97,7 +99,8 @@ void draw_view(const Geometry& object, const Eigen::Vector3f& centre_m, float sh
       const bool before = sample_direction(latitude, longitude).dot(back) > 0;
       draw(latitude, longitude, before ? 2.6 : 1.4, before ? Colour{235, 140, 30} : Colour{200, 190, 170});
     }
-  for (std::size_t i = 0; i < chosen.size(); ++i) draw(chosen[i].first, chosen[i].second, 7, highlights[i]);
+  for (std::size_t i = 0; i < shown_samples.size(); ++i)
+    draw(shown_samples[i].first, shown_samples[i].second, 7, highlights[i]);
 }
 
 }  // namespace
@@ -106,8 +109,8 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
                          double shell, int threads) {
   const float shell_m = static_cast<float>(shell) * radius_m;
   const int columns = 1 + static_cast<int>(bands_shown.size());
-  Canvas canvas(view_px + columns * (map_width_px + gap_px) + gap_px,
-                std::max(view_px, 3 * (map_height_px + gap_px) + gap_px));
+  Canvas canvas(view_px + columns * (map_width_px + field_gap_px) + field_gap_px,
+                std::max(view_px, 3 * (map_height_px + field_gap_px) + field_gap_px));
   draw_view(object, centre_m, shell_m, threads, canvas);
   FieldFigure figure{.picture = {}, .bands = {bands_shown.begin(), bands_shown.end()}, .rms = {}};
   std::vector<OcclusionField> fields;
@@ -117,10 +120,11 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
         [&](std::span<const Ray> asked, std::span<std::uint8_t> blocked) {
           object.occluded(asked, blocked, Coherence::scattered);
         },
-        radius_m, rays, threads));
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Eigen::Vector3f place_m = centre_m + shell_m * sample_direction(chosen[i].first, chosen[i].second);
-    const int top = gap_px + static_cast<int>(i) * (map_height_px + gap_px);
+        radius_m, field_rays, threads));
+  for (std::size_t i = 0; i < shown_samples.size(); ++i) {
+    const Eigen::Vector3f place_m =
+        centre_m + shell_m * sample_direction(shown_samples[i].first, shown_samples[i].second);
+    const int top = field_gap_px + static_cast<int>(i) * (map_height_px + field_gap_px);
     std::vector<std::vector<float>> kept;
     for (const OcclusionField& field : fields) {
       kept.emplace_back(static_cast<std::size_t>(coefficient_count(field.shape.bands)));
@@ -133,11 +137,11 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
       for (int x = 0; x < map_width_px; ++x) {
         const Eigen::Vector3d direction = map_direction(x, y);
         const double visible = object.occluded({place_m, direction.cast<float>()}) ? 0 : 1;
-        const double weight = std::sin(pi * (y + 0.5) / map_height_px);
+        const double weight = std::sin(std::numbers::pi * (y + 0.5) / map_height_px);
         weights += weight;
         evaluate_harmonics(bands_shown.back(), direction, harmonics);
         const auto left = [&](std::size_t column) {
-          return view_px + gap_px + static_cast<int>(column) * (map_width_px + gap_px);
+          return view_px + field_gap_px + static_cast<int>(column) * (map_width_px + field_gap_px);
         };
         canvas.set(left(0) + x, top + y, grey(visible));
         for (std::size_t b = 0; b < kept.size(); ++b) {
@@ -149,8 +153,8 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
         }
       }
     for (std::size_t column = 0; column <= kept.size(); ++column)
-      canvas.frame(view_px + gap_px + static_cast<int>(column) * (map_width_px + gap_px), top, map_width_px,
-                   map_height_px, highlights[i]);
+      canvas.frame(view_px + field_gap_px + static_cast<int>(column) * (map_width_px + field_gap_px), top,
+                   map_width_px, map_height_px, highlights[i]);
     figure.rms.emplace_back();
     for (const double sum : squares) figure.rms.back().push_back(std::sqrt(sum / weights));
   }

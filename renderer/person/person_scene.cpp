@@ -18,8 +18,7 @@ namespace {
 using sensors::PlacedJoint;
 using sensors::Skeleton;
 
-constexpr double pi = std::numbers::pi;
-constexpr int around = 28, rings = 8;  ///< of a limb, and of each of its round ends
+constexpr int limb_corners = 28, rings = 8;  ///< of a limb, and of each of its round ends
 constexpr const char* light_extension = "KHR_lights_punctual";
 constexpr double lux_per_w_m2 = 683;
 
@@ -47,20 +46,20 @@ void add_limb(Part& part, const Eigen::Vector3d& from_m, double from_radius_m, c
   for (int row = 0; row < rows; ++row) {
     const bool at_end = row > rings;
     // Half a ball behind the start, half a ball beyond the end.
-    const double height = -0.5 * pi + 0.5 * pi * (at_end ? row - 1 : row) / rings;
+    const double height = -0.5 * std::numbers::pi + 0.5 * std::numbers::pi * (at_end ? row - 1 : row) / rings;
     const Eigen::Vector3d centre_m = at_end ? to_m : from_m;
     const double radius_m = at_end ? to_radius_m : from_radius_m;
-    for (int i = 0; i < around; ++i) {
-      const double turn = 2 * pi * i / around;
+    for (int i = 0; i < limb_corners; ++i) {
+      const double turn = 2 * std::numbers::pi * i / limb_corners;
       const Eigen::Vector3d normal =
           std::cos(height) * (std::cos(turn) * right + std::sin(turn) * up) + std::sin(height) * along;
       part.add(centre_m + radius_m * normal, normal);
     }
   }
   for (int row = 0; row + 1 < rows; ++row)
-    for (int i = 0; i < around; ++i) {
+    for (int i = 0; i < limb_corners; ++i) {
       const auto at = [&](int r, int column) {
-        return first + static_cast<std::uint32_t>(r * around + column % around);
+        return first + static_cast<std::uint32_t>(r * limb_corners + column % limb_corners);
       };
       part.triangles.push_back({at(row, i), at(row, i + 1), at(row + 1, i + 1)});
       part.triangles.push_back({at(row, i), at(row + 1, i + 1), at(row + 1, i)});

@@ -37,9 +37,9 @@ async function open(address) {
     globalThis.refused = [];
     addEventListener("securitypolicyviolation", (event) => globalThis.refused.push(event.violatedDirective + " " + event.blockedURI));
   });
-  await page.goto(address);
+  await page.goto(address, { timeout: 180000 });
   await page.waitForSelector("canvas");
-  await page.waitForTimeout(2500);
+  await page.waitForTimeout(5000);
   return { page, asked, complaints };
 }
 
@@ -111,6 +111,8 @@ for (const [way, address, least] of [["depth image", host, 0.985], ["ghosts", ho
   const lit = await shot(page, "shadow");
   await page.uncheck("#shadow");
   const unlit = await shot(page, "no-shadow");
+  await page.uncheck("#occlusion");
+  await shot(page, "no-occlusion");
   let darker = 0, brighter = 0;
   for (let i = 0; i < lit.bytes.length; ++i) {
     darker += lit.bytes[i] < unlit.bytes[i] - 8;
