@@ -9,6 +9,7 @@
 #include "renderer/commands/picture_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
+#include "renderer/commands/settle_command.h"
 #include "renderer/commands/workbench_command.h"
 #include "renderer/figures/field_command.h"
 
@@ -22,6 +23,7 @@ void add_renderer_commands(CLI::App& app) {
   add_composite_command(app);
   add_picture_command(app);
   add_sense_command(app);
+  add_settle_command(app);
   add_marker_command(app);
   add_person_command(app);
   add_field_command(app);

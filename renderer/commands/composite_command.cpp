@@ -29,6 +29,7 @@ struct CompositeOptions {
   Three position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0},
       irradiance{0, 0, 0}, environment{0, 0, 0};
   std::array<double, 6> lamp{0, 0, 0, 0, 0, 0};
+  bool rest = false;
   double scale = 1, height_m = 1, fov_deg = 60, sun_radius_deg = 0, object_albedo = 0.5, metallic = 0,
          roughness = 0, rotation_of_map_deg = 0, jump_ratio = 1.1, metres_per_step = 1, error = 0.0039;
   int depth_width_px = 0;
@@ -56,7 +57,7 @@ void check_given(const CompositeOptions& options, const Given& given) {
   const bool camera = given("--camera");
   const char* file = "the TOML file of --objects, which says it of each object";
   given.refuse({"--position", "--rotation", "--scale", "--height", "--materials", "--object-albedo",
-                "--metallic", "--roughness"},
+                "--metallic", "--roughness", "--rest"},
                !given("--objects"), file, "--objects " + options.objects);
   if (given("--object") == given("--objects"))
     throw input_error({.field = "--object",
@@ -97,6 +98,7 @@ PlacedModel model_of(const CompositeOptions& options, const Given& given) {
     model.height_m = options.height_m;
     model.stands = true;
   }
+  model.rest = options.rest;
   model.materials = options.materials == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
   model.albedo = options.object_albedo;
   if (given("--metallic")) model.metallic = options.metallic;
@@ -313,6 +315,9 @@ void add_object_options(CLI::App& command, CompositeOptions& options) {
   add_number(command, "--scale", options.scale, {1e-9, 1e9},
              "of the object; its file's unit is then so many metres")
       ->capture_default_str();
+  command.add_flag("--rest", options.rest,
+                   "the object is let down from there and stands where it comes to rest on the depth map "
+                   "(needs Bullet)");
   add_number(command, "--height", options.height_m, {1e-9, 1e9, "m"},
              "in place of --scale: the object is so tall, and stands on --position");
   command

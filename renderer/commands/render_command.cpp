@@ -61,11 +61,11 @@ void print_plan(const StudyDefinition& study, const RenderRequest& request) {
   std::erase_if(lights, [&](const auto& light) { return !truths.contains(light.first); });
   fmt::print("{}", explain(study, render_plan(study, lights, render_settings(study, request))));
   for (const SceneDefinition& scene : list_truths(study))
-    if (truths.contains(scene.truth))
-      if (const std::string said =
-              left_out_sentence(load_truth_scene(scene, study.width_px, study.height_px));
-          !said.empty())
-        fmt::print("{}\n", said);
+    if (truths.contains(scene.truth)) {
+      const TruthScene loaded = load_truth_scene(scene, study.width_px, study.height_px);
+      for (const std::string& said : loaded.rests) fmt::print("{}\n", said);
+      if (const std::string said = left_out_sentence(loaded); !said.empty()) fmt::print("{}\n", said);
+    }
   std::fflush(stdout);
 }
 

@@ -231,11 +231,10 @@ void make_composite(const CompositeRequest& asked) {
   request.depth.threads = request.threads;
   Notes notes;
   const SeenPhoto seen = see(request, notes);
-  const PhotoObjects objects = place_objects(request.objects, seen.centre_m);
+  PhotoObjects objects = place_objects(request.objects, seen.centre_m);
   for (const std::string& sentence : objects.left_out) notes.say(sentence);
   MadeComposite made;
   made.photograph = &seen.photograph.radiance;
-  for (const PhotoObjects::Size& size : objects.sizes) made.objects.push_back(model_text(size));
 
   const Stopwatch mesh_watch;
   const PhotoDepth depth = read_photo_depth(request.depth, seen.photograph, seen.lens, seen.fov_deg);
@@ -248,6 +247,10 @@ void make_composite(const CompositeRequest& asked) {
     throw input_error({.file = request.depth.file,
                        .wanted = "a depth map in which three neighbours have a depth",
                        .found = "none"});
+  if (std::any_of(request.objects.begin(), request.objects.end(),
+                  [](const PlacedModel& m) { return m.rest; }))
+    objects = place_objects(request.objects, seen.centre_m, &full_mesh);
+  for (const PhotoObjects::Size& size : objects.sizes) made.objects.push_back(model_text(size));
   const Rgb albedo = Rgb::Constant(static_cast<float>(request.albedo));
   const Geometry full_geometry(full_mesh, albedo);
   const KnownLight known = known_light(request, seen, full_geometry, notes);
@@ -257,6 +260,7 @@ void make_composite(const CompositeRequest& asked) {
   made.light = known.text;
   for (const std::string& light : made.light) fmt::print("light: {}\n", light);
   for (const std::string& object : made.objects) fmt::print("object {}\n", object);
+  for (const std::string& sentence : objects.rests) fmt::print("{}\n", sentence);
 
   const Geometry object_geometry(objects.meshes);
   const GivenAnswers given = given_answers(request, seen, depth);

@@ -48,6 +48,7 @@ PlacedModel read_object(const TomlTable& table, const AssetFolders& folders) {
   model.scale = table.number("scale", 1, {1e-9, 1e9});
   if (table.has("height_m")) model.height_m = table.number("height_m", 1, {1e-9, 1e9, "m"});
   model.stands = table.boolean("stands", model.height_m.has_value());
+  model.rest = table.boolean("rest", false);
   read_material(table, model);
   table.finish();
   return model;
@@ -110,6 +111,7 @@ std::string objects_file_text(const std::vector<PlacedModel>& objects) {
                             : fmt::format("scale = {}\n", object.scale);
     text += fmt::format("stands = {}\nmaterials = \"{}\"\nalbedo = {}\n", object.stands,
                         word(object.materials), object.albedo);
+    if (object.rest) text += "rest = true\n";
     if (object.metallic) text += fmt::format("metallic = {}\n", *object.metallic);
     if (object.roughness) text += fmt::format("roughness = {}\n", *object.roughness);
     text += "\n";

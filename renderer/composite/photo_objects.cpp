@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "renderer/scene/resting_object.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -50,7 +51,8 @@ std::string left_out_of(const SceneFile& file) {
 
 }  // namespace
 
-PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::Vector3d& centre_m) {
+PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::Vector3d& centre_m,
+                           const DepthMesh* ground) {
   PhotoObjects placed;
   for (const PlacedModel& model : models) {
     SceneFile file = read_scene_file(model.path, model.materials);
@@ -65,7 +67,13 @@ PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::
       set_layer(layer, mesh);
       size.triangles += mesh.triangles.size();
     }
-    const Eigen::Affine3d placement = placement_of(model, file);
+    Eigen::Affine3d placement = placement_of(model, file);
+    if (model.rest && ground != nullptr) {
+      const RestingObject at_rest =
+          rested(file, placement, ground_of(*ground, centre_m), "rest of " + model.file);
+      placement = at_rest.placement;
+      placed.rests.push_back(rest_sentence(model.file, at_rest));
+    }
     const Eigen::AlignedBox3d box = turned_box(file, placement);
     size.low_m = box.min();
     size.high_m = box.max();

@@ -19,6 +19,7 @@ struct PlacedModel {
   double scale = 1;
   std::optional<double> height_m = {};  ///< it is scaled to be so tall; `scale` then says nothing
   bool stands = false;  ///< `position_m` is the middle of its lowest level, not the origin of its file
+  bool rest = false;    ///< it is let down from there, and stands where it comes to rest on the depth map
   MaterialModel materials = MaterialModel::gltf;
   double albedo = 0.5;                                  ///< of its meshes without a material
   std::optional<double> metallic = {}, roughness = {};  ///< in place of its files' own
@@ -36,14 +37,16 @@ struct PhotoObjects {
     std::size_t triangles = 0;
   };
   std::vector<Size> sizes;            ///< of each object
+  std::vector<std::string> rests;     ///< sentences about what was let down
   std::vector<std::string> left_out;  ///< sentences about what a diffuse model leaves out
 };
 
 /// Reads and places objects. `centre_m`: the camera's place in the world. Throws InputError naming the file
 /// where it is wrong, has no triangles, is flat where a height is wanted, or has a material that cannot be
-/// rendered.
+/// rendered. Objects that rest are let down on `ground`, which is in the frame of the camera; while it is
+/// null they stay at their place.
 [[nodiscard]] PhotoObjects place_objects(const std::vector<PlacedModel>& models,
-                                         const Eigen::Vector3d& centre_m);
+                                         const Eigen::Vector3d& centre_m, const DepthMesh* ground = nullptr);
 
 /// Where objects are, seen from the camera, a ray a pixel.
 struct ObjectSight {

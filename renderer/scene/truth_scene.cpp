@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/scene/resting_object.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
@@ -227,6 +228,17 @@ void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background,
   if (!glowing->empty()) light.glowing = std::move(glowing);
 }
 
+Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFile& file,
+                                   const TruthScene& scene, std::vector<std::string>& rests) {
+  const Eigen::Affine3d placement = object_placement(object);
+  if (!object.rest) return placement;
+  const RestingObject at_rest =
+      rested(file, placement, ground_of(scene.background, scene.camera_position_m),
+             "rest of the object \"" + object.name + "\" of the scene \"" + scene.definition.name + "\"");
+  rests.push_back(rest_sentence(scene.definition.name + ": " + object.name, at_rest));
+  return at_rest.placement;
+}
+
 TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
   TruthScene scene;
   scene.definition = definition;
@@ -248,8 +260,8 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
     scene.left_out.insert(file.left_out.begin(), file.left_out.end());
     for (FileMesh& mesh : file.meshes) set_layer(definition, mesh);
-    scene.objects[i] = place_meshes(file, object_placement(object), scene.camera_position_m,
-                                    definition.albedo, static_cast<int>(i) + 1);
+    scene.objects[i] = place_meshes(file, standing_placement(object, file, scene, scene.rests),
+                                    scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);
   }
   return scene;
 }

@@ -25,6 +25,7 @@ struct TruthScene {
   Light light;
   std::vector<std::shared_ptr<const SurfaceMesh>> background;
   std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
+  std::vector<std::string> rests;  ///< a sentence about each object that was let down
   std::set<std::string> left_out;  ///< of the files' materials, by the diffuse model (`SceneFile`)
 
   /// Background and the objects listed (1 to 3): one Embree scene.
@@ -64,6 +65,11 @@ void set_layer(const SceneDefinition& definition, FileMesh& mesh);
                                                                            const Eigen::Vector3d& centre_m,
                                                                            double default_albedo,
                                                                            int object_index);
+
+/// Where the file of an object stands: as its definition says, or where it comes to rest from there on the
+/// background, in which case `rests` gets a sentence. Throws InputError as `settle` does.
+[[nodiscard]] Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFile& file,
+                                                 const TruthScene& scene, std::vector<std::string>& rests);
 
 /// position + Ry(yaw) Rx(pitch) Rz(roll) (scale * vertex).
 [[nodiscard]] Eigen::Affine3d object_placement(const ObjectDefinition& object);

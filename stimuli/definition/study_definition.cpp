@@ -15,8 +15,8 @@ std::string vector_text(const std::array<double, 3>& v) {
 }
 
 std::string object_text(const ObjectDefinition& object) {
-  return fmt::format("object {} {} {} {} {}\n", object.name, object.file, vector_text(object.position_m),
-                     vector_text(object.rotation_deg), object.scale);
+  return fmt::format("object {} {} {} {} {}{}\n", object.name, object.file, vector_text(object.position_m),
+                     vector_text(object.rotation_deg), object.scale, object.rest ? " rests" : "");
 }
 
 std::string session_text(const SessionDefinition& session, const ObserverDefinition& observer) {

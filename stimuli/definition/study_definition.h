@@ -37,6 +37,7 @@ struct ObjectDefinition {
   Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< pitch about X, yaw about Y, roll about Z
   double scale = 1.0;
   bool exempt_from_shape_rules = false;  ///< `check` leaves out area and silhouette rules (paper: the teapot)
+  bool rest = false;  ///< it is let down from there, and stands where it comes to rest on the background
 };
 
 enum class MeshDensity { adaptive, full };

@@ -36,6 +36,7 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   object.rotation_deg = vector(table.triple("rotation_deg", {0, 0, 0}, {-360, 360, "degrees"}));
   object.scale = table.number("scale", 1.0, {1e-9, unlimited});
   object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
+  object.rest = table.boolean("rest", false);
   table.finish();
   object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
