@@ -6,12 +6,14 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "registration/files/camera_file.h"
 #include "registration/files/point_cloud.h"
 #include "registration/mesh/register_by_mesh.h"
 #include "registration/pictures/photograph.h"
 #include "registration/pictures/points_picture.h"
+#include "registration/pictures/section.h"
 #include "registration/points/register_by_points.h"
 #include "sensors/repair/repair.h"
 #include "support/files/atomic_file.h"
@@ -29,6 +31,7 @@ struct RegisterOptions {
   std::string depth, camera, colour, out;
   std::string by = "mesh", jumps = "stretch", repair = "none";
   MeshRegistration mesh;
+  std::optional<int> section_row;
   bool jumps_given = false, ratio_given = false, extrusion_given = false;
 };
 
@@ -55,6 +58,7 @@ void check(const RegisterOptions& options) {
   };
   if (options.by == "points") {
     if (options.jumps_given) refuse("--jumps", "--by mesh beside it", "--by points, which has no triangles");
+    if (options.section_row) refuse("--section", "--by mesh beside it", "--by points, which has no mesh");
     if (options.extrusion_given)
       refuse("--extrude", "--by mesh beside it", "--by points, which has no border");
   }
@@ -136,6 +140,14 @@ void run_register(const RegisterOptions& options) {
   const RegisteredFrame registered = registered_of(options, rig, mended);
   const double register_s = stopwatch.lap_s();
   write_all(options.out, rig, registered, photograph);
+  if (options.section_row) {
+    MeshRegistration mesh = options.mesh;
+    mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
+    draw_section(
+        fs::path(options.out) / "section.svg",
+        section_of(mended.frame, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row),
+        *options.section_row);
+  }
   const double write_s = stopwatch.lap_s();
 
   const std::size_t depth_pixels = file.frame.depth_m.size(), colour_pixels = registered.filled.size();
@@ -181,6 +193,8 @@ void add_register_command(CLI::App& app) {
       add_number(*command, "--extrude", options->mesh.border_extrusion_px, {0, 16384, "px"},
                  "pixels of the depth camera by which its border is extended")
           ->capture_default_str();
+  add_number(*command, "--section", options->section_row, {0, 65535, "px"},
+             "also draws the mesh cut along this row of the photograph (section.svg; needs gnuplot)");
   command->add_option("--repair", options->repair, "what is done to the depth first")
       ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include "renderer/commands/marker_command.h"
 #include "renderer/commands/person_command.h"
 #include "renderer/commands/picture_command.h"
+#include "renderer/commands/relight_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
 #include "renderer/commands/settle_command.h"
@@ -24,6 +25,7 @@ void add_renderer_commands(CLI::App& app) {
   add_picture_command(app);
   add_sense_command(app);
   add_settle_command(app);
+  add_relight_command(app);
   add_marker_command(app);
   add_person_command(app);
   add_field_command(app);

@@ -8,18 +8,15 @@
 #include <numbers>
 
 #include "registration/files/camera_file.h"
-#include "renderer/common/parallel.h"
 #include "renderer/depth/gltf_write.h"
 #include "renderer/depth/sensor/sensor_pose.h"
-#include "renderer/depth/sensor/sensor_view.h"
 #include "renderer/physics/body_shape.h"
 #include "renderer/scene/resting_object.h"
 #include "renderer/scene/truth_scene.h"
+#include "renderer/settling/sensed_depth.h"
 #include "renderer/settling/shake_report.h"
 #include "sensors/files/depth_file.h"
-#include "sensors/noise/measurement.h"
 #include "sensors/repair/repair.h"
-#include "sensors/rig/presets.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
@@ -34,12 +31,12 @@ using Coordinates = std::array<double, 3>;
 using sensors::DepthFrame;
 
 struct SettleOptions {
-  std::string scene, sensor, camera, object, filter = "none", out;
+  SensedScene sensed;
+  std::string camera, object, filter = "none", out;
   std::vector<std::string> depth;
-  Coordinates at_m{}, look_at_m{0, 0, -1}, position_m{}, rotation_deg{};
-  double scale = 1, ball_m = 0.1, noise_scale = 1, tolerance_m = 0.03;
-  int seed = 1;
-  bool has_place = false, has_look = false, has_ball = false, has_scale = false, has_noise = false;
+  Coordinates position_m{}, rotation_deg{};
+  double scale = 1, ball_m = 0.1, tolerance_m = 0.03;
+  bool has_look = false, has_ball = false, has_scale = false, has_noise = false;
   FallRequest fall;
 };
 
@@ -52,81 +49,42 @@ void refuse(const char* option, const char* wanted, const std::string& found) {
 }
 
 void check(const SettleOptions& options) {
-  if (options.scene.empty() == options.depth.empty())
-    refuse("--depth", "one of SCENE and --depth FILES", options.scene.empty() ? "neither" : "both");
+  if (options.sensed.scene.empty() == options.depth.empty())
+    refuse("--depth", "one of SCENE and --depth FILES", options.sensed.scene.empty() ? "neither" : "both");
   if (options.object.empty() != options.has_ball)
     refuse("--object", "one of --object FILE and --ball RADIUS", options.has_ball ? "both" : "neither");
-  if (!options.scene.empty() && options.sensor.empty())
+  if (!options.sensed.scene.empty() && options.sensed.sensor.empty())
     refuse("--sensor", "a sensor that looks at the scene", "none");
   if (options.has_ball && options.has_scale) refuse("--scale", "--object beside it", "--ball");
   if (!options.depth.empty()) {
     if (options.has_noise) refuse("--noise and --seed", "a SCENE beside them", "--depth");
     if (options.camera.empty()) refuse("--camera", "the camera file of the depth", "none");
-    if (!options.sensor.empty()) refuse("--sensor", "a SCENE beside it", "--depth");
-    if (options.has_place)
+    if (!options.sensed.sensor.empty()) refuse("--sensor", "a SCENE beside it", "--depth");
+    if (options.sensed.has_place)
       refuse("--at", "a SCENE beside it: depth files are placed by their camera", "--depth");
   } else if (!options.camera.empty()) {
     refuse("--camera", "--depth beside it", "a SCENE, with --sensor");
   }
-  if (options.has_place && !options.has_look) refuse("--at", "--look-at beside it", "none");
+  if (options.sensed.has_place && !options.has_look) refuse("--at", "--look-at beside it", "none");
   if (options.fall.physics.steps_per_s % options.fall.frames_per_s != 0)
     refuse("--steps", "whole steps a frame: a multiple of --fps",
            fmt::format("{} steps at {} frames a second", options.fall.physics.steps_per_s,
                        options.fall.frames_per_s));
 }
 
-/// Depth as it comes, exactly where that is known, and where the camera is.
-struct Depth {
-  DepthSequence measured;
-  std::optional<DepthSequence> exact;
-  Eigen::Isometry3d world_from_depth = Eigen::Isometry3d::Identity();
-};
-
-Depth depth_of_scene(const SettleOptions& options) {
-  const sensors::SensorPreset& preset = sensors::sensor_preset(options.sensor, "--sensor");
-  const auto* rig = std::get_if<sensors::Rig>(&preset.sensor);
-  if (rig == nullptr)
-    refuse("--sensor", "a depth camera with a colour camera", options.sensor + ", a scanner");
-  const SceneFile file = read_scene_file(resolve_named_file(options.scene, "SCENE"));
-  SceneDefinition scene;
-  scene.path = options.scene;
-  if (options.has_place) scene.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
-  if (!options.has_place && !file.camera)
-    throw input_error({.file = options.scene,
-                       .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
-                       .found = "neither"});
-  Eigen::Vector3d centre_m;
-  const Camera axes = scene_camera(scene, file, rig->colour.width_px, rig->colour.height_px, centre_m);
-  const Geometry truth(place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0));
-  const Eigen::Isometry3d seen_from = world_from_photograph(axes) * rig->colour_from_depth;
-  const int threads = default_thread_count();
-  const auto seen = std::make_shared<sensors::SeenFrame>(
-      see_truth(truth, rig->depth, seen_from, sight_for(rig->noise, rig->projector_m), threads));
-  Depth depth;
-  depth.world_from_depth = Eigen::Translation3d(centre_m) * seen_from;
-  depth.measured = [=, noise = rig->noise, scale = options.noise_scale,
-                    seed = static_cast<std::uint64_t>(options.seed)](int frame) {
-    return sensors::measure(*seen, noise, {seed, static_cast<std::uint64_t>(frame)}, scale, threads).frame;
-  };
-  depth.exact = [exact = sensors::true_depth(*seen, sensors::convention_of(rig->noise))](int) {
-    return exact;
-  };
-  return depth;
-}
-
 /// Files are frames, and stay the last one's when they end. Where the camera's file knows where it stands is
 /// not asked: places are the photograph's, right, up and back, as `composite` has them.
-Depth depth_of_files(const SettleOptions& options) {
+SensedDepth depth_of_files(const SettleOptions& options) {
   const bool preset = registration::is_preset(options.camera) && !std::filesystem::exists(options.camera);
   const registration::RegistrationRig rig =
       registration::registration_rig(preset ? registration::camera_file_of_preset(options.camera, "--camera")
                                             : registration::read_camera_file(options.camera),
                                      options.camera);
   SceneDefinition scene;
-  scene.camera = CameraDefinition{{0, 0, 0}, point_of(options.look_at_m)};
+  scene.camera = CameraDefinition{{0, 0, 0}, point_of(options.sensed.look_at_m)};
   Eigen::Vector3d centre_m;
   const Camera axes = scene_camera(scene, {}, rig.colour.width_px, rig.colour.height_px, centre_m);
-  Depth depth;
+  SensedDepth depth;
   depth.world_from_depth = world_from_photograph(axes) * rig.colour_from_depth;
   depth.measured = [files = options.depth, form = rig.depth_form](int frame) {
     const std::size_t last = files.size() - 1;
@@ -205,7 +163,7 @@ void run_settle(const SettleOptions& options) {
                                           .position_m = point_of(options.position_m),
                                           .rotation_deg = point_of(options.rotation_deg)})
                             .matrix());
-  const Depth depth = options.depth.empty() ? depth_of_scene(options) : depth_of_files(options);
+  const SensedDepth depth = options.depth.empty() ? sense_depth(options.sensed) : depth_of_files(options);
   request.world_from_depth = depth.world_from_depth;
   prepare_output_folder(folder);
   if (options.has_ball) write_ball(folder / "ball.glb", options.ball_m);
@@ -226,7 +184,7 @@ void run_settle(const SettleOptions& options) {
       depth.exact ? shake_by_steps(*depth.exact, request, progress) : std::vector<StepShake>{};
   write_falls(folder, falls, by_steps, request,
               fmt::format("{} on {}, {} steps a second", options.has_ball ? "A ball" : options.object,
-                          options.depth.empty() ? options.scene + " seen by " + options.sensor
+                          options.depth.empty() ? options.sensed.scene + " seen by " + options.sensed.sensor
                                                 : fmt::format("{} depth maps", options.depth.size()),
                           request.physics.steps_per_s));
   for (const Fall& fall : falls) fmt::print("{}\n", fall_sentence(fall));
@@ -265,16 +223,18 @@ void add_settle_command(CLI::App& app) {
   auto options = std::make_shared<SettleOptions>();
   CLI::App* command =
       app.add_subcommand("settle", "let a body fall on depth, and see how much it shakes (needs Bullet)");
-  command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME; or --depth");
-  command->add_option("--sensor", options->sensor,
+  command->add_option("scene", options->sensed.scene, ".glb, .gltf or builtin:NAME; or --depth");
+  command->add_option("--sensor", options->sensed.sensor,
                       "what sees the scene: preset of a rig (documentation/sensors.md)");
-  CLI::Option* at = add_number(*command, "--at", options->at_m, any_place_m,
+  CLI::Option* at = add_number(*command, "--at", options->sensed.at_m, any_place_m,
                                "the colour camera's place (default: the scene's camera)");
   CLI::Option* look_at =
-      add_number(*command, "--look-at", options->look_at_m, any_place_m, "the point it looks at");
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6}, "scale of the sensor's noise; 0: none")
+      add_number(*command, "--look-at", options->sensed.look_at_m, any_place_m, "the point it looks at");
+  add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
+             "scale of the sensor's noise; 0: none")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of the noise")->capture_default_str();
+  add_number(*command, "--seed", options->sensed.seed, {0, 2147483647}, "seed of the noise")
+      ->capture_default_str();
   command->add_option("--depth", options->depth,
                       "in place of a scene: depth maps, one a frame, as register reads them");
   command->add_option("--camera", options->camera,
@@ -292,7 +252,7 @@ void add_settle_command(CLI::App& app) {
   add_body_options(*command, *options);
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
   command->callback([options, command, at, look_at, ball] {
-    options->has_place = at->count() > 0;
+    options->sensed.has_place = at->count() > 0;
     options->has_look = look_at->count() > 0;
     options->has_ball = ball->count() > 0;
     options->has_scale = command->count("--scale") > 0;

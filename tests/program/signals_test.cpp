@@ -13,6 +13,7 @@
 
 #include "registration/calibration/aruco.h"
 #include "registration/calibration/opencv.h"
+#include "renderer/physics/rigid_world.h"
 #include "run_program.h"
 #include "support/files/assets.h"
 #include "tests/app/picture_set.h"
@@ -163,6 +164,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
+    {"settle", ""},         {"relight", ""},
     {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},      {"import", ""},
     {"merge", ""},          {"freeze", ""}};
 
@@ -230,6 +232,22 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   }
   if (command == "sense")
     return {"builtin:bedroom", "--sensor", "tof_160x120", "--spp", "4096", "--out", out};
+  if (command == "settle")
+    return {"builtin:bedroom",
+            "--sensor",
+            "structured_light_640x480",
+            "--ball",
+            "0.1",
+            "--position",
+            "0",
+            "1",
+            "0",
+            "--frames",
+            "100000",
+            "--out",
+            out};
+  if (command == "relight")
+    return {"builtin:bedroom", "--sensor", "structured_light_640x480", "--frames", "1000000", "--out", out};
   if (command == "import") return {out + ".sqlite", at.lines.string(), "--set", at.set.string()};
   if (command == "merge") return {at.small_log.string(), at.log.string()};
   if (command == "export" && what == "x3d")
@@ -250,6 +268,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
     // Without their libraries they end with their one sentence.
     if (command == "calibrate" && !registration::has_opencv()) continue;
     if (command == "marker" && !registration::has_aruco()) continue;
+    {"settle", ""},         {"relight", ""},
     if (command == "export" &&
         !fs::exists(what == "x3d" ? web_page_folder().parent_path() / "x3d" / "x3dom.js"
                                   : web_page_folder() / "jspsych.js"))
