@@ -14,13 +14,21 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr std::size_t direction_count = 642;
+constexpr std::size_t direction_count = 210, ring_count = 24;
 
-/// Evenly over the sphere, after the six axes.
+/// The six axes; a ring close around up and down, which finds the outline of a base; the others evenly over
+/// the sphere.
 std::vector<Eigen::Vector3d> directions() {
   std::vector<Eigen::Vector3d> out;
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) out.emplace_back(sign * Eigen::Vector3d::Unit(axis));
+  constexpr double ring_rad = 0.05;
+  for (const double sign : {-1.0, 1.0})
+    for (std::size_t i = 0; i < ring_count; ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / ring_count;
+      out.emplace_back(std::sin(ring_rad) * std::cos(angle), sign * std::cos(ring_rad),
+                       std::sin(ring_rad) * std::sin(angle));
+    }
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
   const std::size_t others = direction_count - out.size();
   for (std::size_t i = 0; i < others; ++i) {
@@ -42,7 +50,7 @@ std::size_t farthest(std::span<const Eigen::Vector3d> vertices_m, const Eigen::V
 /// A ball whose surface the vertices cover on all sides.
 std::optional<BallShape> ball_of(std::span<const Eigen::Vector3d> vertices_m, std::size_t extremes) {
   constexpr double same = 1e-3;
-  constexpr std::size_t fewest = 200;  ///< of the directions, with a vertex of their own
+  constexpr std::size_t fewest = 100;  ///< of the directions, with a vertex of their own
   if (extremes < fewest) return {};
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex_m : vertices_m) box.extend(vertex_m);

@@ -8,7 +8,7 @@
 namespace seamline::renderer {
 
 /// What of an object with these vertices can touch: a ball where all of them lie on one, within a thousandth
-/// of its radius and on all sides; else a convex hull of those that reach farthest in 642 directions. Nothing
+/// of its radius and on all sides; else a convex hull of those that reach farthest in 210 directions. Nothing
 /// falls into a body's hollows. Throws InputError naming `what` where there is no volume.
 [[nodiscard]] BodyShape body_shape_of(std::span<const Eigen::Vector3d> vertices_m, const std::string& what);
 
