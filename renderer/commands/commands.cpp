@@ -7,12 +7,12 @@
 #include "renderer/commands/marker_command.h"
 #include "renderer/commands/person_command.h"
 #include "renderer/commands/picture_command.h"
-#include "renderer/commands/relight_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
-#include "renderer/commands/settle_command.h"
 #include "renderer/commands/workbench_command.h"
 #include "renderer/figures/field_command.h"
+#include "renderer/settling/relight_command.h"
+#include "renderer/settling/settle_command.h"
 
 namespace seamline::renderer {
 

@@ -1,4 +1,4 @@
-#include "renderer/commands/settle_command.h"
+#include "renderer/settling/settle_command.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/commands/relight_command.h"
+#include "renderer/settling/relight_command.h"
 
 #include <fmt/core.h>
 
