@@ -40,7 +40,7 @@ struct SettleOptions {
   FallRequest fall;
 };
 
-Eigen::Vector3d point_of(const Coordinates& v) {
+Eigen::Vector3d settle_place_m(const Coordinates& v) {
   return {v[0], v[1], v[2]};
 }
 
@@ -81,7 +81,7 @@ SensedDepth depth_of_files(const SettleOptions& options) {
                                             : registration::read_camera_file(options.camera),
                                      options.camera);
   SceneDefinition scene;
-  scene.camera = CameraDefinition{{0, 0, 0}, point_of(options.sensed.look_at_m)};
+  scene.camera = CameraDefinition{{0, 0, 0}, settle_place_m(options.sensed.look_at_m)};
   Eigen::Vector3d centre_m;
   const Camera axes = scene_camera(scene, {}, rig.colour.width_px, rig.colour.height_px, centre_m);
   SensedDepth depth;
@@ -160,8 +160,8 @@ void run_settle(const SettleOptions& options) {
       Eigen::Isometry3d(object_placement({.name = {},
                                           .file = {},
                                           .path = {},
-                                          .position_m = point_of(options.position_m),
-                                          .rotation_deg = point_of(options.rotation_deg)})
+                                          .position_m = settle_place_m(options.position_m),
+                                          .rotation_deg = settle_place_m(options.rotation_deg)})
                             .matrix());
   const SensedDepth depth = options.depth.empty() ? sense_depth(options.sensed) : depth_of_files(options);
   request.world_from_depth = depth.world_from_depth;

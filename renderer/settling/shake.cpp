@@ -14,7 +14,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr double mm = 1000, lost_m = 1;
+constexpr double mm = 1000, lost_below_m = 1;
 
 double root_mean(double sum, std::size_t count) {
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
@@ -71,7 +71,7 @@ Fall fall_on(const DepthSequence& depth, const FallRequest& request,
       world->step();
     }
     const BodyState body = world->body();
-    if (!(body.middle_m.y() > lowest_m(ground.ground()) - lost_m))
+    if (!(body.middle_m.y() > lowest_m(ground.ground()) - lost_below_m))
       throw input_error({.field = what,
                          .wanted = "a surface below it that holds it",
                          .found = fmt::format("that it falls out of the scene in frame {}", frame)});
