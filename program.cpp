@@ -14,6 +14,7 @@
 #include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
+#include "place/place_window.h"
 #include "study/app/run_participant.h"
 #endif
 
@@ -26,10 +27,11 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   app->set_version_flag("--version", "seamline " + program_version());
   app->require_subcommand(1);
   add_demo_command(*app);
-  renderer::add_renderer_commands(*app);
 #ifdef SEAMLINE_HAS_WINDOW
+  renderer::add_renderer_commands(*app, place::place_in_window);
   study::add_study_commands(*app, study::app::run_participant_in_window);
 #else
+  renderer::add_renderer_commands(*app);
   study::add_study_commands(*app);
 #endif
   study::online::add_serve_command(*app);

@@ -4,6 +4,7 @@
 
 #include "scenes/objects/objects.h"
 #include "scenes/rooms/backgrounds.h"
+#include "scenes/rooms/furniture.h"
 #include "scenes/shapes/polygonise.h"
 
 namespace seamline::scenes {
@@ -35,6 +36,8 @@ SceneContents builtin_scene(std::string_view name) {
   if (name == "atrium_v1") return make_atrium(RoomVersion::first);
   if (name == "painted_room") return make_painted_room();
   if (name == "furnished_room") return make_furnished_room();
+  if (name == "loft") return make_loft(LoftWindows::glowing);
+  if (name == "loft_open") return make_loft(LoftWindows::open);
   throw unknown(name);
 }
 
@@ -46,6 +49,11 @@ TriangleMesh builtin_object(std::string_view name, const ModelOptions& options) 
   if (name == "lion") return cast_in_triangles(sculpt_lion(), 0.011, options);
   if (name == "dragon") return cast_in_triangles(sculpt_dragon(), 0.011, options);
   throw unknown(name);
+}
+
+ScenePart builtin_furniture(std::string_view name) {
+  if (name != "chair") throw unknown(name);
+  return {"chair", stood_on_ground(make_chair()), {0.8, 0.8, 0.8}};
 }
 
 }  // namespace seamline::scenes

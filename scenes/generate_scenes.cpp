@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
       write_glb(folder / (std::string(name) + ".glb"), builtin_scene(name));
     for (const std::string_view name : builtin_sky_names)
       write_exr(folder / (std::string(name) + ".exr"), builtin_sky(name));
+    for (const std::string_view name : builtin_furniture_names)
+      write_glb(folder / (std::string(name) + ".glb"),
+                {.parts = {builtin_furniture(name)}, .camera = {}, .sun = {}});
     // One object a thread: decimation does not divide.
     run_parallel(static_cast<int>(builtin_object_names.size()), 0, [&](int index) {
       const std::string name(builtin_object_names[static_cast<std::size_t>(index)]);

@@ -4,6 +4,7 @@
 #include "renderer/commands/check_command.h"
 #include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
+#include "renderer/commands/flip_command.h"
 #include "renderer/commands/marker_command.h"
 #include "renderer/commands/person_command.h"
 #include "renderer/commands/picture_command.h"
@@ -16,13 +17,15 @@
 
 namespace seamline::renderer {
 
-void add_renderer_commands(CLI::App& app) {
+void add_renderer_commands(CLI::App& app, PlaceInWindow in_window) {
   add_render_command(app);
   add_check_command(app);
   add_convergence_command(app);
   add_workbench_commands(app);
   add_composite_command(app);
+  add_place_command(app, in_window);
   add_picture_command(app);
+  add_flip_command(app);
   add_sense_command(app);
   add_settle_command(app);
   add_relight_command(app);

@@ -1,4 +1,5 @@
 #pragma once
+#include "renderer/composite/place_request.h"
 
 namespace CLI {
 class App;
@@ -6,7 +7,8 @@ class App;
 
 namespace seamline::renderer {
 
-/// Adds the subcommands of `renderer/` to the program. Each is parse, load, compute, write.
-void add_renderer_commands(CLI::App& app);
+/// Adds the subcommands of `renderer/` to the program. Each is parse, load, compute, write. `in_window` shows
+/// the window of `place`; null in builds without one.
+void add_renderer_commands(CLI::App& app, PlaceInWindow in_window = nullptr);
 
 }  // namespace seamline::renderer

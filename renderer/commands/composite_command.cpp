@@ -1,12 +1,17 @@
 #include "renderer/commands/composite_command.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "renderer/commands/asset_root_option.h"
 #include "renderer/commands/mesh_options.h"
 #include "renderer/composite/composite_request.h"
 #include "renderer/composite/objects_file.h"
+#include "renderer/composite/place_request.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 
@@ -143,6 +148,7 @@ void take_light(const CompositeOptions& options, const Given& given, PhotoLightR
 
 void take_objects(const CompositeOptions& options, const Given& given, CompositeRequest& request) {
   take_light(options, given, request.light);
+  if (given("--objects") && options.objects.empty()) return;  // place: a file that is not there yet
   if (!given("--objects")) {
     request.objects = {model_of(options, given)};
     return;
@@ -204,6 +210,7 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
   const Given given(command);
   need_extension(options.request.out, {".png", ".exr"});
   if (given("--layers")) need_extension(options.request.layers, {".exr"}, "--layers");
+  if (given("--local-scene")) need_extension(options.request.local_scene, {".png"}, "--local-scene");
   if (given("--report")) need_extension(options.request.report, {".html"}, "--report");
   make_composite(request_of(options, given));
 }
@@ -430,6 +437,9 @@ void add_output_options(CLI::App& command, CompositeOptions& options) {
   command.add_option("--layers", request.layers,
                      "all layers as one multi-part .exr: composite, photograph, ratio, with_objects, "
                      "without_objects, objects, depth_m, holes");
+  command.add_option(
+      "--local-scene", request.local_scene,
+      "the local scene alone (.png), grey by the angle at which the camera sees its triangles");
   command.add_option("--report", request.report,
                      "a page (.html): depth used, triangles, seconds, and FLIP against full depth as a map");
   add_number(command, "--pixels-per-degree", request.pixels_per_degree, {1, 1000},
@@ -437,7 +447,58 @@ void add_output_options(CLI::App& command, CompositeOptions& options) {
       ->capture_default_str();
 }
 
+/// What `place` leaves to `composite`, whose command line is the same but for the first word.
+constexpr std::array left_to_composite = {
+    "--object",         "--out",          "--layers",    "--report",      "--local-scene",
+    "--error",          "--spp",          "--estimator", "--depth-width", "--seamless",
+    "--occlusion-mask", "--shadow-matte", "--occlusion", "--seed",        "--condition"};
+
+void run_place(const CompositeOptions& options, const std::vector<std::string>& added,
+               const CLI::App& command, PlaceInWindow in_window) {
+  if (in_window == nullptr)
+    throw input_error(
+        {.field = "place",
+         .wanted = "a build with a window (libimgui-dev, libglfw3-dev, libgl-dev, libfreetype-dev)",
+         .found = "one without"});
+  const Given given(command);
+  for (const char* name : left_to_composite)
+    if (given(name))
+      throw input_error({.field = name,
+                         .wanted = "options of photograph, depth, camera and light",
+                         .found = "one of composite"});
+  PlaceRequest request{
+      .photo = {}, .objects_file = options.objects, .asset_root = options.asset_root, .added = added};
+  CompositeOptions photo = options;
+  const bool is_there = std::filesystem::exists(options.objects);
+  if (!is_there) photo.objects.clear();
+  request.photo = request_of(photo, given);
+  in_window(request);
+}
+
 }  // namespace
+
+void add_place_command(CLI::App& app, PlaceInWindow in_window) {
+  auto options = std::make_shared<CompositeOptions>();
+  auto added = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand(
+      "place", "put objects on the real surfaces of a photograph, in a window, for composite --objects");
+  add_photograph_options(*command, *options);
+  add_depth_options(*command, *options);
+  add_object_options(*command, *options);
+  add_light_options(*command, *options);
+  add_answer_options(*command, *options);
+  add_sampling_options(*command, *options);
+  add_output_options(*command, *options);
+  for (const char* name : left_to_composite) command->get_option(name)->group("")->required(false);
+  command->get_option("--objects")
+      ->required()
+      ->description(
+          "the file that is changed (TOML, documentation/composite.md); it need not be there beside --add");
+  command->add_option("--add", *added,
+                      "an object to put there besides: .glb, .gltf or builtin:NAME; may be given again");
+  command->callback(
+      [options, added, command, in_window] { run_place(*options, *added, *command, in_window); });
+}
 
 void add_composite_command(CLI::App& app) {
   auto options = std::make_shared<CompositeOptions>();

@@ -14,6 +14,8 @@
 
 #include "renderer/commands/mesh_options.h"
 #include "renderer/common/parallel.h"
+#include "renderer/composite/objects_file.h"
+#include "renderer/composite/photo_objects.h"
 #include "renderer/composite/photograph.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/estimators/rig_photograph.h"
@@ -32,7 +34,7 @@ using Three = std::array<double, 3>;
 constexpr double usual_fov_deg = 50;
 
 struct PictureOptions {
-  std::string scene, out, materials = "gltf", environment_map;
+  std::string scene, out, materials = "gltf", environment_map, objects;
   Three at_m{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0}, irradiance{0, 0, 0}, environment{0, 0, 0};
   std::optional<double> fov_deg;
   double sun_radius_deg = 0, rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
@@ -119,6 +121,22 @@ void print_framing(const SceneFile& file, const std::optional<CameraDefinition>&
   std::fflush(stdout);
 }
 
+/// What stands in the scene besides, as `composite` would put it there: places are from the camera.
+void add_objects(const PictureOptions& options, const Eigen::Vector3d& centre_m,
+                 std::vector<std::shared_ptr<const SurfaceMesh>>& meshes) {
+  if (options.objects.empty()) return;
+  ObjectsFile file = read_objects_file(options.objects, {});
+  if (file.has_light)
+    throw input_error({.file = options.objects,
+                       .field = "light",
+                       .wanted = "objects alone: the scene has its own light",
+                       .found = "light"});
+  for (PlacedModel& model : file.objects) model.position_m += centre_m;
+  const PhotoObjects placed = place_objects(file.objects, centre_m);
+  for (const std::string& sentence : placed.left_out) fmt::print("{}\n", sentence);
+  meshes.insert(meshes.end(), placed.meshes.begin(), placed.meshes.end());
+}
+
 void print_left_out(const SceneFile& file) {
   if (file.left_out.empty()) return;
   std::string names;
@@ -146,7 +164,8 @@ void run_picture(const PictureOptions& options) {
   if (options.fov_deg)
     camera.tan_half_horizontal =
         static_cast<float>(std::tan(0.5 * *options.fov_deg * std::numbers::pi / 180));
-  const auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0);
+  auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0);
+  add_objects(options, centre_m, meshes);
   Light light = scene_light(scene, file, centre_m);
   add_glowing(meshes, light);
   require_light(light, options);
@@ -234,6 +253,9 @@ void add_picture_command(CLI::App& app) {
   command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME")->required();
   command->add_option("--out", options->out, "picture to write: .png for the screen, .exr of linear radiance")
       ->required();
+  command->add_option("--objects", options->objects,
+                      "TOML file of objects that stand in the scene, too, as composite --objects reads it: "
+                      "places are metres from the camera");
   add_camera_options(*command, *options);
   add_light_options(*command, *options);
   command

@@ -7,6 +7,7 @@
 
 #include "renderer/set/pages/page_frame.h"
 #include "stimuli/pictures/flip.h"
+#include "stimuli/pictures/flip_map.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/html.h"
@@ -29,27 +30,6 @@ class Figures {
   TemporaryFolder folder_;
   int number_ = 0;
 };
-
-/// From black over violet and orange to pale yellow, evenly brighter.
-std::array<std::uint8_t, 3> flip_colour(float value) {
-  constexpr std::array<std::array<double, 3>, 5> stops = {
-      {{0, 0, 4}, {81, 18, 124}, {183, 55, 121}, {252, 137, 97}, {252, 253, 191}}};
-  const double at = std::clamp(double{value}, 0.0, 1.0) * (stops.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  const double share = at - static_cast<double>(low);
-  std::array<std::uint8_t, 3> colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>((1 - share) * stops[low][c] + share * stops[low + 1][c] + 0.5);
-  return colour;
-}
-
-ByteImage flip_picture_of(const Image& flip) {
-  ByteImage picture{flip.width_px, flip.height_px, 3, {}};
-  picture.values.reserve(flip.values.size() * 3);
-  for (const float value : flip.values)
-    for (const std::uint8_t code : flip_colour(value)) picture.values.push_back(code);
-  return picture;
-}
 
 std::string row(const std::string& name, const std::string& value) {
   return "<tr><td>" + html_escape(name) + "</td><td style=\"text-align:left;white-space:normal\">" +
@@ -102,7 +82,7 @@ std::string against_full(const CompositeRequest& request, const MadeComposite& m
          figures.figure(finest, fmt::format("Through the full depth map: {} triangles, {:.1f} s.",
                                             full.triangles, full.seconds)) +
          figures.figure(
-             flip_picture_of(flip),
+             flip_map(flip),
              fmt::format("FLIP between the two, black 0 to pale yellow 1, at {:g} pixels per degree: mean "
                          "{:.4f}, largest {:.3f}.",
                          request.pixels_per_degree, sum / static_cast<double>(flip.values.size()), largest));

@@ -57,7 +57,7 @@ struct CompositeRequest {
   int threads = 0;  ///< 0: one for each core
   bool additive = false;
 
-  std::string out, layers, report;  ///< files; empty: not written
+  std::string out, layers, report, local_scene;  ///< files; empty: not written
   double exposure_ev = 0;
   double pixels_per_degree = default_pixels_per_degree;  ///< for FLIP in the report
 };

@@ -11,7 +11,7 @@
 #include "renderer/composite/composite_report.h"
 #include "renderer/composite/composite_request.h"
 #include "renderer/composite/fast_photo.h"
-#include "renderer/composite/photo_view.h"
+#include "renderer/composite/photo_world.h"
 #include "renderer/composite/seamless_width.h"
 #include "renderer/set/set_layers.h"
 #include "support/running/progress.h"
@@ -20,28 +20,6 @@
 
 namespace seamline::renderer {
 namespace {
-
-/// The local scene in the forms that are asked of it.
-struct PhotoLocalScene {
-  DepthMesh mesh;
-  std::shared_ptr<const Geometry> geometry;
-  Light light;
-  double seconds = 0;
-};
-
-PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo, double seconds,
-                               bool in_place) {
-  PhotoLocalScene scene;
-  scene.mesh = std::move(mesh);
-  const Stopwatch watch;
-  scene.geometry = std::make_shared<const Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
-                                                    TreeQuality::for_light,
-                                                    in_place ? CentreRays::by_table : CentreRays::by_tree);
-  scene.light = known.light;
-  if (known.photographed) scene.light.photographed = scene.geometry;
-  scene.seconds = seconds + watch.seconds();
-  return scene;
-}
 
 /// What answers in place of depth.
 struct GivenAnswers {
@@ -230,33 +208,22 @@ void make_composite(const CompositeRequest& asked) {
   if (request.threads == 0) request.threads = default_thread_count();
   request.depth.threads = request.threads;
   Notes notes;
-  const SeenPhoto seen = see(request, notes);
+  PhotoWorld world;
+  world.seen = see(request, notes);
+  const SeenPhoto& seen = world.seen;
   PhotoObjects objects = place_objects(request.objects, seen.centre_m);
   for (const std::string& sentence : objects.left_out) notes.say(sentence);
   MadeComposite made;
   made.photograph = &seen.photograph.radiance;
 
-  const Stopwatch mesh_watch;
-  const PhotoDepth depth = read_photo_depth(request.depth, seen.photograph, seen.lens, seen.fov_deg);
-  if (depth.map && depth.map->cleaned_texels > 0)
-    notes.say(
-        fmt::format("{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes",
-                    printable(request.depth.file), depth.map->cleaned_texels));
-  DepthMesh full_mesh = photo_mesh(depth, request.depth, seen.camera);
-  if (full_mesh.triangles.empty())
-    throw input_error({.file = request.depth.file,
-                       .wanted = "a depth map in which three neighbours have a depth",
-                       .found = "none"});
+  read_photo_world(request, world, notes);
+  const PhotoDepth& depth = world.depth;
+  const KnownLight& known = world.known;
+  PhotoLocalScene& local = world.local;
   if (std::any_of(request.objects.begin(), request.objects.end(),
                   [](const PlacedModel& m) { return m.rest; }))
-    objects = place_objects(request.objects, seen.centre_m, &full_mesh);
+    objects = place_objects(request.objects, seen.centre_m, &local.mesh);
   for (const PhotoObjects::Size& size : objects.sizes) made.objects.push_back(model_text(size));
-  const Rgb albedo = Rgb::Constant(static_cast<float>(request.albedo));
-  const Geometry full_geometry(full_mesh, albedo);
-  const KnownLight known = known_light(request, seen, full_geometry, notes);
-  require_way_in(known, full_geometry, notes);
-  PhotoLocalScene local =
-      local_scene_of(std::move(full_mesh), known, request.albedo, mesh_watch.seconds(), true);
   made.light = known.text;
   for (const std::string& light : made.light) fmt::print("light: {}\n", light);
   for (const std::string& object : made.objects) fmt::print("object {}\n", object);
@@ -294,7 +261,7 @@ void make_composite(const CompositeRequest& asked) {
                          .wanted = "a width at which something of the depth map is left",
                          .found = std::to_string(*chosen.width_px)});
     made.depth_text += fmt::format("; of it a panorama of {} x {}", *chosen.width_px, *chosen.width_px / 2);
-    PhotoLocalScene reduced = local_scene_of(std::move(mesh), known, request.albedo, watch.seconds(), true);
+    PhotoLocalScene reduced = local_scene_of(std::move(mesh), known, request.albedo, watch.seconds());
     finest = std::move(local);
     local = std::move(reduced);
   }
@@ -330,6 +297,8 @@ void make_composite(const CompositeRequest& asked) {
 
   write_picture(request, made.picture.picture);
   if (!request.layers.empty()) write_layers(request, scene, sums, made.picture);
+  if (!request.local_scene.empty())
+    write_png(request.local_scene, display_image(shaded_picture(seen.camera, *local.geometry)));
   if (!request.report.empty()) {
     made.local_scene = shaded_picture(seen.camera, *local.geometry);
     std::optional<FullDepth> full;

@@ -53,9 +53,18 @@ std::string left_out_of(const SceneFile& file) {
 
 PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::Vector3d& centre_m,
                            const DepthMesh* ground) {
+  KnownModels known;
+  return place_objects(models, centre_m, ground, known);
+}
+
+PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::Vector3d& centre_m,
+                           const DepthMesh* ground, KnownModels& known) {
   PhotoObjects placed;
   for (const PlacedModel& model : models) {
-    SceneFile file = read_scene_file(model.path, model.materials);
+    const std::pair key(model.path, model.materials);
+    auto read = known.find(key);
+    if (read == known.end()) read = known.emplace(key, read_scene_file(model.path, model.materials)).first;
+    SceneFile file = read->second;
     if (file.meshes.empty())
       throw input_error({.file = model.file, .wanted = "an object with triangles", .found = "none"});
     SceneDefinition layer;

@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/scene/scene_file.h"
@@ -47,6 +49,13 @@ struct PhotoObjects {
 /// null they stay at their place.
 [[nodiscard]] PhotoObjects place_objects(const std::vector<PlacedModel>& models,
                                          const Eigen::Vector3d& centre_m, const DepthMesh* ground = nullptr);
+
+/// Files that were read, for placing their objects again and again.
+using KnownModels = std::map<std::pair<std::filesystem::path, MaterialModel>, SceneFile>;
+/// The same, reading only files that are not known.
+[[nodiscard]] PhotoObjects place_objects(const std::vector<PlacedModel>& models,
+                                         const Eigen::Vector3d& centre_m, const DepthMesh* ground,
+                                         KnownModels& known);
 
 /// Where objects are, seen from the camera, a ray a pixel.
 struct ObjectSight {

@@ -5,9 +5,13 @@
 
 #include <Eigen/Geometry>
 #include <cstring>
+#include <map>
 #include <span>
 
+#include "scenes/shapes/pattern.h"
+#include "support/files/atomic_file.h"
 #include "support/files/gltf_writing.h"
+#include "support/files/temporary_folder.h"
 #include "support/text/error.h"
 
 namespace seamline::scenes {
@@ -67,24 +71,121 @@ tinygltf::Material diffuse(const std::array<double, 3>& albedo, const std::strin
   return material;
 }
 
-/// The material of an albedo, which is added where there is none.
-int material_of(tinygltf::Model& model, const ScenePart& part) {
-  const std::vector<double> colour = {part.albedo[0], part.albedo[1], part.albedo[2], 1.0};
-  for (std::size_t i = 0; i < model.materials.size(); ++i)
-    if (model.materials[i].pbrMetallicRoughness.baseColorFactor == colour) return static_cast<int>(i);
-  model.materials.push_back(diffuse(part.albedo, part.name));
-  return static_cast<int>(model.materials.size()) - 1;
+int add_picture(tinygltf::Model& model, const std::string& name, const ByteImage& picture) {
+  const TemporaryFolder folder;
+  write_png(folder / "picture.png", picture);
+  const std::string bytes = read_file(folder / "picture.png");
+  std::vector<unsigned char>& buffer = model.buffers.at(0).data;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = buffer.size();
+  view.byteLength = bytes.size();
+  buffer.insert(buffer.end(), bytes.begin(), bytes.end());
+  while (buffer.size() % 4 != 0) buffer.push_back(0);  // the next one's numbers
+  model.bufferViews.push_back(view);
+  tinygltf::Image image;
+  image.name = name;
+  image.mimeType = "image/png";
+  image.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
+  model.images.push_back(image);
+  tinygltf::Texture texture;
+  texture.source = static_cast<int>(model.images.size()) - 1;
+  texture.sampler = 0;
+  model.textures.push_back(texture);
+  return static_cast<int>(model.textures.size()) - 1;
 }
 
-void add_part(tinygltf::Model& model, const ScenePart& part) {
+/// A pattern's pictures in a file: the numbers of its textures.
+struct WrittenPattern {
+  double side_m = 1;
+  int colour = -1, normal = -1, gloss = -1;
+};
+
+/// Materials and patterns of a file, each written once.
+class Materials {
+ public:
+  explicit Materials(tinygltf::Model& model) : model_(model), surfaces_(model.materials.size()) {}
+
+  const WrittenPattern& pattern(const std::string& name) {
+    if (const auto known = patterns_.find(name); known != patterns_.end()) return known->second;
+    if (model_.samplers.empty()) {
+      tinygltf::Sampler sampler;
+      sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
+      model_.samplers.push_back(sampler);
+    }
+    const Pattern made = make_pattern(name);
+    return patterns_
+        .emplace(name, WrittenPattern{made.side_m, add_picture(model_, name, made.colour),
+                                      add_picture(model_, name + "_normal", made.normal),
+                                      add_picture(model_, name + "_gloss", made.gloss)})
+        .first->second;
+  }
+
+  /// The material of a part, which is added where there is none.
+  int of(const ScenePart& part) {
+    const std::vector<double> colour = {part.albedo[0], part.albedo[1], part.albedo[2], 1.0};
+    SceneSurface wanted = part.surface;
+    wanted.pattern_m.clear();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      if (model_.materials[i].pbrMetallicRoughness.baseColorFactor == colour && same(surfaces_[i], wanted))
+        return static_cast<int>(i);
+    tinygltf::Material material = diffuse(part.albedo, part.name);
+    material.pbrMetallicRoughness.metallicFactor = wanted.metallic;
+    material.pbrMetallicRoughness.roughnessFactor = wanted.roughness;
+    add_glow(material, wanted);
+    if (!wanted.pattern.empty()) {
+      const WrittenPattern& written = pattern(wanted.pattern);
+      material.pbrMetallicRoughness.baseColorTexture.index = written.colour;
+      material.pbrMetallicRoughness.metallicRoughnessTexture.index = written.gloss;
+      material.normalTexture.index = written.normal;
+    }
+    model_.materials.push_back(material);
+    surfaces_.push_back(wanted);
+    return static_cast<int>(model_.materials.size()) - 1;
+  }
+
+ private:
+  static bool same(const SceneSurface& a, const SceneSurface& b) {
+    return a.roughness == b.roughness && a.metallic == b.metallic && a.glow_w_m2_sr == b.glow_w_m2_sr &&
+           a.pattern == b.pattern;
+  }
+  void add_glow(tinygltf::Material& material, const SceneSurface& surface) {
+    const auto& glow = surface.glow_w_m2_sr;
+    const double strength = std::max({glow[0], glow[1], glow[2]});
+    if (!(strength > 0)) return;
+    material.emissiveFactor = {glow[0] / strength, glow[1] / strength, glow[2] / strength};
+    material.extensions["KHR_materials_emissive_strength"] =
+        tinygltf::Value(tinygltf::Value::Object{{"emissiveStrength", tinygltf::Value(strength)}});
+    if (model_.extensionsUsed.empty() || model_.extensionsUsed.back() != "KHR_materials_emissive_strength")
+      model_.extensionsUsed.emplace_back("KHR_materials_emissive_strength");
+  }
+
+  tinygltf::Model& model_;
+  std::vector<SceneSurface> surfaces_;  ///< one a material
+  std::map<std::string, WrittenPattern> patterns_;
+};
+
+/// Two numbers a vertex, in sides of the pattern.
+int add_pattern_places(tinygltf::Model& model, const SceneSurface& surface, double side_m) {
+  std::vector<float> values;
+  for (const Eigen::Vector2d& place_m : surface.pattern_m)
+    for (const double along_m : place_m) values.push_back(static_cast<float>(along_m / side_m));
+  return add_accessor(model, std::as_bytes(std::span(values)),
+                      {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, TINYGLTF_TARGET_ARRAY_BUFFER});
+}
+
+void add_part(tinygltf::Model& model, Materials& materials, const ScenePart& part) {
   std::vector<std::uint32_t> indices;
   for (const auto& triangle : part.mesh.triangles)
     indices.insert(indices.end(), triangle.begin(), triangle.end());
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = material_of(model, part);
+  primitive.material = materials.of(part);
   primitive.attributes["POSITION"] = add_vectors(model, part.mesh.positions_m, true);
   primitive.attributes["NORMAL"] = add_vectors(model, part.mesh.normals, false);
+  if (!part.surface.pattern.empty())
+    primitive.attributes["TEXCOORD_0"] =
+        add_pattern_places(model, part.surface, materials.pattern(part.surface.pattern).side_m);
   primitive.indices = add_accessor(
       model, std::as_bytes(std::span(indices)),
       {TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER});
@@ -116,18 +217,32 @@ void add_camera(tinygltf::Model& model, const SceneCamera& scene_camera) {
   add_node(model, node);
 }
 
-void add_sun(tinygltf::Model& model, const SceneSun& sun) {
+/// A white light at `node`.
+void add_light(tinygltf::Model& model, tinygltf::Node node, const std::string& type, double intensity) {
   tinygltf::Light light;
-  light.name = "sun";
-  light.type = "directional";
+  light.name = node.name;
+  light.type = type;
   light.color = {1, 1, 1};
-  light.intensity = lux_per_w_m2 * sun.irradiance_w_m2;
+  light.intensity = intensity;
+  const int number = static_cast<int>(model.lights.size());
   model.lights.push_back(light);
+  node.extensions[light_extension] =
+      tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(number)}});
+  add_node(model, node);
+}
+
+void add_sun(tinygltf::Model& model, const SceneSun& sun) {
   tinygltf::Node node;
   node.name = "sun";
   node.rotation = xyzw(looking_along(-sun.to_sun));
-  node.extensions[light_extension] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(0)}});
-  add_node(model, node);
+  add_light(model, node, "directional", lux_per_w_m2 * sun.irradiance_w_m2);
+}
+
+void add_lamp(tinygltf::Model& model, const SceneLamp& lamp) {
+  tinygltf::Node node;
+  node.name = "lamp";
+  node.translation = {lamp.position_m.x(), lamp.position_m.y(), lamp.position_m.z()};
+  add_light(model, node, "point", lux_per_w_m2 * lamp.intensity_w_sr);
 }
 
 tinygltf::Model empty_model() {
@@ -174,11 +289,37 @@ ScenePart read_part(const tinygltf::Model& model, const tinygltf::Node& node) {
 
 }  // namespace
 
+ScenePart patterned(const ScenePart& part, const std::string& pattern) {
+  ScenePart laid = part;
+  laid.mesh = {};
+  laid.surface.pattern = pattern;
+  laid.surface.pattern_m.clear();
+  for (const auto& triangle : part.mesh.triangles) {
+    const auto at = [&](std::size_t corner) { return part.mesh.positions_m[triangle[corner]]; };
+    const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0));
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    const auto first = static_cast<std::uint32_t>(laid.mesh.positions_m.size());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vector3d place = at(corner);
+      laid.mesh.positions_m.push_back(place);
+      laid.mesh.normals.push_back(part.mesh.normals[triangle[corner]]);
+      // Along x (or z, of what faces x), and down or towards the viewer: a picture's rows run down.
+      laid.surface.pattern_m.emplace_back(axis == 0 ? place.z() : place.x(),
+                                          axis == 1 ? place.z() : -place.y());
+    }
+    laid.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return laid;
+}
+
 void write_glb(const fs::path& path, const SceneContents& contents) {
   tinygltf::Model model = empty_model();
-  for (const ScenePart& part : contents.parts) add_part(model, part);
+  Materials materials(model);
+  for (const ScenePart& part : contents.parts) add_part(model, materials, part);
   if (contents.camera) add_camera(model, *contents.camera);
   if (contents.sun) add_sun(model, *contents.sun);
+  if (contents.lamp) add_lamp(model, *contents.lamp);
   write_glb_file(path, model);
 }
 
@@ -201,7 +342,10 @@ SceneContents read_glb(const fs::path& path) {
                                     .look_at_m = position - rotation() * Vector3d::UnitZ(),
                                     .vertical_fov_rad = model.cameras.at(0).perspective.yfov};
     }
-    if (node.extensions.contains(light_extension))
+    if (node.name == "lamp")
+      contents.lamp = SceneLamp{.position_m = {node.translation[0], node.translation[1], node.translation[2]},
+                                .intensity_w_sr = model.lights.back().intensity / lux_per_w_m2};
+    else if (node.extensions.contains(light_extension))
       contents.sun = SceneSun{.to_sun = rotation() * Vector3d::UnitZ(),
                               .irradiance_w_m2 = model.lights.at(0).intensity / lux_per_w_m2};
   }

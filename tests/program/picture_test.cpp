@@ -59,5 +59,22 @@ TEST(Picture, WithoutLightItSaysWhichOptionsGiveSome) {
   EXPECT_THAT(said("--environment-map none.hdr"), HasSubstr("none.hdr"));
 }
 
+TEST(Picture, ObjectsStandWhereCompositeWouldPutThemAndBringNoLight) {
+  const fs::path folder = test::fresh_folder("picture-objects");
+  const std::string view = "picture builtin:bedroom --environment 1 1 1 --at 0 1 1 --look-at 0 1 0";
+  const auto made = [&](const char* name, const std::string& position, const std::string& light = {}) {
+    test::write_text(folder / "objects.toml", light + "[[object]]\nfile = \"builtin:teapot\"\nposition_m = " +
+                                                  position + "\nheight_m = 0.2\n");
+    return run_seamline(view + " --objects " + (folder / "objects.toml").string() +
+                        (small + (folder / name).string()));
+  };
+  ASSERT_EQ(run_seamline(view + (small + (folder / "without.exr").string())).status, 0);
+  ASSERT_EQ(made("before.exr", "[0, -0.1, -0.5]").status, 0);
+  const Image without = read_image(folder / "without.exr"), before = read_image(folder / "before.exr");
+  EXPECT_FALSE((without.rgb(24, 13) == before.rgb(24, 13)).all())
+      << "half a metre before the camera, in the middle";
+  EXPECT_EQ(made("lit.exr", "[0, 0, 0]", "environment_radiance = [1, 1, 1]\n").status, 1);
+}
+
 }  // namespace
 }  // namespace seamline

@@ -166,7 +166,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
     {"settle", ""},         {"relight", ""},
     {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},      {"import", ""},
-    {"merge", ""},          {"freeze", ""}};
+    {"merge", ""},          {"freeze", ""},     {"flip", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -257,6 +257,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
+  if (command == "flip") return {at.photograph.string(), at.photograph.string()};
   if (command == "freeze") return {quick, "--studies", "1000000", "--out", out + ".json"};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};
@@ -286,6 +287,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
 TEST(Signals, AreTriedOnEveryCommand) {
   std::set<std::string> tried;
   for (const auto& [command, what] : commands) tried.insert(command);
+  tried.insert("place");  // has a window: tests/app
   tried.insert("serve");  // a signal is its only end, and a good one: tests/online
   std::set<std::string> listed;
   const std::string help = run_seamline("--help").output;

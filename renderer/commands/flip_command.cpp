@@ -1,0 +1,132 @@
+#include "renderer/commands/flip_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/commands/mesh_options.h"
+#include "stimuli/definition/study_definition.h"
+#include "stimuli/pictures/flip.h"
+#include "stimuli/pictures/flip_map.h"
+#include "support/files/image.h"
+#include "support/running/interrupt.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+#include "support/text/printable.h"
+
+namespace seamline::renderer {
+namespace {
+
+struct FlipOptions {
+  std::string reference, test, map;
+  std::vector<std::string> regions;
+  double pixels_per_degree = default_pixels_per_degree, exposure_ev = 0;
+};
+
+/// A named rectangle of a picture.
+struct Region {
+  std::string name;
+  int left_px = 0, top_px = 0, width_px = 0, height_px = 0;
+};
+
+/// "NAME=LEFT,TOP,WIDTH,HEIGHT".
+Region region_of(const std::string& text, const Image& flip) {
+  const auto wrong = [&](const std::string& wanted) {
+    return input_error({.field = "--region", .wanted = wanted, .found = printable(text)});
+  };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
+  std::array<int, 4> numbers{};
+  const char *at = text.data() + equals + 1, *end = text.data() + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [next, problem] = std::from_chars(at, end, numbers[i]);
+    const bool goes_on = i + 1 < numbers.size() ? next != end && *next == ',' : next == end;
+    if (problem != std::errc() || !goes_on) throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
+    at = next + 1;
+  }
+  const auto [left, top, width, height] = numbers;
+  if (left < 0 || top < 0 || width < 1 || height < 1 || left > flip.width_px - width ||
+      top > flip.height_px - height)
+    throw wrong(
+        fmt::format("a rectangle inside the pictures of {} x {} pixels", flip.width_px, flip.height_px));
+  return {text.substr(0, equals), left, top, width, height};
+}
+
+ByteImage seen_picture(const std::string& file, double exposure_ev) {
+  if (lower_case_ending(file) == ".png") return read_bytes_image(file);
+  const Image linear = read_image(file);
+  require_numbers(linear, file);
+  return display_image(linear, exposure_ev);
+}
+
+/// Mean and largest FLIP of a rectangle, in one line.
+void print_flip(const Image& flip, const Region& region) {
+  double sum = 0, most = 0;
+  for (int y = region.top_px; y < region.top_px + region.height_px; ++y)
+    for (int x = region.left_px; x < region.left_px + region.width_px; ++x) {
+      sum += double{flip.at(x, y)};
+      most = std::max(most, double{flip.at(x, y)});
+    }
+  fmt::print("{}: mean {:.4f}, most {:.3f}, {} x {} pixels\n", printable(region.name),
+             sum / (double{1} * region.width_px * region.height_px), most, region.width_px, region.height_px);
+}
+
+void run_flip(const FlipOptions& options) {
+  if (!options.map.empty()) need_extension(options.map, {".png"}, "--map");
+  const ByteImage reference = seen_picture(options.reference, options.exposure_ev);
+  const ByteImage test = seen_picture(options.test, options.exposure_ev);
+  const auto shape = [](const ByteImage& picture) {
+    return fmt::format("{} x {} pixels of {} channels", picture.width_px, picture.height_px,
+                       picture.channels);
+  };
+  for (const auto& [file, picture] : {std::pair{&options.reference, &reference}, {&options.test, &test}})
+    if (picture->channels != 1 && picture->channels != 3)
+      throw input_error({.file = *file, .wanted = "a picture of 1 or 3 channels", .found = shape(*picture)});
+  if (reference.width_px != test.width_px || reference.height_px != test.height_px ||
+      reference.channels != test.channels)
+    throw input_error({.file = options.test,
+                       .wanted = shape(reference) + ", as the first picture has",
+                       .found = shape(test)});
+  const FlipPicture first = flip_picture(reference, options.pixels_per_degree);
+  stop_if_interrupted();
+  const FlipPicture second = flip_picture(test, options.pixels_per_degree);
+  stop_if_interrupted();
+  const Image flip = flip_difference(first, second);
+  stop_if_interrupted();
+  std::vector<Region> regions = {{"picture", 0, 0, flip.width_px, flip.height_px}};
+  for (const std::string& text : options.regions) regions.push_back(region_of(text, flip));
+  for (const Region& region : regions) print_flip(flip, region);
+  if (!options.map.empty()) write_png(options.map, flip_map(flip));
+}
+
+}  // namespace
+
+void add_flip_command(CLI::App& app) {
+  auto options = std::make_shared<FlipOptions>();
+  CLI::App* command = app.add_subcommand(
+      "flip", "the difference between two pictures that people see (FLIP, 0 to 1), also of parts of them");
+  command
+      ->add_option("reference", options->reference,
+                   "a picture: .png as it is shown, or .exr and .hdr, shown with --exposure")
+      ->required();
+  command->add_option("picture", options->test, "another of the same size")->required();
+  command->add_option("--region", options->regions,
+                      "NAME=LEFT,TOP,WIDTH,HEIGHT in pixels from the top left: a part of which FLIP is said, "
+                      "too; may be given again");
+  command->add_option("--map", options->map,
+                      "write FLIP as a picture (.png), from black (0) to pale yellow (1)");
+  add_number(*command, "--pixels-per-degree", options->pixels_per_degree, {1, 1000},
+             "at which people see the pictures")
+      ->capture_default_str();
+  add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "of pictures of radiance")
+      ->capture_default_str();
+  command->callback([options] { run_flip(*options); });
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,45 @@
+#include "renderer/composite/photo_world.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "renderer/common/stopwatch.h"
+#include "support/text/error.h"
+#include "support/text/printable.h"
+
+namespace seamline::renderer {
+
+PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo, double seconds) {
+  PhotoLocalScene scene;
+  scene.mesh = std::move(mesh);
+  const Stopwatch watch;
+  scene.geometry = std::make_shared<const Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
+                                                    TreeQuality::for_light, CentreRays::by_table);
+  scene.light = known.light;
+  if (known.photographed) scene.light.photographed = scene.geometry;
+  scene.seconds = seconds + watch.seconds();
+  return scene;
+}
+
+void read_photo_world(const CompositeRequest& request, PhotoWorld& world, Notes& notes) {
+  const Stopwatch watch;
+  const SeenPhoto& seen = world.seen;
+  world.depth = read_photo_depth(request.depth, seen.photograph, seen.lens, seen.fov_deg);
+  const PhotoDepth& depth = world.depth;
+  if (depth.map && depth.map->cleaned_texels > 0)
+    notes.say(
+        fmt::format("{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes",
+                    printable(request.depth.file), depth.map->cleaned_texels));
+  DepthMesh mesh = photo_mesh(depth, request.depth, seen.camera);
+  if (mesh.triangles.empty())
+    throw input_error({.file = request.depth.file,
+                       .wanted = "a depth map in which three neighbours have a depth",
+                       .found = "none"});
+  const Geometry geometry(mesh, Rgb::Constant(static_cast<float>(request.albedo)));
+  world.known = known_light(request, seen, geometry, notes);
+  require_way_in(world.known, geometry, notes);
+  world.local = local_scene_of(std::move(mesh), world.known, request.albedo, watch.seconds());
+}
+
+}  // namespace seamline::renderer
