@@ -31,7 +31,7 @@ struct RegisterOptions {
   std::string depth, camera, colour, out;
   std::string by = "mesh", jumps = "stretch", repair = "none";
   MeshRegistration mesh;
-  std::optional<int> section_row;
+  bool repair_after = false;  ///< in the photograph's pixels, once registered (002, section 5)
   bool jumps_given = false, ratio_given = false, extrusion_given = false;
 };
 
@@ -65,6 +65,8 @@ void check(const RegisterOptions& options) {
   if (options.ratio_given && (options.by == "points" || options.jumps != "cut"))
     refuse("--jump-ratio", "--jumps cut beside it",
            options.by == "points" ? "--by points" : "--jumps " + options.jumps);
+  if (options.repair_after && options.repair == "none")
+    refuse("--repair-after", "a repair beside it", "--repair none");
 }
 
 RegistrationRig rig_of(const RegisterOptions& options) {
@@ -82,13 +84,23 @@ sensors::RepairMethod method_of(const std::string& repair) {
   return sensors::NoRepair{};
 }
 
-sensors::Repaired repaired(const RegisterOptions& options, const RegistrationRig& rig,
-                           const sensors::DepthFrame& measured, const Image& photograph) {
-  const sensors::RepairMethod method = method_of(options.repair);
-  if (!std::holds_alternative<sensors::JointBilateralRepair>(method))
-    return sensors::repair(measured, method);
-  const Image guide = photograph_in_depth_pixels(photograph, measured, rig.colour_from_depth, rig.colour);
-  return sensors::repair(measured, method, &guide);
+/// `colour_from_camera`: from the camera whose pixels are repaired into the photograph's, by which one filter
+/// is guided.
+sensors::Repaired repaired(const sensors::RepairMethod& method, const sensors::DepthFrame& frame,
+                           const Eigen::Isometry3d& colour_from_camera, const RegistrationRig& rig,
+                           const Image& photograph) {
+  if (!std::holds_alternative<sensors::JointBilateralRepair>(method)) return sensors::repair(frame, method);
+  const Image guide = photograph_in_depth_pixels(photograph, frame, colour_from_camera, rig.colour);
+  return sensors::repair(frame, method, &guide);
+}
+
+/// What the repair made of registered depth takes its place, and what it invented is marked.
+void take_repaired(RegisteredFrame& registered, const sensors::Repaired& mended) {
+  registered.frame = mended.frame;
+  for (std::size_t i = 0; i < mended.marks.size(); ++i) {
+    registered.filled[i] = mended.marks[i] == sensors::RepairMark::empty ? 0 : 1;
+    if (mended.marks[i] == sensors::RepairMark::invented) registered.invented[i] = 1;
+  }
 }
 
 RegisteredFrame registered_of(const RegisterOptions& options, const RegistrationRig& rig,
@@ -135,10 +147,18 @@ void run_register(const RegisterOptions& options) {
   const Image photograph = read_photograph(options.colour, rig.colour);
   prepare_output_folder(options.out);
   const double read_s = stopwatch.lap_s();
-  const sensors::Repaired mended = repaired(options, rig, file.frame, photograph);
-  const double repair_s = stopwatch.lap_s();
-  const RegisteredFrame registered = registered_of(options, rig, mended);
+  const sensors::RepairMethod method = method_of(options.repair);
+  sensors::Repaired mended = options.repair_after
+                                 ? sensors::without_repair(file.frame)
+                                 : repaired(method, file.frame, rig.colour_from_depth, rig, photograph);
+  double repair_s = stopwatch.lap_s();
+  RegisteredFrame registered = registered_of(options, rig, mended);
   const double register_s = stopwatch.lap_s();
+  if (options.repair_after) {
+    mended = repaired(method, registered.frame, Eigen::Isometry3d::Identity(), rig, photograph);
+    take_repaired(registered, mended);
+    repair_s += stopwatch.lap_s();
+  }
   write_all(options.out, rig, registered, photograph);
   if (options.section_row) {
     MeshRegistration mesh = options.mesh;
@@ -155,10 +175,14 @@ void run_register(const RegisterOptions& options) {
              rig.depth_form.camera.height_px);
   print_count("measured", static_cast<std::int64_t>(depth_pixels) - file.holes, depth_pixels);
   print_count("holes", file.holes, depth_pixels);
-  print_count("changed by the repair", mended.count(sensors::RepairMark::changed), depth_pixels);
-  print_count("invented by the repair", mended.count(sensors::RepairMark::invented), depth_pixels);
+  const auto print_repair = [&](std::size_t of) {
+    print_count("changed by the repair", mended.count(sensors::RepairMark::changed), of);
+    print_count("invented by the repair", mended.count(sensors::RepairMark::invented), of);
+  };
+  if (!options.repair_after) print_repair(depth_pixels);
   fmt::print("colour camera, {} x {} pixels:\n", rig.colour.width_px, rig.colour.height_px);
   const std::int64_t filled = count_of(registered.filled), extruded = count_of(registered.extruded);
+  if (options.repair_after) print_repair(colour_pixels);
   print_count("registered", filled - extruded, colour_pixels);
   print_count("from invented depth", count_of(registered.invented), colour_pixels);
   print_count("extruded", extruded, colour_pixels);
@@ -193,11 +217,11 @@ void add_register_command(CLI::App& app) {
       add_number(*command, "--extrude", options->mesh.border_extrusion_px, {0, 16384, "px"},
                  "pixels of the depth camera by which its border is extended")
           ->capture_default_str();
-  add_number(*command, "--section", options->section_row, {0, 65535, "px"},
-             "also draws the mesh cut along this row of the photograph (section.svg; needs gnuplot)");
-  command->add_option("--repair", options->repair, "what is done to the depth first")
+  command->add_option("--repair", options->repair, "what is done to the depth, before it is registered")
       ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
       ->capture_default_str();
+  command->add_flag("--repair-after", options->repair_after,
+                    "repair the registered depth instead, in the photograph's pixels");
   command->callback([options, jumps, ratio, extrusion] {
     options->jumps_given = jumps->count() > 0;
     options->ratio_given = ratio->count() > 0;

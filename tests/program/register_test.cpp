@@ -99,6 +99,27 @@ TEST_F(Register, TheMapHoldsMetresAndHolesAreInfinite) {
   EXPECT_NEAR(depth.at(62, 50), 1.0F, 1e-6F);
 }
 
+TEST_F(Register, ARepairAfterwardsFillsThePhotographsPixelsAndMarksThem) {
+  ASSERT_EQ(run("--by points", "before").status, 0);
+  const Outcome after = run("--by points --repair nearest --repair-after");
+  ASSERT_EQ(after.status, 0) << after.output;
+  const Image measured = read_image(folder_ / "before" / "registered.exr");
+  const Image mended = read_image(folder_ / "out" / "registered.exr");
+  const ByteImage invented = read_bytes_image(folder_ / "out" / "invented.png");
+  std::int64_t holes = 0;
+  for (std::size_t i = 0; i < measured.values.size(); ++i) {
+    const bool hole = std::isinf(measured.values[i]);
+    holes += hole ? 1 : 0;
+    EXPECT_EQ(invented.values[i], hole ? 255 : 0);
+    EXPECT_TRUE(std::isfinite(mended.values[i]));
+    if (!hole) {
+      EXPECT_EQ(mended.values[i], measured.values[i]);
+    }
+  }
+  EXPECT_GT(holes, 0);
+  EXPECT_THAT(after.output, HasSubstr(fmt::format("{:<34}{:>10}", "invented by the repair", holes)));
+}
+
 TEST_F(Register, WrongInputIsOneSentenceAndWritesNothing) {
   const auto with_rig = [&](const std::string& text) {
     write_text(folder_ / "rig.toml", text);
@@ -109,6 +130,7 @@ TEST_F(Register, WrongInputIsOneSentenceAndWritesNothing) {
   expect_complaint(run("--by points --jumps cut"), "--jumps: wanted --by mesh beside it");
   expect_complaint(run("--jump-ratio 1.2"),
                    "--jump-ratio: wanted --jumps cut beside it, found --jumps stretch");
+  expect_complaint(run("--repair-after"), "--repair-after: wanted a repair beside it, found --repair none");
   expect_complaint(run_seamline("register --depth a --colour b --camera tof_160x121 --out c"),
                    "tof_160x121: wanted a readable file, found none");
   const std::string colour = camera_text("colour", 2 * width_px, 2 * height_px);
