@@ -10,6 +10,7 @@
 #include "renderer/commands/picture_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
+#include "renderer/commands/views_command.h"
 #include "renderer/commands/workbench_command.h"
 #include "renderer/figures/field_command.h"
 #include "renderer/settling/relight_command.h"
@@ -25,7 +26,7 @@ void add_renderer_commands(CLI::App& app, PlaceInWindow in_window) {
   add_composite_command(app);
   add_place_command(app, in_window);
   add_picture_command(app);
-  add_flip_command(app);
+  add_views_command(app);
   add_sense_command(app);
   add_settle_command(app);
   add_relight_command(app);

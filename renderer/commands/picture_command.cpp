@@ -13,13 +13,17 @@
 #include <string>
 
 #include "renderer/commands/mesh_options.h"
+#include "renderer/commands/view_options.h"
 #include "renderer/common/parallel.h"
 #include "renderer/composite/objects_file.h"
 #include "renderer/composite/photo_objects.h"
 #include "renderer/composite/photograph.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/estimators/rig_photograph.h"
+#include "renderer/scene/eyes.h"
 #include "renderer/scene/truth_scene.h"
+#include "renderer/views/depth_image.h"
+#include "renderer/views/view_picture.h"
 #include "support/files/assets.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -40,6 +44,7 @@ struct PictureOptions {
   double sun_radius_deg = 0, rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
   int width_px = 960, height_px = 540, bounces = 4, spp = 64, seed = 1;
   bool has_place = false, has_sun = false, panorama = false;
+  ViewOptions view;
 };
 
 Eigen::Vector3d vector_of(const Three& v) {
@@ -144,8 +149,32 @@ void print_left_out(const SceneFile& file) {
   fmt::print("{} has {}, which --materials diffuse leaves out\n", printable(file.file), names);
 }
 
+/// Of several eyes, or with depth.
+void require_room(const PictureOptions& options, const View& view) {
+  if (view.is_mono()) return;
+  if (options.panorama)
+    throw input_error({.field = "--view",
+                       .wanted = "no --panorama beside it, which looks everywhere from one place",
+                       .found = "both"});
+  if (options.width_px % view.squeeze() != 0)
+    throw input_error({.field = "--width",
+                       .wanted = "an even width for --view " + options.view.kind,
+                       .found = std::to_string(options.width_px)});
+  if (view.eyes() * (options.width_px / view.squeeze()) > limits::largest_picture_side_px)
+    throw input_error({.field = "--views",
+                       .wanted = fmt::format("at most {} columns in all eyes' pictures together",
+                                             limits::largest_picture_side_px),
+                       .found = fmt::format("{} views of {}", view.eyes(), options.width_px)});
+  if (view.kind == ViewKind::depth_image && lower_case_ending(options.out) != ".png")
+    throw input_error({.field = "--out",
+                       .wanted = "a .png, because such depth is of 8 bits",
+                       .found = printable(options.out)});
+}
+
 void run_picture(const PictureOptions& options) {
   need_extension(options.out, {".png", ".exr"});
+  const View view = view_of(options.view);
+  require_room(options, view);
   if (options.panorama && options.width_px != 2 * options.height_px)
     throw input_error({.field = "--height",
                        .wanted = "half of --width, of a panorama",
@@ -182,8 +211,16 @@ void run_picture(const PictureOptions& options) {
                                 progress.advance(share - last, "");
                                 last = share;
                               }};
+  Image planar_m;
+  if (!view.is_mono()) camera = view_camera(camera, view);
+  if (view.kind == ViewKind::depth_image)
+    planar_m = planar_depth_m(camera, [&](const Ray& ray) {
+      const auto hit = geometry.nearest(ray);
+      return hit ? std::optional(hit->distance_m) : std::nullopt;
+    });
   const Image picture =
-      options.panorama
+      !view.is_mono() ? compose_view(view, photograph_scene(geometry, light, camera, how))
+      : options.panorama
           ? photograph_scene(geometry, light, panorama_camera(options.width_px, options.height_px), how)
           : photograph_scene(geometry, light,
                              sensors::pinhole_of_field_of_view(options.width_px, options.height_px, fov_deg),
@@ -191,7 +228,7 @@ void run_picture(const PictureOptions& options) {
   if (lower_case_ending(options.out) == ".exr")
     write_picture_exr(options.out, picture);
   else
-    write_png(options.out, display_image(picture, options.exposure_ev));
+    write_png(options.out, shown_bytes(view, picture, options.exposure_ev, planar_m));
 }
 
 void add_camera_options(CLI::App& command, PictureOptions& options) {
@@ -257,6 +294,7 @@ void add_picture_command(CLI::App& app) {
                       "TOML file of objects that stand in the scene, too, as composite --objects reads it: "
                       "places are metres from the camera");
   add_camera_options(*command, *options);
+  add_view_options(*command, options->view);
   add_light_options(*command, *options);
   command
       ->add_option("--materials", options->materials,

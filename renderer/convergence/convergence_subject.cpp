@@ -78,7 +78,13 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
                        .field = "depth",
                        .wanted = "exact panoramas, whose errors are measured here",
                        .found = "a " + std::string(kind_of(stimulus.depth.chain->sources.front()))});
-  TruthScene scene = load_truth_scene(scene_of(study, stimulus), study.width_px, study.height_px);
+  const SceneDefinition definition = scene_of(study, stimulus);
+  if (!definition.view.is_mono())
+    throw input_error({.file = study.file.string(),
+                       .field = "view.kind",
+                       .wanted = "\"mono\": pictures of one eye are measured here",
+                       .found = "\"" + std::string(word(definition.view.kind)) + "\""});
+  TruthScene scene = load_truth_scene(definition, study.width_px, study.height_px);
   ObjectGeometry geometry = object_geometry(scene, stimulus.object_index);
   const int threads = request.threads > 0 ? request.threads : default_thread_count();
   DepthMap map = capture_depth(geometry.truth, stimulus.depth.width_px, stimulus.depth.yaw_texels, threads);

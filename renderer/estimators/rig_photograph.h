@@ -24,7 +24,8 @@ struct PhotographOptions {
                                      const Eigen::Isometry3d& world_from_camera,
                                      const PhotographOptions& options);
 
-/// What a camera at the origin sees; a camera of directions of its own may be a panorama.
+/// What a camera at the origin sees, or its eyes around it; a camera of directions of its own may be a
+/// panorama.
 [[nodiscard]] Image photograph_scene(const Geometry& scene, const Light& light, const Camera& camera,
                                      const PhotographOptions& options);
 

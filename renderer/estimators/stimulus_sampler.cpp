@@ -61,9 +61,10 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
     const std::span<const Ray> asked(rays.data(), count);
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = camera_ray(scene_.camera, some[i].x, some[i].y, sampler_of(some[i]));
-    geometry_.truth.nearest_from_centre(asked, std::span(real.data(), count), &work.counts_);
-    geometry_.object.nearest_from_centre(asked, std::span(object.data(), count), &work.counts_);
-    if (depth_ != nullptr) depth_->nearest_from_centre(asked, std::span(depth.data(), count), &work.counts_);
+    nearest_seen(scene_.camera, geometry_.truth, asked, std::span(real.data(), count), &work.counts_);
+    nearest_seen(scene_.camera, geometry_.object, asked, std::span(object.data(), count), &work.counts_);
+    if (depth_ != nullptr)
+      nearest_seen(scene_.camera, *depth_, asked, std::span(depth.data(), count), &work.counts_);
     for (std::size_t i = 0; i < count; ++i) {
       StimulusSample sample{.number = some[i].number,
                             .x = some[i].x,

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/scene/resting_object.h"
+#include "renderer/scene/eyes.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
@@ -246,7 +246,8 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   if (background.meshes.empty())
     throw input_error(
         {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
-  scene.camera = scene_camera(definition, background, width_px, height_px, scene.camera_position_m);
+  scene.camera = view_camera(
+      scene_camera(definition, background, width_px, height_px, scene.camera_position_m), definition.view);
   scene.light = scene_light(definition, background, scene.camera_position_m);
   scene.left_out.insert(background.left_out.begin(), background.left_out.end());
   scene.background =

@@ -35,8 +35,8 @@ struct TruthScene {
   [[nodiscard]] Geometry geometry_without(int object_index) const;
 };
 
-/// Reads the scene's files. Throws InputError when a file is wrong, there is no camera, or a light cannot be
-/// rendered.
+/// Reads the scene's files; the camera has the eyes of the scene's view. Throws InputError when a file is
+/// wrong, there is no camera, or a light cannot be rendered.
 [[nodiscard]] TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px);
 
 /// One line about what the files' materials have and the scene's model of materials does not use; empty:

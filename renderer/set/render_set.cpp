@@ -19,6 +19,7 @@
 #include "renderer/set/sharing/work_list.h"
 #include "renderer/set/stimulus_scene.h"
 #include "renderer/set/timings.h"
+#include "renderer/set/view_depth.h"
 #include "stimuli/pictures/difference.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
@@ -206,8 +207,12 @@ class SetRenderer {
     if (records_.finished_reference(name, inputs)) return;
     const Stopwatch watch;
     const SceneReference reference = estimator.reference(report(weights_.reference, name + " reference"));
-    records_.finish_reference(
-        write_reference(request_.set_folder, name, reference, scene.definition.exposure_ev), inputs);
+    records_.finish_reference(write_reference(request_.set_folder, name,
+                                              {.made = reference,
+                                               .exposure_ev = scene.definition.exposure_ev,
+                                               .view = scene.definition.view,
+                                               .planar_m = reference_depth(scene)}),
+                              inputs);
     timings_.add("reference-" + name, watch.seconds(), reference.rays);
   }
 
@@ -262,7 +267,12 @@ class SetRenderer {
         how, depth != nullptr ? depth->world() : DepthWorld(nullptr), report(weights_.stimulus, id));
     const Composite composite = compose(made.sums, made.sums.compositing, threads_);
     ManifestStimulus record =
-        write_stimulus(request_.set_folder, work.stimulus, {made, composite, scene.definition.exposure_ev});
+        write_stimulus(request_.set_folder, work.stimulus,
+                       {.made = made,
+                        .composite = composite,
+                        .exposure_ev = scene.definition.exposure_ev,
+                        .view = scene.definition.view,
+                        .planar_m = stimulus_depth(scene, estimator.geometry(), how, geometry)});
     if (depth != nullptr && work.stimulus.depth.pipeline != Pipeline{} && how.answers.needs_depth())
       record.pipeline_error = display_rmse(composite.picture, traced_picture(estimator, how, *depth),
                                            scene.definition.exposure_ev);

@@ -1,5 +1,6 @@
 #include "renderer/set/set_pictures.h"
 
+#include "renderer/views/view_picture.h"
 #include "stimuli/pictures/difference.h"
 #include "support/files/hash.h"
 #include "support/files/image.h"
@@ -21,6 +22,7 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
                                 const StimulusPicture& picture) {
   require_numbers(picture.composite.picture, stimulus_id(stimulus));
   const StimulusSums& layers = picture.made.sums;
+  const Image shown = compose_view(picture.view, picture.composite.picture);
   ManifestStimulus record{.id = stimulus_id(stimulus),
                           .stimulus = stimulus,
                           .isolation = stimulus.isolation,
@@ -32,23 +34,27 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
                           .rmse = picture.made.rmse,
                           .mesh = {},
                           .tiny_denominators = picture.composite.tiny_denominators,
-                          .clipped_share = clipped_share(picture.composite.picture, picture.exposure_ev),
+                          .clipped_share = clipped_share(shown, picture.exposure_ev),
                           .sha256 = {}};
-  write_png(set_folder / record.image, display_image(picture.composite.picture, picture.exposure_ev));
+  write_png(set_folder / record.image,
+            shown_bytes(picture.view, shown, picture.exposure_ev, picture.planar_m));
   record.sha256 = sha256_of_file(set_folder / record.image);
   return record;
 }
 
 ManifestReference write_reference(const fs::path& set_folder, const std::string& truth,
-                                  const SceneReference& reference, double exposure_ev) {
+                                  const ReferencePicture& picture) {
+  const SceneReference& reference = picture.made;
   require_numbers(reference.radiance, "scene \"" + truth + "\"");
   ManifestReference record{.truth = truth,
                            .image = reference_picture(truth),
                            .object_ids = click_map_picture(truth),
                            .image_sha256 = {},
                            .object_ids_sha256 = {}};
-  write_png(set_folder / record.image, display_image(reference.radiance, exposure_ev));
-  write_png(set_folder / record.object_ids, reference.object_ids);
+  write_png(set_folder / record.image,
+            shown_bytes(picture.view, compose_view(picture.view, reference.radiance), picture.exposure_ev,
+                        picture.planar_m));
+  write_png(set_folder / record.object_ids, view_click_map(picture.view, reference.object_ids));
   record.image_sha256 = sha256_of_file(set_folder / record.image);
   record.object_ids_sha256 = sha256_of_file(set_folder / record.object_ids);
   return record;

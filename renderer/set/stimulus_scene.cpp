@@ -3,6 +3,7 @@
 #include "renderer/estimators/mesh_albedo.h"
 #include "renderer/estimators/mitigation_masks.h"
 #include "renderer/estimators/realtime_methods.h"
+#include "renderer/scene/eyes.h"
 
 namespace seamline::renderer {
 
@@ -19,7 +20,8 @@ bool looks_at_photograph(const DepthSettings& settings) {
 void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const DepthSettings& settings,
                const Image& photograph, int threads, LocalScene& local) {
   const Mitigation& mitigation = settings.mitigation;
-  const DetectedFrom detected_from{photograph, scene.camera, threads};
+  const Camera camera = centre_camera(scene.camera);
+  const DetectedFrom detected_from{photograph, camera, threads};
   if (mitigation.occlusion != OcclusionMitigation::none) {
     const MaskedObject object(geometry.object);
     local.occlusion.emplace();
@@ -29,10 +31,9 @@ void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const De
                                                 mitigation.mask_width_px, detected_from);
   }
   if (mitigation.shadow != ShadowMitigation::none)
-    local.matte =
-        mitigation.shadow == ShadowMitigation::matte
-            ? shadow_matte(geometry.truth, scene.light, scene.camera, mitigation.matte_width_px, threads)
-            : detected_matte(local.geometry, scene.light, mitigation.matte_width_px, detected_from);
+    local.matte = mitigation.shadow == ShadowMitigation::matte
+                      ? shadow_matte(geometry.truth, scene.light, camera, mitigation.matte_width_px, threads)
+                      : detected_matte(local.geometry, scene.light, mitigation.matte_width_px, detected_from);
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
                        {.albedo = scene.definition.albedo,
                         .traces_rays = traces_rays,
                         .threads = threads,
-                        .photograph = scene.camera,
+                        .photograph = centre_camera(scene.camera),
                         .picture = photograph.values.empty() ? nullptr : &photograph,
                         .keeps_triangles = looks_at_triangles(settings.pipeline),
                         .tests_depth = settings.pipeline.occlusion == PipelineOcclusion::depth_test});

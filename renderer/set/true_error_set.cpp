@@ -11,6 +11,8 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 #include "renderer/set/stimulus_scene.h"
+#include "renderer/views/depth_image.h"
+#include "renderer/views/view_picture.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -116,15 +118,20 @@ class Measuring {
         depth.emplace(stimulus_scene(scene, estimator, settings, true, threads_));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? depth->world() : DepthWorld(nullptr), report(1, record.id));
-      measure(record, scene.definition.exposure_ev, made.sums);
+      measure(record, scene.definition, made.sums);
     }
   }
 
-  void measure(const ManifestStimulus& record, double exposure_ev, const StimulusSums& reference) {
-    const ByteImage shown = read_manifest_picture(
-        request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px});
-    const TrueError error = true_error(
-        shown, {compose_half(reference, 0).picture, compose_half(reference, 1).picture}, exposure_ev);
+  void measure(const ManifestStimulus& record, const SceneDefinition& scene, const StimulusSums& reference) {
+    const View& view = scene.view;
+    const double exposure_ev = scene.exposure_ev;
+    ByteImage shown = read_manifest_picture(request_.set_folder,
+                                            {record.image, record.sha256, study_.width_px, study_.height_px});
+    if (view.kind == ViewKind::depth_image) shown = half_of(shown, false);
+    const TrueError error = true_error(shown,
+                                       {compose_view(view, compose_half(reference, 0).picture),
+                                        compose_view(view, compose_half(reference, 1).picture)},
+                                       exposure_ev);
     const TrueErrorRecord result{.rmse = error.rmse(),
                                  .standard_error = error.standard_error(),
                                  .worst_tile = error.worst_tile_rmse(),
@@ -132,7 +139,8 @@ class Measuring {
                                  .picture_sha256 = record.sha256};
     write_png(
         request_.set_folder / ("worst-tile-" + record.id + ".png"),
-        worst_tile_picture(shown, display_image(compose(reference).picture, exposure_ev), error.worst_tile(),
+        worst_tile_picture(shown, display_image(compose_view(view, compose(reference).picture), exposure_ev),
+                           error.worst_tile(),
                            fmt::format("{}: error {:.4f} in this tile, {:.4f} in the picture (display units)",
                                        record.id, result.worst_tile, result.rmse)));
     errors_[record.id] = result;

@@ -135,12 +135,27 @@ std::string canonical_text(const SceneDefinition& scene) {
   if (scene.materials != MaterialModel::diffuse) out += fmt::format("materials {}\n", word(scene.materials));
   if (scene.object_metallic) out += fmt::format("object metallic {}\n", *scene.object_metallic);
   if (scene.object_roughness) out += fmt::format("object roughness {}\n", *scene.object_roughness);
+  if (!scene.view.is_mono()) out += fmt::format("view {}\n", canonical_text(scene.view));
   return out;
 }
 
 std::vector<ConditionDefinition> list_conditions(const StudyDefinition& study) {
   if (!study.conditions.empty()) return study.conditions;
   return {{.name = "", .isolation = study.isolation, .depth = study.depth, .scenes = study.scenes}};
+}
+
+std::optional<View> panel_view(const StudyDefinition& study) {
+  std::optional<View> found;
+  const auto look = [&](const std::vector<SceneDefinition>& scenes) {
+    for (const SceneDefinition& scene : scenes) {
+      const View& view = scene.view;
+      if (view.is_mono() || !view.names_panel()) continue;
+      if (!found || view.kind == ViewKind::interleaved) found = view;
+    }
+  };
+  if (study.conditions.empty()) look(study.scenes);
+  for (const ConditionDefinition& condition : study.conditions) look(condition.scenes);
+  return found;
 }
 
 std::string canonical_text(const StudyDefinition& study) {

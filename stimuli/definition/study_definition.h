@@ -24,6 +24,7 @@
 #include "stimuli/definition/session_definition.h"
 #include "stimuli/definition/surface/material_model.h"
 #include "stimuli/definition/surface/mesh_albedo.h"
+#include "stimuli/definition/views/view.h"
 
 namespace seamline::inline stimuli {
 
@@ -88,6 +89,7 @@ struct SceneDefinition {
   std::optional<double> object_metallic = {}, object_roughness = {};
   /// Of every sun of the scene, in place of its own; none: its own (0 for those of a scene file).
   std::optional<double> sun_radius_deg = {};
+  View view = {};  ///< how its pictures are shown
   /// Names the scene with this light among the truths of a study (`list_truths`): the scene's name, followed
   /// by condition and level where these change the light. Empty in a study's own list of scenes.
   std::string truth = {};
@@ -170,6 +172,10 @@ struct StudyDefinition {
 
 /// The conditions of a study: those it names, or its own settings as one without a name.
 [[nodiscard]] std::vector<ConditionDefinition> list_conditions(const StudyDefinition& study);
+
+/// The view whose screen the pictures of a study are made for, an interleaved one before others; none: any
+/// screen.
+[[nodiscard]] std::optional<View> panel_view(const StudyDefinition& study);
 
 /// The meaning of a study as text, independent of layout, order of keys and where its files lie; what its
 /// hash is over.

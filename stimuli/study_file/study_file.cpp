@@ -14,6 +14,7 @@
 #include "stimuli/study_file/study_file_procedure.h"
 #include "stimuli/study_file/study_file_scene.h"
 #include "stimuli/study_file/study_file_session.h"
+#include "stimuli/study_file/study_file_view.h"
 #include "stimuli/study_file/study_file_words.h"
 #include "stimuli/study_file/toml_table.h"
 #include "support/files/assets.h"
@@ -185,6 +186,8 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
+  const View view = read_view(table, {}, false);
+  for (SceneDefinition& scene : study.scenes) scene.view = view;
   study.conditions = read_conditions(table, study, folders, assets);
   if (study.conditions.empty())
     require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level);
@@ -193,6 +196,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);
+  check_views(table, study);
   const auto observer = table.table("observer");
   study.observer =
       observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);

@@ -11,6 +11,7 @@
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_mitigation.h"
 #include "stimuli/study_file/study_file_pipeline.h"
+#include "stimuli/study_file/study_file_view.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -210,7 +211,10 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
   if (condition.depth.mesh == MeshDensity::full && table.has("mesh_tolerance"))
     throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
                           "mesh = \"full\"");
-  for (SceneDefinition& scene : condition.scenes) read_light(table, folders, assets, scene);
+  for (SceneDefinition& scene : condition.scenes) {
+    read_light(table, folders, assets, scene);
+    scene.view = read_view(table, scene.view, true);
+  }
   table.finish();
   return condition;
 }

@@ -73,15 +73,17 @@ void Application::set_type() {
 void Application::check_screen() {
   const Size picture_px = picture_size(set_);
   const Size needed_px = needed_screen(picture_px, ui_.em());
+  require_panel(set_.study, stage_.screen_px, request_.allow_scaling);
+  const std::optional<Point> corner_px = picture_corner(set_.study);
   if (fits(stage_.screen_px, picture_px, ui_.em())) {
-    stage_.pixel_check = check_pixels(window_, canvas_, picture_px, ui_.em());
-    if (stage_.pixel_check.different == 0 || request_.allow_scaling) return;
+    stage_.pixel_check = check_pixels(window_, canvas_, picture_px, ui_.em(), corner_px);
+    if (stage_.pixel_check.different == 0 || (request_.allow_scaling && !corner_px)) return;
     throw input_error({.field = "display",
                        .wanted = "a screen that shows the pictures' exact bytes (or --allow-scaling)",
                        .found = fmt::format("{} of {} bytes changed", stage_.pixel_check.different,
                                             stage_.pixel_check.bytes)});
   }
-  if (request_.allow_scaling) return;
+  if (request_.allow_scaling && !corner_px) return;
   throw input_error(
       {.field = "display",
        .wanted =

@@ -62,20 +62,23 @@ std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& map, int width_
 
 }  // namespace
 
-ObjectMap make_object_map(const ByteImage& object_ids, int reach_px) {
+ObjectMap make_object_map(const ByteImage& object_ids, int reach_px, bool two_eyes) {
   ObjectMap map{
       .width_px = object_ids.width_px, .height_px = object_ids.height_px, .nearest = object_ids.values};
-  std::array<Bounds, 3> bounds;
+  map.two_eyes = two_eyes;
+  const int left_eye_px = two_eyes ? map.width_px / 2 : map.width_px;
+  std::array<Bounds, 3> bounds, right_eye_bounds;
   for (int y = 0; y < map.height_px; ++y)
     for (int x = 0; x < map.width_px; ++x) {
       std::uint8_t& id = map.nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width_px) +
                                      static_cast<std::size_t>(x)];
       if (id >= 1 && id <= objects_per_stimulus)
-        bounds.at(id - 1U).add(x, y);
+        (x < left_eye_px ? bounds : right_eye_bounds).at(id - 1U).add(x, y);
       else
         id = 0;
     }
   map.frames = equal_frames(bounds);
+  map.right_eye_frames = equal_frames(right_eye_bounds);
   for (int step = 0; step < reach_px; ++step)  // by turns without and with corners: nearly a disc
     map.nearest = grown(map.nearest, map.width_px, map.height_px, step % 2 == 1);
   return map;

@@ -21,11 +21,17 @@ struct ObjectMap {
       nearest;  ///< 0, or the object within reach of the pixel: 1 left, 2 middle, 3 right
   /// Frames around the objects: each has its object's middle, and all have the size of the largest one.
   std::array<PictureFrame, 3> frames = {};
+  bool two_eyes = false;  ///< the halves of the picture are two eyes' own, with each object in both
+  std::array<PictureFrame, 3> right_eye_frames = {};  ///< likewise in the right half, if so
 };
 
+/// How far beside an object a click counts.
+inline constexpr int usual_reach_px = 8;
+
 /// `object_ids`: 1 channel, 0 background, 1..3. A click counts up to `reach_px` outside of an object, for the
-/// nearest one; thin objects could hardly be hit otherwise.
-[[nodiscard]] ObjectMap make_object_map(const ByteImage& object_ids, int reach_px = 8);
+/// nearest one; thin objects could hardly be hit otherwise. `two_eyes`: of a picture side by side.
+[[nodiscard]] ObjectMap make_object_map(const ByteImage& object_ids, int reach_px = usual_reach_px,
+                                        bool two_eyes = false);
 
 /// The object at a place of the picture: 1..3, or 0.
 [[nodiscard]] int object_at(const ObjectMap& map, double x_px, double y_px);

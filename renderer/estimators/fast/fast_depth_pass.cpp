@@ -171,9 +171,9 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
           halves[count++] = static_cast<std::size_t>(sample % 2);
         }
         const std::span<const Ray> asked(rays.data(), count);
-        object.nearest_from_centre(asked, std::span(on_object.data(), count));
+        nearest_seen(scene.camera, object, asked, std::span(on_object.data(), count));
         if (depth.occlusion == nullptr)
-          depth.mesh->nearest_from_centre(asked, std::span(on_depth.data(), count));
+          nearest_seen(scene.camera, *depth.mesh, asked, std::span(on_depth.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
           if (!on_object[i]) continue;  // its very edge
           const bool in_depth = is_in_front(depth, rays[i], *on_object[i], on_depth[i]);

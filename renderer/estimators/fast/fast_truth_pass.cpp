@@ -55,7 +55,7 @@ class TileSampler {
     for (std::size_t i = 0; i < count; ++i)
       rays[i] = camera_ray(scene_.camera, x, y, Sampler(options_.seed, x, y, from + static_cast<int>(i)));
     const std::span<const Ray> asked(rays.data(), count);
-    geometry_.room.nearest_from_centre(asked, std::span(room_.data(), count), &counts_);
+    nearest_seen(scene_.camera, geometry_.room, asked, std::span(room_.data(), count), &counts_);
     find_objects(asked);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
     if (paths_.size() >= paths_at_once) follow_paths();
@@ -64,14 +64,14 @@ class TileSampler {
   /// Most packets meet no object: one question for all three.
   void find_objects(std::span<const Ray> rays) {
     const std::span any(objects_[0].data(), rays.size());
-    geometry_.objects.nearest_from_centre(rays, any, &counts_);
+    nearest_seen(scene_.camera, geometry_.objects, rays, any, &counts_);
     const bool none = std::none_of(any.begin(), any.end(), [](const auto& hit) { return hit.has_value(); });
     for (std::size_t k = 0; k < 3; ++k) {
       const std::span hits(objects_[k].data(), rays.size());
       if (none)
         std::fill(hits.begin(), hits.end(), std::nullopt);
       else
-        geometry_.alone[k].nearest_from_centre(rays, hits, &counts_);
+        nearest_seen(scene_.camera, geometry_.alone[k], rays, hits, &counts_);
     }
   }
 

@@ -13,7 +13,7 @@ namespace seamline::renderer {
   for (int i = 0; i < side * side; ++i) {
     const float right = (static_cast<float>(i % side) + 0.5F) / side;
     const float down = (static_cast<float>(i / side) + 0.5F) / side;
-    sum += light.sky(camera.direction(static_cast<float>(x) + right, static_cast<float>(y) + down));
+    sum += light.sky(camera.direction_within(x, y, right, down));
   }
   return sum / static_cast<float>(side * side);
 }

@@ -7,8 +7,9 @@
 namespace seamline::study::app {
 namespace {
 
-const std::string& scene_of(const RenderedSet& set, const Trial& trial) {
-  return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.scene;
+/// What names the click map of a trial's picture.
+const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
+  return stimuli::truth_of(set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus);
 }
 
 }  // namespace
@@ -17,10 +18,14 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     : set_(set),
       scaled_(scaled),
       loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
+  std::map<std::string, bool> two_eyes;
+  for (const SceneDefinition& scene : list_truths(set.study))
+    two_eyes[scene.truth] = scene.view.kind == ViewKind::side_by_side;
   for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
     const Trial trial{.stimulus = i};
-    const std::string& scene = scene_of(set, trial);
-    if (!objects_.contains(scene)) objects_[scene] = make_object_map(load_object_ids(set, trial));
+    const std::string& truth = truth_of(set, trial);
+    if (!objects_.contains(truth))
+      objects_[truth] = make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth]);
   }
 }
 
@@ -56,7 +61,7 @@ const Texture* PictureStore::find(const Trial& trial) const {
 }
 
 const ObjectMap& PictureStore::objects(const Trial& trial) const {
-  return objects_.at(scene_of(set_, trial));
+  return objects_.at(truth_of(set_, trial));
 }
 
 }  // namespace seamline::study::app

@@ -18,12 +18,13 @@ ByteImage test_picture(int width_px, int height_px) {
   return picture;
 }
 
-PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double em_px) {
+PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double em_px,
+                        const std::optional<Point>& corner_px) {
   const ByteImage picture =
       test_picture(static_cast<int>(picture_px.width_px), static_cast<int>(picture_px.height_px));
   Texture texture;
   texture.upload(picture);
-  const TrialPlace place = place_trial(window.framebuffer_px(), picture_px, em_px);
+  const TrialPlace place = place_trial(window.framebuffer_px(), picture_px, em_px, corner_px);
   canvas.begin(window.framebuffer_px());
   canvas.picture(texture, place.picture);
   window.clear(look::background);

@@ -17,7 +17,8 @@ struct PixelCheck {
 [[nodiscard]] ByteImage test_picture(int width_px, int height_px);
 
 /// Draws a test picture of the stimuli's size where and how stimuli are drawn, and compares every byte with
-/// what the framebuffer holds. What is on the screen does not change.
-[[nodiscard]] PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double em_px);
+/// what the framebuffer holds. `corner_px`: see `place_trial`. What is on the screen does not change.
+[[nodiscard]] PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double em_px,
+                                      const std::optional<Point>& corner_px);
 
 }  // namespace seamline::study::app

@@ -12,10 +12,12 @@ Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
   const TrialPlace place = trial_place(stage);
   if (const std::optional<Trial> trial = trial_on_screen(visit)) {
     if (const Texture* picture = stage.pictures.find(*trial)) stage.canvas().picture(*picture, place.picture);
-    if (screen.right_index >= 1)
-      draw_bracket(
-          stage, place,
-          stage.pictures.objects(*trial).frames.at(static_cast<std::size_t>(screen.right_index - 1)));
+    if (screen.right_index >= 1) {
+      const ObjectMap& objects = stage.pictures.objects(*trial);
+      const auto index = static_cast<std::size_t>(screen.right_index - 1);
+      draw_bracket(stage, place, objects.frames.at(index));
+      draw_bracket(stage, place, objects.right_eye_frames.at(index));
+    }
   }
   constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
   const TrainingDefinition& training = stage.set.study.training;

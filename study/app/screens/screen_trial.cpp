@@ -27,7 +27,10 @@ struct TrialOnScreen {
     return stage.input.mouse.x_px != before.x_px || stage.input.mouse.y_px != before.y_px;
   }
   void bracket(int object) const {
-    if (object >= 1) draw_bracket(stage, place, objects.frames.at(static_cast<std::size_t>(object - 1)));
+    if (object < 1) return;
+    const auto index = static_cast<std::size_t>(object - 1);
+    draw_bracket(stage, place, objects.frames.at(index));
+    draw_bracket(stage, place, objects.right_eye_frames.at(index));
   }
 };
 
@@ -145,13 +148,13 @@ Outcome draw_trial(const Session& session, Stage& stage) {
   };
   return std::visit(Overloaded{[&](const Grey&) -> Outcome {
                                  stage.drafts.trial_focus = -1;
-                                 draw_fixation(stage);
+                                 draw_fixation(stage, trial.objects.two_eyes);
                                  return std::nullopt;
                                },
                                [&](const AwaitingImage&) -> Outcome {
                                  stage.drafts.trial_focus = -1;
                                  stage.drafts.mouse_at_onset = stage.input.mouse;
-                                 if (picture == nullptr) draw_fixation(stage);
+                                 if (picture == nullptr) draw_fixation(stage, trial.objects.two_eyes);
                                  show_picture();
                                  return std::nullopt;
                                },

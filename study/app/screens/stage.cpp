@@ -18,7 +18,8 @@ DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile) {
   if (::gethostname(machine.data(), machine.size() - 1) != 0) machine[0] = '\0';
   const Size picture_px{static_cast<double>(stage.set.manifest.width_px),
                         static_cast<double>(stage.set.manifest.height_px)};
-  const double scale = place_trial(stage.screen_px, picture_px, stage.ui.em()).scale;
+  const double scale =
+      place_trial(stage.screen_px, picture_px, stage.ui.em(), picture_corner(stage.set.study)).scale;
   return {.machine = machine.data(),
           .monitor = stage.display.monitor,
           .renderer = stage.display.graphics,

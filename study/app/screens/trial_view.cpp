@@ -13,14 +13,18 @@ TrialPlace trial_place(const Stage& stage) {
   return place_trial(
       stage.screen_px,
       {static_cast<double>(stage.set.manifest.width_px), static_cast<double>(stage.set.manifest.height_px)},
-      stage.ui.em());
+      stage.ui.em(), picture_corner(stage.set.study));
 }
 
-void draw_fixation(Stage& stage) {
-  const Point centre = trial_place(stage).picture.centre();
-  const double arm_px = 12, x_px = std::round(centre.x_px), y_px = std::round(centre.y_px);
-  stage.canvas().fill({x_px - arm_px, y_px - 1, 2 * arm_px, 2}, look::ink_on_background);
-  stage.canvas().fill({x_px - 1, y_px - arm_px, 2, 2 * arm_px}, look::ink_on_background);
+void draw_fixation(Stage& stage, bool two_eyes) {
+  const Rect picture = trial_place(stage).picture;
+  const auto draw = [&](double x_px) {
+    const double arm_px = 12, y_px = std::round(picture.centre().y_px);
+    stage.canvas().fill({x_px - arm_px, y_px - 1, 2 * arm_px, 2}, look::ink_on_background);
+    stage.canvas().fill({x_px - 1, y_px - arm_px, 2, 2 * arm_px}, look::ink_on_background);
+  };
+  if (!two_eyes) return draw(std::round(picture.centre().x_px));
+  for (const double share : {0.25, 0.75}) draw(std::round(picture.x_px + share * picture.width_px));
 }
 
 void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture) {

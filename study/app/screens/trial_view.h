@@ -8,8 +8,8 @@ namespace seamline::study::app {
 
 [[nodiscard]] TrialPlace trial_place(const Stage& stage);
 
-/// Grey with a mark where the middle of the picture will be.
-void draw_fixation(Stage& stage);
+/// Grey with a mark where the middle of the picture will be, or of each eye's half of it.
+void draw_fixation(Stage& stage, bool two_eyes);
 
 /// Corners around an object's frame. They look the same for every object, and never follow its outline.
 void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture);

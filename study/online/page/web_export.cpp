@@ -30,6 +30,14 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                        .field = "consent.text",
                        .wanted = "your own consent text (for a trial run with the shipped one use --pilot)",
                        .found = "the shipped template"});
+  for (const SceneDefinition& scene : list_truths(set.study))
+    if (!scene.view.is_mono() && scene.view.kind != ViewKind::anaglyph)
+      throw input_error({.file = study_file_name(set),
+                         .field = "view.kind",
+                         .wanted =
+                             "\"mono\" or \"anaglyph\": a page in a browser does not know where on which "
+                             "screen its pixels are (the window does: seamline study SET --participant)",
+                         .found = "\"" + std::string(word(scene.view.kind)) + "\""});
   const bool adaptive = std::holds_alternative<QuestPlusDefinition>(set.study.procedure);
   if (adaptive && !request.serve)
     throw input_error({.file = study_file_name(set),

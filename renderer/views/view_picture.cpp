@@ -1,0 +1,67 @@
+#include "renderer/views/view_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "renderer/views/anaglyph.h"
+#include "renderer/views/depth_image.h"
+#include "renderer/views/lens_sheet.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// The click map of a picture in which the same pixel belongs to all eyes.
+ByteImage seen_by_most(const ByteImage& strip, int eyes) {
+  const int width_px = strip.width_px / eyes;
+  ByteImage ids{width_px, strip.height_px, 1, {}};
+  for (int y = 0; y < strip.height_px; ++y)
+    for (int x = 0; x < width_px; ++x) {
+      std::array<int, 4> votes{};
+      for (int eye = 0; eye < eyes; ++eye)
+        ++votes.at(strip.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(strip.width_px) +
+                                static_cast<std::size_t>(eye * width_px + x)]);
+      const auto most = std::max_element(votes.begin() + 1, votes.end());
+      ids.values.push_back(static_cast<std::uint8_t>(*most > 0 ? most - votes.begin() : 0));
+    }
+  return ids;
+}
+
+}  // namespace
+
+Image compose_view(const View& view, const Image& strip) {
+  switch (view.kind) {
+    case ViewKind::mono:
+    case ViewKind::side_by_side:
+    case ViewKind::depth_image:
+      return strip;
+    case ViewKind::anaglyph:
+      return anaglyph(view.matrix, strip);
+    case ViewKind::interleaved:
+      return interleave(sheet_screen(view, strip.width_px / view.views), strip);
+  }
+  return strip;
+}
+
+ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev, const Image& planar_m) {
+  ByteImage bytes = display_image(picture, exposure_ev);
+  if (view.kind != ViewKind::depth_image) return bytes;
+  return beside(bytes, depth_codes(planar_m, view.max_depth_m));
+}
+
+ByteImage view_click_map(const View& view, const ByteImage& strip) {
+  switch (view.kind) {
+    case ViewKind::mono:
+    case ViewKind::side_by_side:
+      return strip;
+    case ViewKind::anaglyph:
+    case ViewKind::interleaved:
+      return seen_by_most(strip, view.views);
+    case ViewKind::depth_image:
+      return beside(strip,
+                    {strip.width_px, strip.height_px, 1, std::vector<std::uint8_t>(strip.values.size())});
+  }
+  return strip;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,22 @@
+#pragma once
+#include "renderer/scene/camera.h"
+#include "stimuli/definition/views/view.h"
+#include "support/files/image.h"
+
+namespace seamline::renderer {
+
+/// What people are shown of the picture of a view's camera (`view_camera`), linear. Of a depth image the
+/// picture without its depth.
+[[nodiscard]] Image compose_view(const View& view, const Image& strip);
+
+/// The bytes that people are shown of what `compose_view` made, with the codes of depth beside a depth image,
+/// which has `planar_m`. Other kinds look at no depth.
+[[nodiscard]] ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev,
+                                    const Image& planar_m);
+
+/// Which object a click means, of the click map of a view's camera (0 background, 1 to 3 objects). Where one
+/// pixel shows several eyes, the object that most of them see there, the left one of equals; the background
+/// only where all see it. Depth beside a picture is background: nothing is chosen there.
+[[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& strip);
+
+}  // namespace seamline::renderer
