@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "renderer/views/synthesised_views.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
+#include "support/running/interrupt.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -30,21 +32,25 @@ struct ViewsOptions {
 };
 
 /// The two halves of the frame, stretched to the frame's own size.
-PictureWithDepth read_frame(const ViewsOptions& options) {
-  const ByteImage codes = read_bytes_image(options.frame);
-  if (codes.width_px % 2 != 0 || codes.width_px < 4)
+PictureWithDepth read_frame(const ViewsOptions& options, int views) {
+  const Image linear = read_image(options.frame);
+  if (linear.width_px % 2 != 0 || linear.width_px < 4)
     throw input_error({.file = printable(options.frame),
                        .wanted = "a picture and its depth side by side, of an even width",
-                       .found = fmt::format("{} columns", codes.width_px)});
-  const ByteImage depth = half_of(codes, true);
-  const Image linear = read_image(options.frame);
+                       .found = fmt::format("{} columns", linear.width_px)});
+  if (views * linear.width_px > limits::largest_picture_side_px)
+    throw input_error(
+        {.field = "--views",
+         .wanted = fmt::format("at most {} columns in all views together", limits::largest_picture_side_px),
+         .found = fmt::format("{} views of {}", views, linear.width_px)});
+  const ByteImage codes = half_of(display_image(linear), true);
   Image colour(linear.width_px / 2, linear.height_px, 3);
   for (int y = 0; y < colour.height_px; ++y)
     for (int x = 0; x < colour.width_px; ++x)
       for (int channel = 0; channel < 3; ++channel)
         colour.at(x, y, channel) = linear.at(x, y, std::min(channel, linear.channels - 1));
   return {.colour = stretched(colour, false),
-          .planar_m = stretched(depth_of_codes(depth, options.max_depth_m), true)};
+          .planar_m = stretched(depth_of_codes(codes, options.max_depth_m), true)};
 }
 
 Image read_beside(const std::string& file, const Image& picture, int channels) {
@@ -73,7 +79,9 @@ void require_depth(const Image& planar_m, const ViewsOptions& options) {
 
 void run_views(const ViewsOptions& options) {
   const View view = view_of(options.view);
-  PictureWithDepth from = read_frame(options);
+  if (lower_case_ending(options.frame) != ".png")
+    throw input_error({.field = "frame", .wanted = "a .png", .found = printable(options.frame)});
+  PictureWithDepth from = read_frame(options, view.views);
   require_depth(from.planar_m, options);
   if (!options.background.empty()) from.background = read_beside(options.background, from.colour, 3);
   if (!options.mask.empty()) from.foreground = read_beside(options.mask, from.colour, 1);
@@ -81,21 +89,22 @@ void run_views(const ViewsOptions& options) {
   prepare_output_folder(folder);
   const int width_px = from.colour.width_px;
   const double focal_px = 0.5 * width_px / std::tan(0.5 * options.fov_deg * std::numbers::pi / 180);
-  Image strip(view.views * width_px, from.colour.height_px, 3);
+  Image all_eyes(view.views * width_px, from.colour.height_px, 3);
   Progress progress("views", view.views);
   std::string said;
   for (int k = 0; k < view.views; ++k) {
+    stop_if_interrupted();
     const double right_m = (k - 0.5 * (view.views - 1)) * view.separation_m;
     const SynthesisedView made = view_from_depth(
         from, {.right_m = right_m, .zero_parallax_m = view.zero_parallax_m, .focal_px = focal_px});
     write_png(folder / fmt::format("view-{}.png", k + 1), display_image(made.picture));
     write_png(folder / fmt::format("view-{}-holes.png", k + 1), display_image(with_holes_shown(made)));
     said += fmt::format("view {}: eye {:+.4f} m, holes {:.2f} %\n", k + 1, right_m, 100 * hole_share(made));
-    for (int y = 0; y < strip.height_px; ++y)
-      for (int x = 0; x < width_px; ++x) strip.set_rgb(k * width_px + x, y, made.picture.rgb(x, y));
+    for (int y = 0; y < all_eyes.height_px; ++y)
+      for (int x = 0; x < width_px; ++x) all_eyes.set_rgb(k * width_px + x, y, made.picture.rgb(x, y));
     progress.advance(1, "");
   }
-  write_png(folder / "interleaved.png", display_image(interleave(sheet_screen(view, width_px), strip)));
+  write_png(folder / "interleaved.png", display_image(interleave(sheet_screen(view, width_px), all_eyes)));
   fmt::print("{}Views, their holes in magenta, and all under the lens sheet: {}\n", said,
              (folder / "interleaved.png").string());
 }

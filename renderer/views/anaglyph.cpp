@@ -24,14 +24,14 @@ AnaglyphMatrices anaglyph_matrices(AnaglyphMatrix matrix) {
   return out;
 }
 
-Image anaglyph(AnaglyphMatrix matrix, const Image& strip) {
+Image anaglyph(AnaglyphMatrix matrix, const Image& all_eyes) {
   const AnaglyphMatrices how = anaglyph_matrices(matrix);
-  const int width_px = strip.width_px / 2;
-  Image picture(width_px, strip.height_px, 3);
+  const int width_px = all_eyes.width_px / 2;
+  Image picture(width_px, all_eyes.height_px, 3);
   for (int y = 0; y < picture.height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
       const Eigen::Vector3f both =
-          how.left * strip.rgb(x, y).matrix() + how.right * strip.rgb(x + width_px, y).matrix();
+          how.left * all_eyes.rgb(x, y).matrix() + how.right * all_eyes.rgb(x + width_px, y).matrix();
       picture.set_rgb(x, y, both.array().max(0.0F));
     }
   return picture;

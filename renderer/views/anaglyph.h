@@ -17,6 +17,6 @@ struct AnaglyphMatrices {
 [[nodiscard]] AnaglyphMatrices anaglyph_matrices(AnaglyphMatrix matrix);
 
 /// One picture of two eyes' pictures that stand side by side, linear; negative values become 0.
-[[nodiscard]] Image anaglyph(AnaglyphMatrix matrix, const Image& strip);
+[[nodiscard]] Image anaglyph(AnaglyphMatrix matrix, const Image& all_eyes);
 
 }  // namespace seamline::renderer

@@ -26,36 +26,65 @@ int view_of_subpixel(const SheetScreen& screen, int x, int y, int channel) {
   return screen.views - 1 - std::min(from_left, screen.views - 1);
 }
 
-Image interleave(const SheetScreen& screen, const Image& strip) {
-  const int width_px = strip.width_px / screen.views;
-  Image picture(width_px, strip.height_px, 3);
+Image interleave(const SheetScreen& screen, const Image& all_eyes) {
+  const int width_px = all_eyes.width_px / screen.views;
+  Image picture(width_px, all_eyes.height_px, 3);
   for (int y = 0; y < picture.height_px; ++y)
     for (int x = 0; x < width_px; ++x)
       for (int channel = 0; channel < 3; ++channel)
         picture.at(x, y, channel) =
-            strip.at(view_of_subpixel(screen, x, y, channel) * width_px + x, y, channel);
+            all_eyes.at(view_of_subpixel(screen, x, y, channel) * width_px + x, y, channel);
   return picture;
 }
 
+namespace {
+
+/// The columns of a row that send a channel of theirs to an eye.
+std::vector<int> lit_columns(const SheetScreen& screen, int width_px, int y, int channel, int eye) {
+  std::vector<int> lit;
+  for (int x = 0; x < width_px; ++x)
+    if (view_of_subpixel(screen, x, y, channel) == eye) lit.push_back(x);
+  return lit;
+}
+
+/// `position` between two of rising places, and how far on the way; beyond the outermost that one alone.
+struct Between {
+  int first = 0, second = 0;
+  float share = 0;
+};
+Between between(const std::vector<int>& places, int position) {
+  const auto after = std::lower_bound(places.begin(), places.end(), position);
+  const int second = after == places.end() ? places.back() : *after;
+  const int first = after == places.begin() || second <= position ? second : *(after - 1);
+  if (first == second) return {second, second, 0};
+  return {first, second, static_cast<float>(position - first) / static_cast<float>(second - first)};
+}
+
+}  // namespace
+
 Image through_lenses(const SheetScreen& screen, const Image& interleaved, int eye) {
   Image seen(interleaved.width_px, interleaved.height_px, 3);
-  std::vector<int> lit;  // columns that send their light to the eye
-  for (int y = 0; y < seen.height_px; ++y)
-    for (int channel = 0; channel < 3; ++channel) {
-      lit.clear();
-      for (int x = 0; x < seen.width_px; ++x)
-        if (view_of_subpixel(screen, x, y, channel) == eye) lit.push_back(x);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<int> lit_rows;
+    for (int y = 0; y < seen.height_px; ++y) {
+      const std::vector<int> lit = lit_columns(screen, seen.width_px, y, channel, eye);
       if (lit.empty()) continue;
+      lit_rows.push_back(y);
       for (int x = 0; x < seen.width_px; ++x) {
-        const auto after = std::lower_bound(lit.begin(), lit.end(), x);
-        const int right = after == lit.end() ? lit.back() : *after;
-        const int left = after == lit.begin() || right == x ? right : *(after - 1);
-        const float share =
-            right == left ? 0.0F : static_cast<float>(x - left) / static_cast<float>(right - left);
-        seen.at(x, y, channel) =
-            (1.0F - share) * interleaved.at(left, y, channel) + share * interleaved.at(right, y, channel);
+        const Between at = between(lit, x);
+        seen.at(x, y, channel) = (1.0F - at.share) * interleaved.at(at.first, y, channel) +
+                                 at.share * interleaved.at(at.second, y, channel);
       }
     }
+    if (lit_rows.empty()) continue;
+    for (int y = 0; y < seen.height_px; ++y) {
+      const Between at = between(lit_rows, y);
+      if (at.second == y) continue;
+      for (int x = 0; x < seen.width_px; ++x)
+        seen.at(x, y, channel) =
+            (1.0F - at.share) * seen.at(x, at.first, channel) + at.share * seen.at(x, at.second, channel);
+    }
+  }
   return seen;
 }
 

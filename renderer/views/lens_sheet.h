@@ -26,13 +26,13 @@ struct SheetScreen {
 /// under a lens is sent to the right.
 [[nodiscard]] int view_of_subpixel(const SheetScreen& screen, int x, int y, int channel);
 
-/// The picture that a screen under lenses shows: each sub-pixel from its own view. `strip`: the views'
+/// The picture that a screen under lenses shows: each sub-pixel from its own view. `all_eyes`: the views'
 /// pictures side by side, from the left eye's to the right eye's, each as wide as the result; 3 channels.
-[[nodiscard]] Image interleave(const SheetScreen& screen, const Image& strip);
+[[nodiscard]] Image interleave(const SheetScreen& screen, const Image& all_eyes);
 
 /// What an eye in the middle of view `eye` sees through ideal lenses: of every sub-pixel that sends its light
-/// there its own value, and between them, along the row and in each channel, what is linear between those. A
-/// channel of a row of which the lenses show that eye nothing is black.
+/// there its own value, and between them, in each channel, what is linear: along rows that send something,
+/// and from row to row in those that do not. A channel that nowhere sends anything there is black.
 [[nodiscard]] Image through_lenses(const SheetScreen& screen, const Image& interleaved, int eye);
 
 }  // namespace seamline::renderer

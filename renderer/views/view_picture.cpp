@@ -12,15 +12,15 @@ namespace seamline::renderer {
 namespace {
 
 /// The click map of a picture in which the same pixel belongs to all eyes.
-ByteImage seen_by_most(const ByteImage& strip, int eyes) {
-  const int width_px = strip.width_px / eyes;
-  ByteImage ids{width_px, strip.height_px, 1, {}};
-  for (int y = 0; y < strip.height_px; ++y)
+ByteImage seen_by_most(const ByteImage& all_eyes, int eyes) {
+  const int width_px = all_eyes.width_px / eyes;
+  ByteImage ids{width_px, all_eyes.height_px, 1, {}};
+  for (int y = 0; y < all_eyes.height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
       std::array<int, 4> votes{};
       for (int eye = 0; eye < eyes; ++eye)
-        ++votes.at(strip.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(strip.width_px) +
-                                static_cast<std::size_t>(eye * width_px + x)]);
+        ++votes.at(all_eyes.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(all_eyes.width_px) +
+                                   static_cast<std::size_t>(eye * width_px + x)]);
       const auto most = std::max_element(votes.begin() + 1, votes.end());
       ids.values.push_back(static_cast<std::uint8_t>(*most > 0 ? most - votes.begin() : 0));
     }
@@ -29,18 +29,18 @@ ByteImage seen_by_most(const ByteImage& strip, int eyes) {
 
 }  // namespace
 
-Image compose_view(const View& view, const Image& strip) {
+Image compose_view(const View& view, const Image& all_eyes) {
   switch (view.kind) {
     case ViewKind::mono:
     case ViewKind::side_by_side:
     case ViewKind::depth_image:
-      return strip;
+      return all_eyes;
     case ViewKind::anaglyph:
-      return anaglyph(view.matrix, strip);
+      return anaglyph(view.matrix, all_eyes);
     case ViewKind::interleaved:
-      return interleave(sheet_screen(view, strip.width_px / view.views), strip);
+      return interleave(sheet_screen(view, all_eyes.width_px / view.views), all_eyes);
   }
-  return strip;
+  return all_eyes;
 }
 
 ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev, const Image& planar_m) {
@@ -49,19 +49,19 @@ ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev
   return beside(bytes, depth_codes(planar_m, view.max_depth_m));
 }
 
-ByteImage view_click_map(const View& view, const ByteImage& strip) {
+ByteImage view_click_map(const View& view, const ByteImage& all_eyes) {
   switch (view.kind) {
     case ViewKind::mono:
     case ViewKind::side_by_side:
-      return strip;
+      return all_eyes;
     case ViewKind::anaglyph:
     case ViewKind::interleaved:
-      return seen_by_most(strip, view.views);
+      return seen_by_most(all_eyes, view.views);
     case ViewKind::depth_image:
-      return beside(strip,
-                    {strip.width_px, strip.height_px, 1, std::vector<std::uint8_t>(strip.values.size())});
+      return beside(all_eyes, {all_eyes.width_px, all_eyes.height_px, 1,
+                               std::vector<std::uint8_t>(all_eyes.values.size())});
   }
-  return strip;
+  return all_eyes;
 }
 
 }  // namespace seamline::renderer

@@ -7,7 +7,7 @@ namespace seamline::renderer {
 
 /// What people are shown of the picture of a view's camera (`view_camera`), linear. Of a depth image the
 /// picture without its depth.
-[[nodiscard]] Image compose_view(const View& view, const Image& strip);
+[[nodiscard]] Image compose_view(const View& view, const Image& all_eyes);
 
 /// The bytes that people are shown of what `compose_view` made, with the codes of depth beside a depth image,
 /// which has `planar_m`. Other kinds look at no depth.
@@ -17,6 +17,6 @@ namespace seamline::renderer {
 /// Which object a click means, of the click map of a view's camera (0 background, 1 to 3 objects). Where one
 /// pixel shows several eyes, the object that most of them see there, the left one of equals; the background
 /// only where all see it. Depth beside a picture is background: nothing is chosen there.
-[[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& strip);
+[[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& all_eyes);
 
 }  // namespace seamline::renderer

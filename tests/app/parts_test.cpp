@@ -8,8 +8,8 @@
 #include "study/app/pictures/display_profile.h"
 #include "study/app/pictures/picture_loader.h"
 #include "study/app/pictures/picture_place.h"
-#include "window/characters.h"
 #include "support/text/error.h"
+#include "window/characters.h"
 
 namespace seamline::study::app {
 namespace {
@@ -42,6 +42,39 @@ TEST(PicturePlace, WhatDoesNotFitIsShrunkIntoTheScreen) {
   EXPECT_LT(place.scale, 1);
   EXPECT_LE(place.picture.width_px, screen.width_px);
   EXPECT_LE(place.questions.bottom_px(), screen.height_px);
+}
+
+TEST(PicturePlace, UnderALensSheetItIsWhereThePictureWasMadeForAndOnNoOtherScreen) {
+  StudyDefinition study;
+  study.width_px = 960;
+  study.height_px = 540;
+  EXPECT_FALSE(picture_corner(study));
+  EXPECT_NO_THROW(require_panel(study, {800, 600}, false));
+  SceneDefinition scene;
+  scene.view = {.kind = ViewKind::interleaved, .zero_parallax_m = 2, .panel_px = {1921, 1080}};
+  study.scenes = {scene};
+  const std::optional<Point> corner = picture_corner(study);
+  ASSERT_TRUE(corner);
+  EXPECT_EQ(corner->x_px, 480);
+  EXPECT_EQ(corner->y_px, 0);
+  const TrialPlace place = place_trial({1921, 1080}, {960, 540}, 22, corner);
+  EXPECT_EQ(place.picture.x_px, 480);
+  EXPECT_EQ(place.picture.y_px, 0);
+  EXPECT_EQ(place.questions.y_px, 540);
+  EXPECT_NO_THROW(require_panel(study, {1921, 1080}, false));
+  for (const bool scaling : {false, true}) {
+    try {
+      require_panel(study, {1920, 1080}, scaling);
+      ADD_FAILURE();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("the whole screen of 1921 x 1080 pixels"));
+    }
+  }
+  // Side by side nothing but the size is promised, and --allow-scaling says that it need not be.
+  study.scenes[0].view.kind = ViewKind::side_by_side;
+  EXPECT_FALSE(picture_corner(study));
+  EXPECT_NO_THROW(require_panel(study, {1920, 1080}, true));
+  EXPECT_THROW(require_panel(study, {1920, 1080}, false), InputError);
 }
 
 TEST(Characters, AreReadFromUtf8AndBrokenBytesAreMarked) {

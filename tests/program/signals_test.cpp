@@ -74,7 +74,7 @@ int status_after(const Running& running, int signal) {
 
 /// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
 struct Work {
-  fs::path folder, set, long_set, log, small_log, lines, counts, depth, photograph, rig, rig_depth;
+  fs::path folder, set, long_set, log, small_log, lines, counts, depth, photograph, rig, rig_depth, frame;
 };
 
 /// A set whose pictures go on for gigabytes after their last byte that says anything.
@@ -122,7 +122,8 @@ const Work& work() {
               .depth = folder / "depth.exr",
               .photograph = folder / "photograph.exr",
               .rig = folder / "rig.toml",
-              .rig_depth = folder / "rig-depth.exr"};
+              .rig_depth = folder / "rig-depth.exr",
+              .frame = folder / "frame.png"};
     const RenderedSet set = test::write_picture_set(
         work.set, {.width_px = 640, .height_px = 480, .widths = "64, 128, 256, 512, 1024, 2048, 4096, 8192"});
     write_long_set(work.long_set);
@@ -131,6 +132,7 @@ const Work& work() {
     for (int level = 1; level <= 2000; ++level) counts += fmt::format("{},{},60\n", level, 20 + level % 41);
     test::write_text(work.counts, counts);
     write_exr(work.photograph, Image(1920, 1080, 3, 0.5F));
+    write_png(work.frame, display_image(Image(2048, 4096, 3, 0.5F)));
     write_rig(work);
     for (const std::string& made_by :
          {"study " + work.set.string() + " --observer guesser --count 12000 --log " + work.log.string(),
@@ -164,9 +166,7 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"settle", ""},         {"relight", ""},
-    {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},      {"import", ""},
-    {"merge", ""},          {"freeze", ""},     {"flip", ""}};
+    {"views", ""},          {"export", ""},       {"import", ""},    {"merge", ""},      {"freeze", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -257,7 +257,9 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
   if (command == "marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
-  if (command == "flip") return {at.photograph.string(), at.photograph.string()};
+  if (command == "views")
+    return {at.frame.string(), "--max-depth", "5",     "--fov", "60", "--zero-parallax", "2",
+            "--views",         "8",           "--out", out};
   if (command == "freeze") return {quick, "--studies", "1000000", "--out", out + ".json"};
   if (command == "plan") return {quick, "--studies", "1000000"};
   return {};

@@ -1,20 +1,16 @@
 // How pictures are shown: eyes, lens sheets, anaglyphs, depth beside a picture, and views made of it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
-#include "renderer/estimators/estimator.h"
-#include "renderer/picture/composite.h"
 #include "renderer/scene/eyes.h"
-#include "renderer/set/stimulus_scene.h"
 #include "renderer/views/anaglyph.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"
 #include "renderer/views/synthesised_views.h"
 #include "renderer/views/view_picture.h"
-#include "shapes.h"
-#include "stimuli/pictures/difference.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
@@ -49,12 +45,12 @@ Image noise(int width_px, int height_px, std::uint64_t seed) {
 
 Image side_by_side(const std::vector<Image>& pictures) {
   const int width_px = pictures.front().width_px;
-  Image strip(static_cast<int>(pictures.size()) * width_px, pictures.front().height_px, 3);
+  Image all_eyes(static_cast<int>(pictures.size()) * width_px, pictures.front().height_px, 3);
   for (std::size_t k = 0; k < pictures.size(); ++k)
-    for (int y = 0; y < strip.height_px; ++y)
+    for (int y = 0; y < all_eyes.height_px; ++y)
       for (int x = 0; x < width_px; ++x)
-        strip.set_rgb(static_cast<int>(k) * width_px + x, y, pictures[k].rgb(x, y));
-  return strip;
+        all_eyes.set_rgb(static_cast<int>(k) * width_px + x, y, pictures[k].rgb(x, y));
+  return all_eyes;
 }
 
 TEST(Views, DisparityIsThatOfThePinholes) {
@@ -117,71 +113,6 @@ TEST(Views, SqueezedPixelsLookThroughTheMiddleOfTwo) {
       EXPECT_LT((camera.centre_direction(160 + x, y) - wide).norm(), 1e-6F);
     }
   EXPECT_EQ(centre_camera(camera).width_px, centre.width_px);
-}
-
-/// Three balls on a floor, a bar before the first; one sun and a little sky.
-TruthScene small_scene(const View& view) {
-  test::SceneParts parts;
-  parts.background = {test::floor(-1, 8, 0.5F), test::box({-1.7F, -1, -3.1F}, {-1.5F, 0.6F, -2.9F}, 0.5F)};
-  for (std::size_t i = 0; i < 3; ++i)
-    parts.objects[i] = {test::sphere({-1.9F + 1.9F * static_cast<float>(i), -0.6F, -4}, 0.4F, 40, 0.5F,
-                                     static_cast<int>(i) + 1)};
-  Light light;
-  light.bounces = 1;
-  light.environment_radiance = Rgb::Constant(0.2F);
-  light.suns.push_back({Eigen::Vector3f(-0.5F, 0.8F, 0.1F).normalized(), Rgb::Constant(3.0F), 0});
-  TruthScene scene = test::scene_of(std::move(parts), std::move(light), 96, 54);
-  scene.definition.view = view;
-  scene.camera = view_camera(scene.camera, view);
-  return scene;
-}
-
-std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene, Estimator kind) {
-  auto estimator = make_estimator(
-      kind, scene, {.spp = 16, .seed = 1, .threads = 2, .who_is_in_front = true, .depth_bounces = true});
-  estimator->take_object(1, {});
-  return estimator;
-}
-
-TEST(Views, AtNoSeparationTheLeftEyeSeesThePictureOfOneByteForByte) {
-  const TruthScene mono = small_scene({}), two = small_scene(eyes_of(2, 0.0, 3));
-  const Image one = estimator_of(mono, Estimator::path)->reference({}).radiance;
-  const Image both = estimator_of(two, Estimator::path)->reference({}).radiance;
-  ASSERT_EQ(both.width_px, 2 * one.width_px);
-  for (int y = 0; y < one.height_px; ++y)
-    for (int x = 0; x < one.width_px; ++x)
-      for (int channel = 0; channel < 3; ++channel)
-        ASSERT_EQ(both.at(x, y, channel), one.at(x, y, channel)) << x << " " << y;
-}
-
-TEST(Views, OtherEyesSeeTheSeamsOfTheCentresDepthMapAndThoseFadeAsItGrows) {
-  const TruthScene scene = small_scene(eyes_of(2, 0.4, 3));
-  for (const Estimator kind : {Estimator::path, Estimator::fast}) {
-    const auto estimator = estimator_of(scene, kind);
-    const auto picture = [&](int width_px, Artifact artifact) {
-      const LocalScene local = stimulus_scene(scene, *estimator, {.width_px = width_px}, true, 2);
-      return compose(estimator->stimulus(recipe(artifact, Isolation::query), local.world(), {}).sums).picture;
-    };
-    const Image reference = picture(64, Artifact::none);
-    for (const Artifact artifact : {Artifact::receiver, Artifact::occlusion, Artifact::all}) {
-      const double coarse = display_rmse(picture(32, artifact), reference, 0);
-      const double fine = display_rmse(picture(2048, artifact), reference, 0);
-      EXPECT_LT(fine, 0.5 * coarse) << word(artifact) << " " << word(kind);
-    }
-  }
-}
-
-TEST(Views, BothEstimatorsShowOtherEyesTheSame) {
-  const TruthScene scene = small_scene(eyes_of(2, 0.4, 3));
-  const auto path = estimator_of(scene, Estimator::path), fast = estimator_of(scene, Estimator::fast);
-  const LocalScene local = stimulus_scene(scene, *path, {.width_px = 256}, true, 2);
-  for (const Artifact artifact : {Artifact::receiver, Artifact::occlusion, Artifact::all}) {
-    const Recipe how = recipe(artifact, Isolation::query);
-    EXPECT_LT(display_rmse(compose(path->stimulus(how, local.world(), {}).sums).picture,
-                           compose(fast->stimulus(how, local.world(), {}).sums).picture, 0),
-              0.02)
-        << word(artifact);
-  }
 }
 
 TEST(LensSheet, OfFiveViewsMovesOneSubPixelARow) {
@@ -291,12 +222,12 @@ TEST(Anaglyph, GreyOfTwoEqualPicturesIsTheirGrey) {
 }
 
 TEST(Anaglyph, EachEyeHasItsOwnColours) {
-  Image strip(2, 1, 3);
-  strip.set_rgb(0, 0, {0.5F, 0.25F, 0.125F});
-  EXPECT_TRUE((anaglyph(AnaglyphMatrix::colour, strip).rgb(0, 0) == Rgb(0.5F, 0, 0)).all());
-  strip = Image(2, 1, 3);
-  strip.set_rgb(1, 0, {0.5F, 0.25F, 0.125F});
-  EXPECT_TRUE((anaglyph(AnaglyphMatrix::colour, strip).rgb(0, 0) == Rgb(0, 0.25F, 0.125F)).all());
+  Image all_eyes(2, 1, 3);
+  all_eyes.set_rgb(0, 0, {0.5F, 0.25F, 0.125F});
+  EXPECT_TRUE((anaglyph(AnaglyphMatrix::colour, all_eyes).rgb(0, 0) == Rgb(0.5F, 0, 0)).all());
+  all_eyes = Image(2, 1, 3);
+  all_eyes.set_rgb(1, 0, {0.5F, 0.25F, 0.125F});
+  EXPECT_TRUE((anaglyph(AnaglyphMatrix::colour, all_eyes).rgb(0, 0) == Rgb(0, 0.25F, 0.125F)).all());
 }
 
 TEST(DepthImage, KeepsDepthToHalfAStep) {
@@ -391,38 +322,14 @@ TEST(SynthesisedViews, AHoleIsAsWideAsTwoSurfacesPartAndShowsTheBackground) {
     }
 }
 
-TEST(SynthesisedViews, ComeNearTheRenderedEyes) {
-  const View view = eyes_of(2, 0.1, 4);
-  const TruthScene mono = small_scene({}), two = small_scene(view);
-  const Image seen = estimator_of(mono, Estimator::fast)->reference({}).radiance;
-  const Image eyes = estimator_of(two, Estimator::fast)->reference({}).radiance;
-  const Geometry everything = mono.geometry(true, {1, 2, 3});
-  PictureWithDepth from{.colour = seen, .planar_m = planar_depth_m(mono.camera, [&](const Ray& ray) {
-                                          const auto hit = everything.nearest(ray);
-                                          return hit ? std::optional(hit->distance_m) : std::nullopt;
-                                        })};
-  const double focal_px = 0.5 * seen.width_px / static_cast<double>(mono.camera.tan_half_horizontal);
-  double apart = 0, unmoved = 0;
-  for (int eye = 0; eye < 2; ++eye) {
-    const SynthesisedView made =
-        view_from_depth(from, {.right_m = (eye - 0.5) * 0.1, .zero_parallax_m = 4, .focal_px = focal_px});
-    Image rendered(seen.width_px, seen.height_px, 3);
-    for (int y = 0; y < seen.height_px; ++y)
-      for (int x = 0; x < seen.width_px; ++x) rendered.set_rgb(x, y, eyes.rgb(eye * seen.width_px + x, y));
-    apart += display_rmse(made.picture, rendered, 0);
-    unmoved += display_rmse(seen, rendered, 0);
-  }
-  EXPECT_LT(apart, 0.6 * unmoved);
-}
-
 TEST(ViewPicture, ClicksMeanWhatMostEyesSee) {
-  const ByteImage strip{6, 1, 1, {1, 0, /**/ 1, 2, /**/ 2, 2}};
+  const ByteImage all_eyes{6, 1, 1, {1, 0, /**/ 1, 2, /**/ 2, 2}};
   const View view = eyes_of(3, 0.1, 2);
-  EXPECT_EQ(view_click_map(view, strip).values, (std::vector<std::uint8_t>{1, 2}));
+  EXPECT_EQ(view_click_map(view, all_eyes).values, (std::vector<std::uint8_t>{1, 2}));
   const View two{.kind = ViewKind::side_by_side, .zero_parallax_m = 2};
-  EXPECT_EQ(view_click_map(two, strip).values, strip.values);
+  EXPECT_EQ(view_click_map(two, all_eyes).values, all_eyes.values);
   const View depth{.kind = ViewKind::depth_image, .max_depth_m = 2};
-  EXPECT_EQ(view_click_map(depth, strip).values,
+  EXPECT_EQ(view_click_map(depth, all_eyes).values,
             (std::vector<std::uint8_t>{1, 0, 1, 2, 2, 2, 0, 0, 0, 0, 0, 0}));
 }
 
@@ -431,9 +338,9 @@ TEST(ViewPicture, EveryKindFillsTheStudysPicture) {
                            View{.kind = ViewKind::anaglyph, .zero_parallax_m = 2}, eyes_of(5, 0.065, 2),
                            View{.kind = ViewKind::depth_image, .max_depth_m = 5}}) {
     const Camera camera = view_camera(tilted_camera(), view);
-    const Image strip = noise(camera.width_px, camera.height_px, 1);
+    const Image all_eyes = noise(camera.width_px, camera.height_px, 1);
     const ByteImage shown =
-        shown_bytes(view, compose_view(view, strip), 0, Image(camera.width_px, camera.height_px, 1, 2.0F));
+        shown_bytes(view, compose_view(view, all_eyes), 0, Image(camera.width_px, camera.height_px, 1, 2.0F));
     EXPECT_EQ(shown.width_px, 320) << word(view.kind);
     EXPECT_EQ(shown.height_px, 180);
     EXPECT_EQ(shown.channels, 3);

@@ -48,6 +48,20 @@ TEST(ObjectMap, FramesHaveOneSizeAndTheMiddlesOfTheirObjects) {
   EXPECT_EQ(map.frames[2].x_px + map.frames[2].width_px / 2, 152);
 }
 
+TEST(ObjectMap, SideBySideEachEyeHasFramesOfItsOwn) {
+  ByteImage ids{width_px, height_px, 1, std::vector<std::uint8_t>(width_px * height_px, 0)};
+  for (const int x0 : {20, width_px / 2 + 14})
+    for (int y = 40; y < 60; ++y)
+      for (int x = x0; x < x0 + 10; ++x) ids.values[static_cast<std::size_t>(y * width_px + x)] = 2;
+  const ObjectMap map = make_object_map(ids, 8, true);
+  EXPECT_EQ(map.frames[1].x_px + map.frames[1].width_px / 2, 25);
+  EXPECT_EQ(map.right_eye_frames[1].x_px + map.right_eye_frames[1].width_px / 2, width_px / 2 + 19);
+  EXPECT_EQ(map.frames[1].width_px, 10 + 12);
+  EXPECT_EQ(object_at(map, 25, 50), 2);
+  EXPECT_EQ(object_at(map, width_px / 2 + 19, 50), 2);
+  EXPECT_EQ(make_object_map(ids).right_eye_frames[1], PictureFrame{});
+}
+
 TEST(ObjectMap, AnObjectThatIsNowhereHasNoFrame) {
   const ByteImage ids{20, 10, 1, std::vector<std::uint8_t>(200, 0)};
   for (const PictureFrame& frame : make_object_map(ids).frames) EXPECT_EQ(frame, PictureFrame{});
