@@ -190,9 +190,12 @@ JobCosts measure_costs(const StudyDefinition& study, const RenderRequest& reques
     costs.meshes.emplace(id, costs.meshes.at(same));
   }
   for (const double start : starts) costs.start = std::max(costs.start, start);
+  int widest_px = study.width_px;  // with all eyes side by side
+  for (const SceneDefinition& truth : list_truths(study))
+    widest_px = std::max(widest_px, truth.view.eyes() * study.width_px / truth.view.squeeze());
   // A byte a sample and pixel is the most that more samples take.
   costs.memory_bytes = static_cast<std::int64_t>(
-      1.3 * (peak_memory_bytes() + most_samples * study.width_px * static_cast<double>(study.height_px)));
+      1.3 * (peak_memory_bytes() + most_samples * widest_px * static_cast<double>(study.height_px)));
   costs.measured_s = watch.seconds();
   return costs;
 }

@@ -155,6 +155,11 @@ std::string depth_text(const StudyDefinition& study) {
       beside += fmt::format("Pipeline{}: {}; what it does not name is traced.\n",
                             condition.name.empty() ? "" : " of the condition " + condition.name,
                             canonical_text(condition.depth.pipeline));
+  for (const ConditionDefinition& condition : conditions)
+    if (!condition.scenes.empty() && !condition.scenes.front().view.is_mono())
+      beside +=
+          fmt::format("View{}: {}.\n", condition.name.empty() ? "" : " of the condition " + condition.name,
+                      canonical_text(condition.scenes.front().view));
   if (exact)
     return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
            "it "
