@@ -5,6 +5,7 @@
 
 #include "analysis/commands/commands.h"
 #include "demo.h"
+#include "live/commands/commands.h"
 #include "registration/commands/commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/x3d_options.h"
@@ -14,7 +15,7 @@
 #include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
-#include "place/place_window.h"
+#include "live/window/show_live.h"
 #include "study/app/run_participant.h"
 #endif
 
@@ -30,9 +31,11 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
 #ifdef SEAMLINE_HAS_WINDOW
   renderer::add_renderer_commands(*app, place::place_in_window);
   study::add_study_commands(*app, study::app::run_participant_in_window);
+  live::add_live_commands(*app, live::show_live);
 #else
   renderer::add_renderer_commands(*app);
   study::add_study_commands(*app);
+  live::add_live_commands(*app);
 #endif
   study::online::add_serve_command(*app);
   study::online::add_gathering_commands(*app);

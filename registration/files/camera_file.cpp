@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <span>
-
+#include "registration/files/pose_table.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/rig/presets.h"
 #include "support/files/atomic_file.h"
@@ -23,7 +21,6 @@ constexpr NumberRange any_size_px{2, limits::largest_picture_side_px, "px"};
 constexpr NumberRange any_focal_px{1e-3, 1e9, "px"};
 constexpr NumberRange any_position_px{-1e9, 1e9, "px"};
 constexpr NumberRange any_term{-1e6, 1e6};
-constexpr NumberRange any_metres{-limits::farthest_place_m, limits::farthest_place_m, "m"};
 constexpr NumberRange any_distance_m{0, 1e9, "m"};
 constexpr NumberRange any_step_m{1e-12, 1e9, "m"};
 
@@ -75,53 +72,6 @@ PinholeCamera read_camera(const TomlTable& table, const std::optional<PinholeCam
   return camera;
 }
 
-Eigen::Matrix3d rotation_of_matrix(const TomlTable& table) {
-  const std::vector<double> values = table.numbers("rotation", any_term);
-  if (values.size() != 9)
-    throw table.complaint("rotation", "nine numbers, a matrix row by row",
-                          fmt::format("{} numbers", values.size()));
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data());
-}
-
-Eigen::Matrix3d rotation_of_quaternion(const TomlTable& table) {
-  const std::vector<double> q = table.numbers("quaternion_xyzw", any_term);
-  const double length = q.size() == 4 ? std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) : 0;
-  if (std::abs(length - 1) > 1e-3)
-    throw table.complaint(
-        "quaternion_xyzw", "four numbers x, y, z, w whose squares have the sum 1",
-        q.size() == 4 ? fmt::format("a length of {:.4g}", length) : fmt::format("{} numbers", q.size()));
-  return Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix();
-}
-
-Eigen::Matrix3d rotation_of_axis(const TomlTable& table) {
-  const std::array<double, 3> axis = table.triple("axis", {0, 0, 0}, any_term);
-  const Eigen::Vector3d direction(axis[0], axis[1], axis[2]);
-  if (!(direction.norm() > 1e-9)) throw table.complaint("axis", "a direction that is not zero", "none");
-  const double angle_deg = table.number("angle_deg", 0, {-360, 360, "degrees"});
-  return sensors::pose_of({0, 0, 0}, direction, angle_deg).linear();
-}
-
-Eigen::Isometry3d read_pose(const TomlTable& table) {
-  if (!table.has("translation_m")) throw table.complaint("translation_m", "three numbers", "nothing");
-  const std::array<double, 3> place = table.triple("translation_m", {0, 0, 0}, any_metres);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = Eigen::Vector3d(place[0], place[1], place[2]);
-  const bool matrix = table.has("rotation"), quaternion = table.has("quaternion_xyzw"),
-             axis = table.has("axis") || table.has("angle_deg");
-  if (int{matrix} + int{quaternion} + int{axis} > 1)
-    throw table.complaint("rotation", "one of rotation, quaternion_xyzw, and axis with angle_deg",
-                          "more than one");
-  if (matrix) pose.linear() = rotation_of_matrix(table);
-  if (quaternion) pose.linear() = rotation_of_quaternion(table);
-  if (axis) pose.linear() = rotation_of_axis(table);
-  table.finish();
-  return pose;
-}
-
-std::string numbers_text(std::span<const double> values) {
-  return fmt::format("[{}]", fmt::join(values, ", "));
-}
-
 std::string camera_text(const char* name, const PinholeCamera& camera) {
   const sensors::LensDistortion& lens = camera.distortion;
   return fmt::format(
@@ -129,13 +79,6 @@ std::string camera_text(const char* name, const PinholeCamera& camera) {
       "k1 = {}\nk2 = {}\np1 = {}\np2 = {}\nk3 = {}\n",
       name, camera.width_px, camera.height_px, camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px,
       camera.skew_px, lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
-}
-
-std::string pose_text(const char* name, const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = pose.linear();
-  const Eigen::Vector3d place = pose.translation();
-  return fmt::format("\n[{}]\ntranslation_m = {}\nrotation = {}\n", name, numbers_text({place.data(), 3}),
-                     numbers_text({rotation.data(), 9}));
 }
 
 CameraFile camera_file_of(const TomlTable& table, const std::string& file) {

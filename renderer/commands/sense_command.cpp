@@ -11,12 +11,8 @@
 #include "registration/files/camera_file.h"
 #include "registration/pictures/depth_picture.h"
 #include "renderer/common/parallel.h"
-#include "renderer/depth/sensor/sensor_pose.h"
-#include "renderer/depth/sensor/sensor_view.h"
-#include "renderer/estimators/rig_photograph.h"
-#include "renderer/scene/truth_scene.h"
+#include "renderer/estimators/sensed_scene.h"
 #include "sensors/noise/measurement.h"
-#include "sensors/rig/presets.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/running/progress.h"
@@ -38,14 +34,6 @@ struct SenseOptions {
 
 Eigen::Vector3d point_of(const Coordinates& v) {
   return {v[0], v[1], v[2]};
-}
-
-const sensors::Rig& rig_of(const SenseOptions& options) {
-  const sensors::SensorPreset& preset = sensors::sensor_preset(options.sensor, "--sensor");
-  if (const auto* rig = std::get_if<sensors::Rig>(&preset.sensor)) return *rig;
-  throw input_error({.field = "--sensor",
-                     .wanted = "a depth camera with a colour camera",
-                     .found = options.sensor + ", a scanner"});
 }
 
 SceneDefinition scene_of(const SenseOptions& options) {
@@ -93,38 +81,23 @@ void print_states(const sensors::Measurement& measured) {
 
 void run_sense(const SenseOptions& options) {
   const std::filesystem::path folder = options.out;
-  const sensors::Rig& rig = rig_of(options);
+  const sensors::Rig& rig = preset_rig(options.sensor, "--sensor");
   const SceneFile file = read_scene_file(resolve_named_file(options.scene, "SCENE"));
-  const SceneDefinition scene = scene_of(options);
-  if (!options.has_place && !file.camera)
-    throw input_error({.file = options.scene,
-                       .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
-                       .found = "neither"});
-  Eigen::Vector3d centre_m;
-  const Camera axes = scene_camera(scene, file, rig.colour.width_px, rig.colour.height_px, centre_m);
-  const int threads = default_thread_count();
+  const SensedScene scene = sensed_scene(file, scene_of(options), rig);
   prepare_output_folder(folder);
 
-  const auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0);
-  const Geometry truth(meshes);
-  Light light = scene_light(scene, file, centre_m);
-  add_glowing(meshes, light);
-  const Eigen::Isometry3d world_from_colour = world_from_photograph(axes);
-  const sensors::SeenFrame seen = see_truth(truth, rig.depth, world_from_colour * rig.colour_from_depth,
-                                            sight_for(rig.noise, rig.projector_m), threads);
-  const sensors::NoiseKey key{static_cast<std::uint64_t>(options.seed),
-                              static_cast<std::uint64_t>(options.frame)};
-  const sensors::Measurement measured = sensors::measure(seen, rig.noise, key, options.noise_scale, threads);
-
   Progress progress("colour", 1.0);
-  const Image colour = photograph_scene(truth, light, rig.colour, world_from_colour,
-                                        {.spp = options.spp,
-                                         .seed = key.seed,
-                                         .threads = threads,
-                                         .progress = [&, last = 0.0](double share) mutable {
-                                           progress.advance(share - last, "");
-                                           last = share;
-                                         }});
+  const auto [seen, measured, colour] = sense_frame(
+      scene, rig, scene.world_from_colour,
+      {.key = {static_cast<std::uint64_t>(options.seed), static_cast<std::uint64_t>(options.frame)},
+       .noise_scale = options.noise_scale,
+       .photograph = {.spp = options.spp,
+                      .seed = static_cast<std::uint64_t>(options.seed),
+                      .threads = default_thread_count(),
+                      .progress = [&, last = 0.0](double share) mutable {
+                        progress.advance(share - last, "");
+                        last = share;
+                      }}});
   write_exr(folder / "depth.exr", plane_of(rig.depth, measured.frame.depth_m));
   write_exr(folder / "true_depth.exr",
             plane_of(rig.depth, sensors::true_depth(seen, measured.frame.convention).depth_m));

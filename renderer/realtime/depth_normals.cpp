@@ -25,27 +25,30 @@ bool shows(const DepthPicture& depth, int x, int y) {
 
 }  // namespace
 
+Eigen::Vector3f cross_product_normal(const DepthPicture& depth, const DrawView& view, int x, int y) {
+  constexpr std::array<std::array<int, 2>, 5> around = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
+  if (!shows(depth, x, y)) return Eigen::Vector3f::Zero();
+  const Eigen::Vector3f centre_m = point_of(depth, view, x, y);
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto [ax, ay] = around[i];
+    const auto [bx, by] = around[i + 1];
+    if (!shows(depth, x + ax, y + ay) || !shows(depth, x + bx, y + by)) continue;
+    sum += (point_of(depth, view, x + bx, y + by) - centre_m)
+               .cross(point_of(depth, view, x + ax, y + ay) - centre_m);
+  }
+  if (!(sum.norm() > 0.0F)) sum = -centre_m;  // a pixel alone faces the camera
+  if (sum.dot(centre_m) > 0.0F) sum = -sum;
+  return sum.normalized();
+}
+
 NormalPicture cross_product_normals(const DepthPicture& depth, const DrawView& view, int threads) {
   NormalPicture out{depth.width_px, depth.height_px,
                     std::vector<Eigen::Vector3f>(depth.depth_m.size(), Eigen::Vector3f::Zero())};
-  constexpr std::array<std::array<int, 2>, 5> around = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
   parallel_for(depth.height_px, threads, [&](int y) {
-    for (int x = 0; x < depth.width_px; ++x) {
-      if (!shows(depth, x, y)) continue;
-      const Eigen::Vector3f centre_m = point_of(depth, view, x, y);
-      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto [ax, ay] = around[i];
-        const auto [bx, by] = around[i + 1];
-        if (!shows(depth, x + ax, y + ay) || !shows(depth, x + bx, y + by)) continue;
-        sum += (point_of(depth, view, x + bx, y + by) - centre_m)
-                   .cross(point_of(depth, view, x + ax, y + ay) - centre_m);
-      }
-      if (!(sum.norm() > 0.0F)) sum = -centre_m;  // a pixel alone faces the camera
-      if (sum.dot(centre_m) > 0.0F) sum = -sum;
+    for (int x = 0; x < depth.width_px; ++x)
       out.normals[static_cast<std::size_t>(y) * static_cast<std::size_t>(depth.width_px) +
-                  static_cast<std::size_t>(x)] = sum.normalized();
-    }
+                  static_cast<std::size_t>(x)] = cross_product_normal(depth, view, x, y);
   });
   return out;
 }

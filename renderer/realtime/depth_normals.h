@@ -24,6 +24,10 @@ struct NormalPicture {
 [[nodiscard]] NormalPicture cross_product_normals(const DepthPicture& depth, const DrawView& view,
                                                   int threads);
 
+/// The same of one pixel.
+[[nodiscard]] Eigen::Vector3f cross_product_normal(const DepthPicture& depth, const DrawView& view, int x,
+                                                   int y);
+
 /// Normals of vertices as paper 000 (section 4.2) has them: zero first, each triangle's unit normal added to
 /// its three vertices, then of unit length. Zero where a vertex has no triangle with an area.
 [[nodiscard]] std::vector<Eigen::Vector3f> triangle_mean_normals(const TriangleSpan& mesh);

@@ -74,7 +74,8 @@ int status_after(const Running& running, int signal) {
 
 /// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
 struct Work {
-  fs::path folder, set, long_set, log, small_log, lines, counts, depth, photograph, rig, rig_depth, frame;
+  fs::path folder, set, long_set, log, small_log, lines, counts, depth, photograph, rig, rig_depth, frame,
+      recording;
 };
 
 /// A set whose pictures go on for gigabytes after their last byte that says anything.
@@ -123,7 +124,8 @@ const Work& work() {
               .photograph = folder / "photograph.exr",
               .rig = folder / "rig.toml",
               .rig_depth = folder / "rig-depth.exr",
-              .frame = folder / "frame.png"};
+              .frame = folder / "frame.png",
+              .recording = folder / "recording"};
     const RenderedSet set = test::write_picture_set(
         work.set, {.width_px = 640, .height_px = 480, .widths = "64, 128, 256, 512, 1024, 2048, 4096, 8192"});
     write_long_set(work.long_set);
@@ -137,7 +139,9 @@ const Work& work() {
     for (const std::string& made_by :
          {"study " + work.set.string() + " --observer guesser --count 12000 --log " + work.log.string(),
           "study " + work.set.string() + " --observer perfect --count 1 --log " + work.small_log.string(),
-          "capture builtin:bedroom --width 4096 --out " + work.depth.string()})
+          "capture builtin:bedroom --width 4096 --out " + work.depth.string(),
+          "record builtin:bedroom --preset tof_160x120 --frames 1 --spp 1 --bounces 0 --out " +
+              work.recording.string()})
       if (const test::Outcome outcome = run_seamline(made_by); outcome.status != 0)
         throw std::runtime_error(outcome.output);
     return work;
@@ -166,7 +170,8 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
     {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
     {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"views", ""},          {"export", ""},       {"import", ""},    {"merge", ""},      {"freeze", ""}};
+    {"views", ""},          {"settle", ""},       {"relight", ""},   {"record", ""},     {"live", ""},
+    {"export", ""},         {"import", ""},       {"merge", ""},     {"freeze", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -248,6 +253,11 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
             out};
   if (command == "relight")
     return {"builtin:bedroom", "--sensor", "structured_light_640x480", "--frames", "1000000", "--out", out};
+  if (command == "record")
+    return {"builtin:bedroom", "--preset", "tof_160x120", "--spp", "4096", "--out", out};
+  if (command == "live")
+    return {
+        at.recording.string(), "--object", "builtin:statue", "--headless", "--time", "--frames", "1000000"};
   if (command == "import") return {out + ".sqlite", at.lines.string(), "--set", at.set.string()};
   if (command == "merge") return {at.small_log.string(), at.log.string()};
   if (command == "export" && what == "x3d")

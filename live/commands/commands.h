@@ -1,0 +1,19 @@
+#pragma once
+#include <functional>
+
+#include "live/running/live_request.h"
+
+namespace CLI {
+class App;
+}
+
+namespace seamline::live {
+
+/// Shows a recording in a window until the person leaves it.
+using ShowInWindow = std::function<void(const LiveRequest&)>;
+
+/// `seamline record` and `seamline live`. Without `show` (a build without the window), `live` has
+/// `--headless` alone.
+void add_live_commands(CLI::App& app, const ShowInWindow& show = {});
+
+}  // namespace seamline::live

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "live/frame/codes.h"
+#include "live/frame/eye_picture.h"
+#include "live/frame/pixel_rays.h"
+#include "renderer/common/parallel.h"
+#include "renderer/realtime/depth_normals.h"
+
+namespace seamline::live {
+namespace {
+
+constexpr std::size_t most_lights = 64;  ///< of a bit each; light of the others is not taken away
+
+/// The part of a light's picture in which the objects lie. Without maps: all of it.
+struct Window {
+  Eigen::Matrix3f axes;
+  Eigen::Vector3f eye_m;
+  bool from_point = false;
+  float left = 0, right = 0, top = 0, bottom = 0;
+};
+
+Window window_of(const renderer::DrawView& view) {
+  return {view.axes,
+          view.eye_m,
+          view.from_point,
+          view.corner[0],
+          view.corner[0] + view.size[0],
+          view.corner[1],
+          view.corner[1] + view.size[1]};
+}
+
+/// A row of pixels in a light's axes: the pixel x at planar depth z is at `start + z (first + x step)`.
+struct RowInWindow {
+  Eigen::Vector3f start, first, step;
+};
+
+/// Sets `bit` where a row's pixels lie in the window. Plain arithmetic over arrays, so that it is done for
+/// several pixels at once; infinite depth is no place at all.
+void mark_row(const Window& window, const RowInWindow& row, const float* depth_m, int width_px,
+              std::uint64_t bit, std::uint64_t* marks) {
+  for (int x = 0; x < width_px; ++x) {
+    const float z = depth_m[x], column = static_cast<float>(x);
+    float u = row.start.x() + z * (row.first.x() + column * row.step.x());
+    float v = row.start.y() + z * (row.first.y() + column * row.step.y());
+    if (window.from_point) {
+      const float over = 1.0F / (row.start.z() + z * (row.first.z() + column * row.step.z()));
+      u *= over;
+      v *= over;
+    }
+    const bool inside = (u >= window.left) & (u <= window.right) & (v >= window.top) & (v <= window.bottom) &
+                        (z < std::numeric_limits<float>::max());
+    marks[x] |= inside ? bit : 0;
+  }
+}
+
+class Darkening {
+ public:
+  Darkening(const LiveScene& scene, const ShadowAnswers& shadows, EyePicture& eye)
+      : scene_(scene),
+        shadows_(shadows),
+        eye_(eye),
+        rays_(eye.view, eye.codes.width_px, eye.codes.height_px),
+        lights_(std::min(scene.light_count(), most_lights)),
+        ambient_w_m2_(std::numbers::pi_v<float> * scene.ambient_radiance) {
+    if (!shadows.object) return;
+    for (const renderer::ShadowMap& map : shadows.object->suns) windows_.push_back(window_of(map.view));
+    for (const renderer::ShadowMap& map : shadows.object->lamps) windows_.push_back(window_of(map.view));
+  }
+
+  void darken_row(int y) {
+    const int width_px = eye_.codes.width_px;
+    std::vector<std::uint64_t> marks(static_cast<std::size_t>(width_px), windows_.empty() ? all_lights() : 0);
+    const float* depth_m =
+        &eye_.real.depth_m[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px)];
+    for (std::size_t i = 0; i < std::min(lights_, windows_.size()); ++i) {
+      const Window& window = windows_[i];
+      mark_row(window,
+               {window.axes * (rays_.eye_m() - window.eye_m), window.axes * rays_.direction(0, y),
+                window.axes * rays_.right_per_px()},
+               depth_m, width_px, std::uint64_t{1} << i, marks.data());
+    }
+    for (int x = 0; x < width_px; ++x)
+      if (marks[static_cast<std::size_t>(x)] != 0 && std::isfinite(depth_m[x]))
+        darken_pixel(x, y, depth_m[x], marks[static_cast<std::size_t>(x)]);
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t all_lights() const {
+    return lights_ == most_lights ? ~std::uint64_t{0} : (std::uint64_t{1} << lights_) - 1;
+  }
+
+  void darken_pixel(int x, int y, float planar_m, std::uint64_t marks) {
+    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(eye_.codes.width_px) +
+                              static_cast<std::size_t>(x);
+    if (eye_.covered[pixel] != 0) return;
+    const Eigen::Vector3f direction = rays_.direction(x, y);
+    LitPoint point{rays_.eye_m() + planar_m * direction, -direction.normalized(), planar_m * direction.norm(),
+                   turn_of_pixel(x, y)};
+    std::array<float, most_lights> passes_object;
+    bool any_taken = false, has_normal = false;
+    for (std::size_t i = 0; i < lights_; ++i) {
+      passes_object[i] = 1;
+      if ((marks >> i & 1U) == 0) continue;
+      const SeenLight seen = seen_light(scene_.light, i, point.position_m);
+      if (!has_normal) {
+        point.normal = normal_at(x, y, point.normal);
+        has_normal = true;
+      }
+      passes_object[i] = shadows_.arriving(Caster::object, i, seen, point);
+      any_taken = any_taken || passes_object[i] < 1.0F;
+    }
+    if (any_taken) apply(pixel, point, passes_object);
+  }
+
+  [[nodiscard]] Eigen::Vector3f normal_at(int x, int y, const Eigen::Vector3f& to_eye) const {
+    const Eigen::Vector3f normal = renderer::cross_product_normal(eye_.real, eye_.view, x, y);
+    return normal.squaredNorm() > 0.0F ? normal : to_eye;
+  }
+
+  void apply(std::size_t pixel, const LitPoint& point, const std::array<float, most_lights>& passes_object) {
+    Rgb with = ambient_w_m2_, without = ambient_w_m2_;
+    for (std::size_t i = 0; i < lights_; ++i) {
+      const SeenLight seen = seen_light(scene_.light, i, point.position_m);
+      const float cosine = point.normal.dot(seen.to_light);
+      if (!(cosine > 0.0F)) continue;
+      const float passes_real = shadows_.arriving(Caster::real, i, seen, point);
+      const Rgb arrives = seen.irradiance_w_m2 * (cosine * passes_real);
+      without += arrives;
+      with += arrives * passes_object[i];
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto channel = static_cast<Eigen::Index>(c);
+      if (!(without[channel] > 0.0F) || with[channel] == without[channel]) continue;
+      std::uint8_t& code = eye_.codes.values[3 * pixel + c];
+      code = codes_.code(codes_.linear(code) * (with[channel] / without[channel]));
+    }
+  }
+
+  const LiveScene& scene_;
+  const ShadowAnswers& shadows_;
+  EyePicture& eye_;
+  PixelRays rays_;
+  std::size_t lights_;
+  Rgb ambient_w_m2_;
+  std::vector<Window> windows_;
+  const CodeTables& codes_ = code_tables();
+};
+
+}  // namespace
+
+void darken_shadows(const LiveScene& scene, const ShadowAnswers& shadows, int threads, EyePicture& eye) {
+  if (shadows.method == Shadows::none || scene.light_count() == 0) return;
+  Darkening darkening(scene, shadows, eye);
+  renderer::parallel_for(eye.codes.height_px, threads, [&](int y) { darkening.darken_row(y); });
+}
+
+}  // namespace seamline::live

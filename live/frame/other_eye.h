@@ -1,0 +1,13 @@
+#pragma once
+#include "live/frame/eye_picture.h"
+
+namespace seamline::live {
+
+/// The real world from another eye (paper 000, section 3.2): the local scene, on which the colour picture is
+/// projected. Each pixel shows what the colour camera saw of its point, linear between four pixels; black
+/// where there is no local scene, or where the colour camera shows nothing. `eye.view` says which eye;
+/// `eye.real` becomes the local scene's depth.
+void draw_other_eye(const renderer::TriangleSpan& local_scene, const renderer::DrawView& colour_view,
+                    const ByteImage& colour, int threads, EyePicture& eye);
+
+}  // namespace seamline::live

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "live/frame/methods.h"
+#include "live/frame/pipeline.h"
+#include "live/tracking/tracker.h"
+#include "renderer/composite/photo_objects.h"
+
+namespace seamline::live {
+
+/// A virtual thing as the command line names it; where no place is given it stands where the middle of the
+/// first picture shows something, and without a height it is a fifth of that distance high.
+struct RequestedObject {
+  std::string file;
+  std::filesystem::path path;
+  std::optional<Eigen::Vector3d> position_m = {};
+  std::optional<double> height_m = {};
+};
+
+/// What `seamline live` is asked for.
+struct LiveRequest {
+  std::filesystem::path recording;
+  std::vector<RequestedObject> objects;
+  std::vector<renderer::PlacedModel> models = {};  ///< of a file of objects
+  std::optional<SceneDefinition> light = {};       ///< of that file; none: the recording's
+  Methods methods = {};
+  Tracking tracking = Tracking::recorded;
+  double marker_side_m = 0.16;
+  PipelineSettings settings = {};
+  LoadOptions load = {};
+  int frames = 0;                  ///< 0: the recording once (headless), or until the person leaves
+  std::filesystem::path out = {};  ///< folder of pictures; empty: none
+  std::filesystem::path csv = {};  ///< times of each frame; empty: none
+};
+
+}  // namespace seamline::live

@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+
+#include "live/running/live_request.h"
+
+namespace seamline::live {
+
+/// A recording that plays: frame after frame through tracking and pipeline, from the first again after the
+/// last.
+class LiveSession {
+ public:
+  /// Loads everything. Throws InputError as the readers do.
+  explicit LiveSession(const LiveRequest& request);
+
+  struct Step {
+    std::size_t frame_index;  ///< in the recording
+    LiveFrame& frame;
+    TrackedPose pose;
+  };
+  /// The next frame, by these methods.
+  [[nodiscard]] Step next(const Methods& methods);
+  /// The frame that was last shown, once more.
+  [[nodiscard]] Step again(const Methods& methods);
+
+  [[nodiscard]] const LoadedRecording& recording() const { return recording_; }
+  [[nodiscard]] std::size_t virtual_triangles() const;
+
+ private:
+  [[nodiscard]] Step compose(const Methods& methods, double tracking_ms);
+
+  LoadedRecording recording_;
+  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<LivePipeline> pipeline_;
+  std::size_t next_ = 0, current_ = 0;
+  TrackedPose pose_;
+};
+
+/// Where objects stand that have no place: on what the middle of the first picture shows. Throws InputError
+/// where that has no depth.
+[[nodiscard]] std::vector<renderer::PlacedModel> placed_models(const LoadedRecording& recording,
+                                                               const Eigen::Isometry3d& first_pose,
+                                                               const LiveRequest& request);
+
+}  // namespace seamline::live
