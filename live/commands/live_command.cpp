@@ -154,6 +154,9 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
   add_number(*command, "--shadow-bias", request.settings.shadow_bias_texels, {0, 1000, "texels"},
              "that light passes near surfaces")
       ->capture_default_str();
+  add_number(*command, "--depth-bias", request.settings.depth_bias, {0, 1},
+             "share of the distance within which a real surface does not shade itself")
+      ->capture_default_str();
   add_number(*command, "--views", request.settings.views, {1, 64}, "eyes beside each other")
       ->capture_default_str();
   CLI::Option* spacing = add_number(*command, "--eye-spacing", request.settings.eye_spacing_m,

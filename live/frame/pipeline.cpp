@@ -84,6 +84,7 @@ ShadowAnswers LivePipeline::shadow_answers(const Methods& methods) {
   ShadowAnswers shadows{
       .method = methods.shadows,
       .lookup = {filter_of(methods.shadows), static_cast<float>(settings_.shadow_bias_texels)},
+      .depth_bias = static_cast<float>(settings_.depth_bias),
       .object = {},
       .real = {},
       .object_geometry = &scene_.geometry,

@@ -54,7 +54,9 @@ SeenLight seen_light(const renderer::Light& light, std::size_t index, const Eige
 }
 
 float ShadowAnswers::arriving(Caster caster, std::size_t light_index, const SeenLight& light,
-                              const LitPoint& point) const {
+                              const LitPoint& from) const {
+  LitPoint point = from;
+  if (caster == Caster::real) point.position_m += depth_bias * from.from_eye_m * light.to_light;
   switch (method) {
     case Shadows::none:
       return 1.0F;

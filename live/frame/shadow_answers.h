@@ -31,14 +31,16 @@ struct LitPoint {
 struct ShadowAnswers {
   Shadows method = Shadows::none;
   renderer::ShadowLookup lookup = {};
+  /// Of the local scene as a caster, what is nearer to the point than this share of the point's distance from
+  /// the eye, towards the light, is the point's own surface, measured or rebuilt wrongly.
+  float depth_bias = 0.015F;
   std::optional<renderer::ShadowMaps> object, real;
   const renderer::Geometry* object_geometry = nullptr;  ///< of traced shadows
   const renderer::Geometry* real_geometry = nullptr;
 
-  /// The share of a light that a caster lets arrive. Rays begin 0.2 % of the distance above the surface,
-  /// because registered depth and the local scene differ by rounding and by what the mesh leaves out.
+  /// The share of a light that a caster lets arrive. Rays begin 0.2 % of the distance above the surface.
   [[nodiscard]] float arriving(Caster caster, std::size_t light_index, const SeenLight& light,
-                               const LitPoint& point) const;
+                               const LitPoint& from) const;
 };
 
 /// The shadow maps of a frame: two for each light, of the objects and of the local scene, both of the part of

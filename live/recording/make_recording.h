@@ -16,7 +16,7 @@ struct MakeOptions {
   double frames_per_s = 30;
   bool keeps_poses = true;  ///< false: the index does not say where the camera stood
   double exposure_ev = 0;
-  renderer::SenseSettings sense;  ///< of frame 0; the next have other noise
+  renderer::SenseSettings sense = {};  ///< of frame 0; the next have other noise
 };
 
 /// Renders a recording of a scene by a rig: what `seamline sense` shows of one moment, for each. Files are

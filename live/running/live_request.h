@@ -11,8 +11,8 @@
 
 namespace seamline::live {
 
-/// A virtual thing as the command line names it; where no place is given it stands where the middle of the
-/// first picture shows something, and without a height it is a fifth of that distance high.
+/// A virtual thing as the command line names it. Without a place it stands on what the first picture shows
+/// nearest to its middle; without a height it is a fifth of that distance high.
 struct RequestedObject {
   std::string file;
   std::filesystem::path path;

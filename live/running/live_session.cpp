@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "support/running/parallel.h"
 #include "support/text/error.h"
@@ -13,27 +14,31 @@ namespace seamline::live {
 namespace {
 
 constexpr double usual_height_share = 0.2;  ///< of the distance
-constexpr int middle_share = 20;            ///< of the picture's sides, on either side of its middle
 
-/// The median depth of what the middle of the first picture shows.
-double middle_depth_m(const LoadedRecording& recording) {
+/// In the colour camera's frame, what the first picture shows nearest to its middle where there is depth.
+Eigen::Vector3d middle_m(const LoadedRecording& recording) {
+  const sensors::PinholeCamera& view = recording.view;
   const DepthPoints points(recording.rig.depth_form, recording.rig.colour_from_depth, 1);
-  renderer::DepthPicture depth = renderer::empty_picture(recording.view.width_px, recording.view.height_px);
-  PointRegistration registration(recording.view);
+  renderer::DepthPicture depth = renderer::empty_picture(view.width_px, view.height_px);
+  PointRegistration registration(view);
   registration(points, recording.frames.front().depth.depth_m, 1, depth);
-  std::vector<float> found;
-  const int wide = recording.view.width_px / middle_share, high = recording.view.height_px / middle_share;
-  for (int y = recording.view.height_px / 2 - high; y <= recording.view.height_px / 2 + high; ++y)
-    for (int x = recording.view.width_px / 2 - wide; x <= recording.view.width_px / 2 + wide; ++x)
-      if (x >= 0 && y >= 0 && x < depth.width_px && y < depth.height_px && std::isfinite(depth.at(x, y)))
-        found.push_back(depth.at(x, y));
-  if (found.empty())
-    throw input_error(
-        {.field = "--at",
-         .wanted = "where the objects stand, because the middle of the first picture has no depth",
-         .found = "nothing"});
-  std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2), found.end());
-  return static_cast<double>(found[found.size() / 2]);
+  double least_px2 = std::numeric_limits<double>::infinity();
+  std::optional<Eigen::Vector3d> found_m;
+  for (int y = 0; y < view.height_px; ++y)
+    for (int x = 0; x < view.width_px; ++x) {
+      const Eigen::Vector2d place_px(x + 0.5, y + 0.5);
+      const double off_px2 = (place_px - 0.5 * Eigen::Vector2d(view.width_px, view.height_px)).squaredNorm();
+      if (off_px2 >= least_px2 || !std::isfinite(depth.at(x, y))) continue;
+      const auto direction = sensors::direction_through(view, place_px);
+      if (!direction) continue;
+      least_px2 = off_px2;
+      found_m = *direction * static_cast<double>(depth.at(x, y));
+    }
+  if (!found_m)
+    throw input_error({.field = "--at",
+                       .wanted = "where the objects stand, because the first picture has no depth",
+                       .found = "nothing"});
+  return *found_m;
 }
 
 }  // namespace
@@ -42,18 +47,14 @@ std::vector<renderer::PlacedModel> placed_models(const LoadedRecording& recordin
                                                  const Eigen::Isometry3d& first_pose,
                                                  const LiveRequest& request) {
   std::vector<renderer::PlacedModel> models = request.models;
-  std::optional<double> distance_m;
+  std::optional<Eigen::Vector3d> place_m;
   for (const RequestedObject& object : request.objects) {
     renderer::PlacedModel model{.file = object.file, .path = object.path, .height_m = object.height_m};
     model.stands = true;
     model.materials = MaterialModel::diffuse;
-    if ((!object.position_m || !object.height_m) && !distance_m) distance_m = middle_depth_m(recording);
-    if (!object.height_m) model.height_m = usual_height_share * *distance_m;
-    const Eigen::Vector3d direction(
-        (0.5 * recording.view.width_px - recording.view.cx_px) / recording.view.fx_px,
-        (0.5 * recording.view.height_px - recording.view.cy_px) / recording.view.fy_px, 1);
-    model.position_m =
-        object.position_m ? *object.position_m : Eigen::Vector3d(first_pose * (direction * *distance_m));
+    if ((!object.position_m || !object.height_m) && !place_m) place_m = middle_m(recording);
+    if (!object.height_m) model.height_m = usual_height_share * place_m->z();
+    model.position_m = object.position_m ? *object.position_m : Eigen::Vector3d(first_pose * *place_m);
     models.push_back(model);
   }
   return models;

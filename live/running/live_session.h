@@ -35,8 +35,8 @@ class LiveSession {
   TrackedPose pose_;
 };
 
-/// Where objects stand that have no place: on what the middle of the first picture shows. Throws InputError
-/// where that has no depth.
+/// Where objects stand that have no place: on what the first picture shows nearest to its middle where it has
+/// depth. Throws InputError where it has none.
 [[nodiscard]] std::vector<renderer::PlacedModel> placed_models(const LoadedRecording& recording,
                                                                const Eigen::Isometry3d& first_pose,
                                                                const LiveRequest& request);

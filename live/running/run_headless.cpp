@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <ctime>
+
 #include "live/running/live_session.h"
 #include "live/running/times_table.h"
 #include "support/files/atomic_file.h"
@@ -27,11 +29,14 @@ void run_headless(const LiveRequest& request) {
   const int frames = request.frames > 0 ? request.frames : static_cast<int>(recording.frames.size());
   std::vector<TimedFrame> timed;
   std::size_t triangles = 0;
+  double processor_s = 0;
   int lost = 0;
   Progress progress("live", frames);
   for (int i = 0; i < frames; ++i) {
     stop_if_interrupted();
+    const std::clock_t begun = std::clock();
     const LiveSession::Step step = session.next(request.methods);
+    processor_s += static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
     timed.push_back({.frame_index = step.frame_index,
                      .time_s = recording.frames[step.frame_index].time_s,
                      .methods = request.methods,
@@ -48,6 +53,8 @@ void run_headless(const LiveRequest& request) {
              request.settings.views == 1 ? "" : "s", triangles, session.virtual_triangles(),
              word(request.methods.mapping), word(request.methods.occlusion), word(request.methods.shadows),
              times_text(timed));
+  fmt::print("  processor time of a frame, all cores together: {:.2f} ms (mean)\n",
+             1000 * processor_s / frames);
   if (lost > 0) fmt::print("  the camera was not found in {} of {} frames\n", lost, frames);
 }
 

@@ -19,14 +19,6 @@
 namespace seamline::live {
 namespace {
 
-using Canvas;
-using Font;
-using FrameInput;
-using Key;
-using Rect;
-using Texture;
-namespace look = look;
-
 constexpr int panel_width_px = 330, least_height_px = 560, widest_picture_px = 1280;
 constexpr double longest_wait_s = 0.1, type_px = 16, margin_px = 18;
 constexpr std::size_t frames_in_mean = 15;  ///< of the times on the screen, so that they can be read

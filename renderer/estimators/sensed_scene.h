@@ -20,9 +20,9 @@ struct SensedScene {
 
 /// What is taken of a scene at a moment.
 struct SenseSettings {
-  sensors::NoiseKey key;  ///< another one has other noise
+  sensors::NoiseKey key = {};  ///< another one has other noise
   double noise_scale = 1;
-  PhotographOptions photograph;  ///< its threads are everything's
+  PhotographOptions photograph = {};  ///< its threads are everything's
 };
 
 /// What the rig's two cameras deliver.

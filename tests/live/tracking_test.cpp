@@ -8,6 +8,7 @@
 #include "registration/calibration/aruco.h"
 #include "renderer/commands/marker_scene.h"
 #include "small_world.h"
+#include "support/text/error.h"
 
 namespace seamline::live {
 namespace {
