@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "live/frame/codes.h"
@@ -14,6 +15,7 @@
 namespace seamline::live {
 namespace {
 
+constexpr float jump_share = 0.1F;       ///< of the distance; more is another surface
 constexpr std::size_t most_lights = 64;  ///< of a bit each; light of the others is not taken away
 
 /// The part of a light's picture in which the objects lie. Without maps: all of it.
@@ -60,16 +62,17 @@ void mark_row(const Window& window, const RowInWindow& row, const float* depth_m
 
 class Darkening {
  public:
-  Darkening(const LiveScene& scene, const ShadowAnswers& shadows, EyePicture& eye)
-      : scene_(scene),
-        shadows_(shadows),
+  Darkening(const ShadowPass& pass, EyePicture& eye)
+      : scene_(pass.scene),
+        shadows_(pass.shadows),
+        normal_reach_px_(pass.normal_reach_px),
         eye_(eye),
         rays_(eye.view, eye.codes.width_px, eye.codes.height_px),
-        lights_(std::min(scene.light_count(), most_lights)),
-        ambient_w_m2_(std::numbers::pi_v<float> * scene.ambient_radiance) {
-    if (!shadows.object) return;
-    for (const renderer::ShadowMap& map : shadows.object->suns) windows_.push_back(window_of(map.view));
-    for (const renderer::ShadowMap& map : shadows.object->lamps) windows_.push_back(window_of(map.view));
+        lights_(std::min(scene_.light_count(), most_lights)),
+        ambient_w_m2_(std::numbers::pi_v<float> * scene_.ambient_radiance) {
+    if (!shadows_.object) return;
+    for (const renderer::ShadowMap& map : shadows_.object->suns) windows_.push_back(window_of(map.view));
+    for (const renderer::ShadowMap& map : shadows_.object->lamps) windows_.push_back(window_of(map.view));
   }
 
   void darken_row(int y) {
@@ -117,7 +120,23 @@ class Darkening {
     if (any_taken) apply(pixel, point, passes_object);
   }
 
+  /// The point beside a pixel, where it continues the pixel's surface.
+  [[nodiscard]] std::optional<Eigen::Vector3f> beside(int x, int y, float centre_m) const {
+    if (x < 0 || y < 0 || x >= eye_.real.width_px || y >= eye_.real.height_px) return std::nullopt;
+    const float planar_m = eye_.real.at(x, y);
+    if (!(std::abs(planar_m - centre_m) <= jump_share * centre_m)) return std::nullopt;
+    return rays_.point_m(x, y, planar_m);
+  }
+
   [[nodiscard]] Eigen::Vector3f normal_at(int x, int y, const Eigen::Vector3f& to_eye) const {
+    const int reach = normal_reach_px_;
+    const float centre_m = eye_.real.at(x, y);
+    const auto left = beside(x - reach, y, centre_m), right = beside(x + reach, y, centre_m),
+               above = beside(x, y - reach, centre_m), below = beside(x, y + reach, centre_m);
+    if (left && right && above && below) {
+      const Eigen::Vector3f normal = (*below - *above).cross(*right - *left).normalized();
+      if (normal.allFinite()) return normal.dot(to_eye) < 0.0F ? Eigen::Vector3f(-normal) : normal;
+    }
     const Eigen::Vector3f normal = renderer::cross_product_normal(eye_.real, eye_.view, x, y);
     return normal.squaredNorm() > 0.0F ? normal : to_eye;
   }
@@ -143,6 +162,7 @@ class Darkening {
 
   const LiveScene& scene_;
   const ShadowAnswers& shadows_;
+  int normal_reach_px_;
   EyePicture& eye_;
   PixelRays rays_;
   std::size_t lights_;
@@ -153,10 +173,10 @@ class Darkening {
 
 }  // namespace
 
-void darken_shadows(const LiveScene& scene, const ShadowAnswers& shadows, int threads, EyePicture& eye) {
-  if (shadows.method == Shadows::none || scene.light_count() == 0) return;
-  Darkening darkening(scene, shadows, eye);
-  renderer::parallel_for(eye.codes.height_px, threads, [&](int y) { darkening.darken_row(y); });
+void darken_shadows(const ShadowPass& pass, EyePicture& eye) {
+  if (pass.shadows.method == Shadows::none || pass.scene.light_count() == 0) return;
+  Darkening darkening(pass, eye);
+  renderer::parallel_for(eye.codes.height_px, pass.threads, [&](int y) { darkening.darken_row(y); });
 }
 
 }  // namespace seamline::live

@@ -51,7 +51,11 @@ LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry
                    frame_.eyes[i]);
     }
     const StageTimer timer(frame_.times, Stage::shadow);
-    darken_shadows(scene_, shadows, settings_.threads, frame_.eyes[i]);
+    darken_shadows({.scene = scene_,
+                    .shadows = shadows,
+                    .normal_reach_px = settings_.normal_reach_px,
+                    .threads = settings_.threads},
+                   frame_.eyes[i]);
   }
   return frame_;
 }
