@@ -8,7 +8,7 @@
 #include "live/commands/commands.h"
 #include "registration/commands/commands.h"
 #include "renderer/commands/commands.h"
-#include "renderer/commands/x3d_options.h"
+#include "renderer/commands/pictures/x3d_options.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
 #include "study/online/commands/export_command.h"
@@ -16,6 +16,7 @@
 #include "support/files/assets.h"
 #ifdef SEAMLINE_HAS_WINDOW
 #include "live/window/show_live.h"
+#include "place/place_window.h"
 #include "study/app/run_participant.h"
 #endif
 

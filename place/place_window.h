@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/composite/place_request.h"
+#include "renderer/commands/pictures/place_request.h"
 
 namespace seamline::place {
 

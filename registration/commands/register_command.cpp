@@ -32,6 +32,7 @@ struct RegisterOptions {
   std::string by = "mesh", jumps = "stretch", repair = "none";
   MeshRegistration mesh;
   bool repair_after = false;  ///< in the photograph's pixels, once registered (002, section 5)
+  std::optional<int> section_row;
   bool jumps_given = false, ratio_given = false, extrusion_given = false;
 };
 
@@ -163,9 +164,10 @@ void run_register(const RegisterOptions& options) {
   if (options.section_row) {
     MeshRegistration mesh = options.mesh;
     mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
+    const sensors::DepthFrame& meshed = options.repair_after ? file.frame : mended.frame;
     draw_section(
         fs::path(options.out) / "section.svg",
-        section_of(mended.frame, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row),
+        section_of(meshed, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row),
         *options.section_row);
   }
   const double write_s = stopwatch.lap_s();
@@ -217,6 +219,8 @@ void add_register_command(CLI::App& app) {
       add_number(*command, "--extrude", options->mesh.border_extrusion_px, {0, 16384, "px"},
                  "pixels of the depth camera by which its border is extended")
           ->capture_default_str();
+  add_number(*command, "--section", options->section_row, {0, 65535, "px"},
+             "also draws the mesh cut along this row of the photograph (section.svg; needs gnuplot)");
   command->add_option("--repair", options->repair, "what is done to the depth, before it is registered")
       ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
       ->capture_default_str();

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "renderer/commands/asset_root_option.h"
+#include "renderer/commands/pictures/asset_root_option.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/check.h"
 #include "renderer/set/pages/artists_map.h"

@@ -2,15 +2,15 @@
 
 #include "renderer/commands/bench_command.h"
 #include "renderer/commands/check_command.h"
-#include "renderer/commands/composite_command.h"
 #include "renderer/commands/convergence_command.h"
-#include "renderer/commands/flip_command.h"
 #include "renderer/commands/marker_command.h"
 #include "renderer/commands/person_command.h"
-#include "renderer/commands/picture_command.h"
+#include "renderer/commands/pictures/composite_command.h"
+#include "renderer/commands/pictures/flip_command.h"
+#include "renderer/commands/pictures/picture_command.h"
+#include "renderer/commands/pictures/views_command.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/commands/sense_command.h"
-#include "renderer/commands/views_command.h"
 #include "renderer/commands/workbench_command.h"
 #include "renderer/figures/field_command.h"
 #include "renderer/settling/relight_command.h"
@@ -27,6 +27,7 @@ void add_renderer_commands(CLI::App& app, PlaceInWindow in_window) {
   add_place_command(app, in_window);
   add_picture_command(app);
   add_views_command(app);
+  add_flip_command(app);
   add_sense_command(app);
   add_settle_command(app);
   add_relight_command(app);

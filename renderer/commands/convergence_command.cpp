@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <tuple>
 
-#include "renderer/commands/asset_root_option.h"
+#include "renderer/commands/pictures/asset_root_option.h"
 #include "renderer/convergence/convergence.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/error.h"

@@ -10,7 +10,7 @@
 
 #include "renderer/cluster/job_scripts.h"
 #include "renderer/cluster/set_status.h"
-#include "renderer/commands/asset_root_option.h"
+#include "renderer/commands/pictures/asset_root_option.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/pages/errors_page.h"
 #include "renderer/set/pages/explain.h"

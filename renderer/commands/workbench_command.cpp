@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "renderer/commands/mesh_options.h"
+#include "renderer/commands/pictures/mesh_options.h"
 #include "renderer/common/parallel.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/gltf_write.h"

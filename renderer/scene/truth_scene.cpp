@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "renderer/scene/eyes.h"
+#include "renderer/scene/resting_object.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"

@@ -16,7 +16,6 @@
 #include "stimuli/study_file/study_file_session.h"
 #include "stimuli/study_file/study_file_view.h"
 #include "stimuli/study_file/study_file_words.h"
-#include "stimuli/study_file/toml_table.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"

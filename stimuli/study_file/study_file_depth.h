@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "stimuli/definition/study_definition.h"
-#include "stimuli/study_file/toml_table.h"
+#include "stimuli/study_file/study_file_words.h"
 #include "support/files/assets.h"
 
 namespace seamline::inline stimuli {

@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/study_file/study_file.h"
-#include "stimuli/study_file/toml_table.h"
+#include "stimuli/study_file/study_file_words.h"
 #include "support/files/assets.h"
 
 namespace seamline::inline stimuli {

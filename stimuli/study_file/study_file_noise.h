@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "stimuli/definition/depth_chain.h"
-#include "stimuli/study_file/toml_table.h"
+#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "stimuli/definition/parameter_range.h"
-#include "stimuli/study_file/toml_table.h"
+#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/session_definition.h"
-#include "stimuli/study_file/toml_table.h"
+#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 

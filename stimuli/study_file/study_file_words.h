@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "stimuli/definition/axis.h"
-#include "stimuli/study_file/toml_table.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
+
+using Range = NumberRange;
 
 /// The words that a key may hold, and what each means.
 template <class Value>

@@ -1,4 +1,4 @@
-#include "renderer/commands/composite_command.h"
+#include "renderer/commands/pictures/composite_command.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "renderer/commands/asset_root_option.h"
-#include "renderer/commands/mesh_options.h"
+#include "renderer/commands/pictures/asset_root_option.h"
+#include "renderer/commands/pictures/mesh_options.h"
+#include "renderer/commands/pictures/place_request.h"
 #include "renderer/composite/composite_request.h"
 #include "renderer/composite/objects_file.h"
-#include "renderer/composite/place_request.h"
+#include "renderer/commands/pictures/place_request.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 

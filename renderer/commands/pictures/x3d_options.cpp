@@ -1,4 +1,4 @@
-#include "renderer/commands/x3d_options.h"
+#include "renderer/commands/pictures/x3d_options.h"
 
 #include <fmt/core.h>
 

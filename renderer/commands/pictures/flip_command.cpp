@@ -1,4 +1,4 @@
-#include "renderer/commands/flip_command.h"
+#include "renderer/commands/pictures/flip_command.h"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/commands/mesh_options.h"
+#include "renderer/commands/pictures/mesh_options.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/pictures/flip.h"
 #include "stimuli/pictures/flip_map.h"

@@ -1,4 +1,4 @@
-#include "renderer/commands/views_command.h"
+#include "renderer/commands/pictures/views_command.h"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/commands/view_options.h"
+#include "renderer/commands/pictures/view_options.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"
 #include "renderer/views/synthesised_views.h"

@@ -1,4 +1,4 @@
-#include "renderer/commands/view_options.h"
+#include "renderer/commands/pictures/view_options.h"
 
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "renderer/commands/picture_command.h"
+#include "renderer/commands/pictures/picture_command.h"
 
 #include <fmt/core.h>
 
@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "renderer/commands/mesh_options.h"
-#include "renderer/commands/view_options.h"
+#include "renderer/commands/pictures/mesh_options.h"
+#include "renderer/commands/pictures/view_options.h"
 #include "renderer/common/parallel.h"
 #include "renderer/composite/objects_file.h"
 #include "renderer/composite/photo_objects.h"
@@ -136,7 +136,14 @@ void add_objects(const PictureOptions& options, const Eigen::Vector3d& centre_m,
                        .field = "light",
                        .wanted = "objects alone: the scene has its own light",
                        .found = "light"});
-  for (PlacedModel& model : file.objects) model.position_m += centre_m;
+  for (PlacedModel& model : file.objects) {
+    if (model.rest)
+      throw input_error({.file = options.objects,
+                         .field = "rest",
+                         .wanted = "objects that stay at their place: things come to rest in `composite`",
+                         .found = "true"});
+    model.position_m += centre_m;
+  }
   const PhotoObjects placed = place_objects(file.objects, centre_m);
   for (const std::string& sentence : placed.left_out) fmt::print("{}\n", sentence);
   meshes.insert(meshes.end(), placed.meshes.begin(), placed.meshes.end());
