@@ -20,7 +20,7 @@ constexpr const char* format_text = "seamline camera 1";
 constexpr NumberRange any_size_px{2, limits::largest_picture_side_px, "px"};
 constexpr NumberRange any_focal_px{1e-3, 1e9, "px"};
 constexpr NumberRange any_position_px{-1e9, 1e9, "px"};
-constexpr NumberRange any_term{-1e6, 1e6};
+constexpr NumberRange lens_term{-1e6, 1e6};
 constexpr NumberRange any_distance_m{0, 1e9, "m"};
 constexpr NumberRange any_step_m{1e-12, 1e9, "m"};
 
@@ -67,7 +67,7 @@ PinholeCamera read_camera(const TomlTable& table, const std::optional<PinholeCam
   for (const auto& [key, term] :
        {std::pair{"k1", &lens.k1}, std::pair{"k2", &lens.k2}, std::pair{"p1", &lens.p1},
         std::pair{"p2", &lens.p2}, std::pair{"k3", &lens.k3}})
-    *term = table.number(key, *term, any_term);
+    *term = table.number(key, *term, lens_term);
   table.finish();
   return camera;
 }

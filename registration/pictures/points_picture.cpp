@@ -36,10 +36,10 @@ class View {
     const double u = 0.5 * width_px + focal_px * seen_m.x() / seen_m.z(),
                  v = 0.5 * height_px + focal_px * seen_m.y() / seen_m.z();
     if (!(u > -8 && v > -8 && u < width_px + 8 && v < height_px + 8)) return;
-    const int left = static_cast<int>(std::floor(u - 0.5 * (side_px - 1))),
-              top = static_cast<int>(std::floor(v - 0.5 * (side_px - 1)));
-    for (int y = std::max(top, 0); y < std::min(top + side_px, height_px); ++y)
-      for (int x = std::max(left, 0); x < std::min(left + side_px, width_px); ++x) {
+    const int left_px = static_cast<int>(std::floor(u - 0.5 * (side_px - 1))),
+              top_px = static_cast<int>(std::floor(v - 0.5 * (side_px - 1)));
+    for (int y = std::max(top_px, 0); y < std::min(top_px + side_px, height_px); ++y)
+      for (int x = std::max(left_px, 0); x < std::min(left_px + side_px, width_px); ++x) {
         const std::size_t at = static_cast<std::size_t>(y) * width_px + static_cast<std::size_t>(x);
         if (!(seen_m.z() < depth_m_[at])) continue;
         depth_m_[at] = seen_m.z();

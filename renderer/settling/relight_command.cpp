@@ -24,7 +24,7 @@ namespace seamline::renderer {
 namespace {
 
 struct RelightOptions {
-  SensedScene sensed;
+  DepthSubject sensed;
   std::string out;
   std::array<double, 3> to_sun{-0.5, 0.7, 0.5};
   double tolerance_m = 0.03;

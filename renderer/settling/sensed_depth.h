@@ -9,7 +9,7 @@
 namespace seamline::renderer {
 
 /// A scene, and the rig that looks at it.
-struct SensedScene {
+struct DepthSubject {
   std::string scene;   ///< file or builtin:NAME
   std::string sensor;  ///< preset of a rig
   std::array<double, 3> at_m{}, look_at_m{0, 0, -1};
@@ -27,6 +27,6 @@ struct SensedDepth {
 
 /// Traces what the sensor sees once; each frame has noise of its own. Throws InputError as the readers do,
 /// for a sensor that is none or a scanner, and for a scene without a camera where no place is given.
-[[nodiscard]] SensedDepth sense_depth(const SensedScene& request);
+[[nodiscard]] SensedDepth sense_depth(const DepthSubject& request);
 
 }  // namespace seamline::renderer

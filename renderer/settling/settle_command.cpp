@@ -31,7 +31,7 @@ using Coordinates = std::array<double, 3>;
 using sensors::DepthFrame;
 
 struct SettleOptions {
-  SensedScene sensed;
+  DepthSubject sensed;
   std::string camera, object, filter = "none", out;
   std::vector<std::string> depth;
   Coordinates position_m{}, rotation_deg{};

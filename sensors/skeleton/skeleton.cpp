@@ -1,11 +1,10 @@
 #include "sensors/skeleton/skeleton.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace seamline::sensors {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Hinge about_x(double least_rad, double most_rad) {
   return {Eigen::Vector3d::UnitX(), least_rad, most_rad};
@@ -83,7 +82,10 @@ Skeleton standing_person(double height_m) {
   const double scale = height_m / 1.75;
   Skeleton skeleton;
   skeleton.joints.push_back(
-      {"torso", -1, Eigen::Vector3d::Zero(), {about_y(-pi, pi), about_x(-1.3, 1.3), about_z(-0.9, 0.9)}});
+      {"torso",
+       -1,
+       Eigen::Vector3d::Zero(),
+       {about_y(-std::numbers::pi, std::numbers::pi), about_x(-1.3, 1.3), about_z(-0.9, 0.9)}});
   skeleton.joints.push_back(
       {"neck", 0, scale * Eigen::Vector3d(0, 0.28, 0), {about_x(-0.9, 0.9), about_z(-0.8, 0.8)}});
   skeleton.joints.push_back({"head", 1, scale * Eigen::Vector3d(0, 0.20, 0), {}});
