@@ -9,7 +9,7 @@ namespace seamline::live {
 namespace {
 
 constexpr std::int32_t outside = -1;
-constexpr float no_depth_m = std::numeric_limits<float>::infinity();
+constexpr float hole_m = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void PointRegistration::operator()(const DepthPoints& points, const std::vector<
                       static_cast<float>(point_m.z())};
     }
   });
-  std::fill(registered.depth_m.begin(), registered.depth_m.end(), no_depth_m);
+  std::fill(registered.depth_m.begin(), registered.depth_m.end(), hole_m);
   for (const Landing& landing : landings_) {
     if (landing.pixel == outside) continue;
     float& nearest_m = registered.depth_m[static_cast<std::size_t>(landing.pixel)];

@@ -10,7 +10,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr NumberRange share{0, 1};
+constexpr NumberRange unit_range{0, 1};
 
 Eigen::Vector3d vector_at(const TomlTable& table, const std::string& key, NumberRange range) {
   const auto v = table.triple(key, {0, 0, 0}, range);
@@ -24,13 +24,13 @@ void read_material(const TomlTable& table, PlacedModel& model) {
       throw table.complaint("materials", "gltf or diffuse", "\"" + text + "\"");
     model.materials = text == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
   }
-  model.albedo = table.number("albedo", model.albedo, share);
+  model.albedo = table.number("albedo", model.albedo, unit_range);
   for (const auto& [key, value] : {std::pair{"metallic", &model.metallic}, {"roughness", &model.roughness}}) {
     if (!table.has(key)) continue;
     if (model.materials == MaterialModel::diffuse)
       throw table.complaint(key, "materials = \"gltf\": diffuse surfaces have no such number",
                             "materials = \"diffuse\"");
-    *value = table.number(key, 0, share);
+    *value = table.number(key, 0, unit_range);
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 constexpr int coarsening = 8, most_preview_spp = 256;
 
 /// The same camera with other pixels.
-Camera resized(const Camera& camera, int width_px) {
+Camera preview_sized(const Camera& camera, int width_px) {
   Camera small = camera;
   small.width_px = std::min(width_px, camera.width_px);
   small.height_px = std::max(
@@ -26,7 +26,7 @@ Camera resized(const Camera& camera, int width_px) {
 }
 
 /// Mean over what each pixel covers.
-Image resized(const Image& image, int width_px, int height_px) {
+Image preview_sized(const Image& image, int width_px, int height_px) {
   Image small(width_px, height_px, 3);
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
@@ -47,8 +47,9 @@ Image resized(const Image& image, int width_px, int height_px) {
 PlacePreview::PlacePreview(const PhotoWorld& world, int width_px, int threads)
     : world_(world), threads_(threads) {
   for (int divisor = coarsening; divisor >= 1; divisor /= 2) {
-    Level level{resized(world.seen.camera, std::max(1, width_px / divisor)), {}};
-    level.photograph = resized(world.seen.photograph.radiance, level.camera.width_px, level.camera.height_px);
+    Level level{preview_sized(world.seen.camera, std::max(1, width_px / divisor)), {}};
+    level.photograph =
+        preview_sized(world.seen.photograph.radiance, level.camera.width_px, level.camera.height_px);
     levels_.push_back(std::move(level));
   }
   picture_ = levels_.back().photograph;

@@ -41,7 +41,7 @@ inline std::vector<Eigen::Vector3d> box_corners(const Eigen::Vector3d& half_m) {
   return corners;
 }
 
-inline renderer::HullShape box_shape(const Eigen::Vector3d& half_m) {
+inline renderer::HullShape box_hull(const Eigen::Vector3d& half_m) {
   return {box_corners(half_m)};
 }
 

@@ -15,7 +15,7 @@ using renderer::BodyState;
 using renderer::Ground;
 using renderer::PhysicsSettings;
 using renderer::RigidWorld;
-using test::box_shape;
+using test::box_hull;
 using test::flat_floor;
 using test::pose_at;
 using test::run;
@@ -48,7 +48,7 @@ TEST(RigidWorld, ABoxRestsOnItsFace) {
   SKIP_WITHOUT_BULLET();
   const PhysicsSettings settings;
   for (const int cells : {1, 20, 60}) {
-    RigidWorld world(flat_floor(cells), box_shape({0.1, 0.07, 0.12}), pose_at({0.01, 0.1, 0.02}), settings);
+    RigidWorld world(flat_floor(cells), box_hull({0.1, 0.07, 0.12}), pose_at({0.01, 0.1, 0.02}), settings);
     run(world, 4 * second);
     EXPECT_NEAR(world.body().middle_m.y(), 0.07, 2 * settings.margin_m) << cells << " cells";
     EXPECT_GT(world.body().world_from_body.linear()(1, 1), 0.99999) << cells << " cells";
@@ -64,7 +64,7 @@ TEST(RigidWorld, ABoxStaysUnderTheFrictionAngleAndSlidesOverIt) {
       const double tilt_rad = share * limit_rad;
       const Ground slope = test::floor_of(cells, 8, tilt_rad, [](double, double) { return 0.0; });
       const Eigen::Vector3d up(-std::sin(tilt_rad), std::cos(tilt_rad), 0);
-      RigidWorld world(slope, box_shape({0.2, 0.1, 0.2}), pose_at(0.101 * up, tilt_rad), settings);
+      RigidWorld world(slope, box_hull({0.2, 0.1, 0.2}), pose_at(0.101 * up, tilt_rad), settings);
       run(world, second);
       const Eigen::Vector3d after_one = world.body().middle_m;
       run(world, second);
@@ -88,7 +88,7 @@ TEST(RigidWorld, EnergyNeverGrows) {
   const Ground waves =
       test::floor_of(24, 3, 0.1, [](double x, double z) { return 0.03 * std::sin(7 * x) * std::cos(5 * z); });
   for (const renderer::BodyShape& shape :
-       {renderer::BodyShape(BallShape{}), renderer::BodyShape(box_shape({0.1, 0.05, 0.15}))}) {
+       {renderer::BodyShape(BallShape{}), renderer::BodyShape(box_hull({0.1, 0.05, 0.15}))}) {
     RigidWorld world(waves, shape, pose_at({0.2, 0.5, 0.1}, 0.4), settings);
     double before = world.body().energy_j_kg;
     const double start = before;
@@ -107,7 +107,7 @@ TEST(RigidWorld, TwoRunsGiveTheSameBits) {
   const auto bits = [] {
     const Ground waves = test::floor_of(
         30, 2, 0, [](double x, double z) { return 0.01 * std::sin(40 * x) * std::sin(31 * z); });
-    RigidWorld world(waves, box_shape({0.1, 0.05, 0.15}), pose_at({0.02, 0.3, 0.01}, 0.4), {});
+    RigidWorld world(waves, box_hull({0.1, 0.05, 0.15}), pose_at({0.02, 0.3, 0.01}, 0.4), {});
     std::vector<std::uint64_t> out;
     for (int frame = 0; frame < 30; ++frame) {
       Ground moved = waves;
@@ -127,7 +127,7 @@ TEST(RigidWorld, ABodyFollowsTheGroundThatMoves) {
   SKIP_WITHOUT_BULLET();
   const PhysicsSettings settings;
   const Ground floor = flat_floor(10);
-  RigidWorld world(floor, box_shape({0.1, 0.1, 0.1}), pose_at({0, 0.11, 0}), settings);
+  RigidWorld world(floor, box_hull({0.1, 0.1, 0.1}), pose_at({0, 0.11, 0}), settings);
   run(world, 2 * second);
   Ground lower = floor;
   for (Eigen::Vector3d& vertex_m : lower.vertices_m) vertex_m.y() -= 0.3;

@@ -21,7 +21,7 @@ using renderer::Ground;
 using renderer::HullShape;
 using renderer::PhysicsSettings;
 using renderer::settle;
-using test::box_shape;
+using test::box_hull;
 using test::flat_floor;
 using test::pose_at;
 
@@ -58,7 +58,7 @@ TEST(Settle, ATiltedBoxFallsOntoAFace) {
   SKIP_WITHOUT_BULLET();
   const Eigen::Vector3d half_m(0.1, 0.06, 0.14);
   const renderer::Settled settled =
-      settle(flat_floor(8), box_shape(half_m), pose_at({0, 0.4, 0}, 0.5), {}, "box");
+      settle(flat_floor(8), box_hull(half_m), pose_at({0, 0.4, 0}, 0.5), {}, "box");
   const double height_m = settled.world_from_body.translation().y();
   const double to_a_face = (half_m.array() - height_m).abs().minCoeff();
   EXPECT_LT(to_a_face, 2 * PhysicsSettings{}.margin_m);

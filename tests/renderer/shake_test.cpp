@@ -54,7 +54,7 @@ DepthFrame measured(double sigma_m, int frame) {
 
 FallRequest box_request(const std::string& name) {
   return {.name = name,
-          .shape = test::box_shape({0.1, 0.08, 0.1}),
+          .shape = test::box_hull({0.1, 0.08, 0.1}),
           .world_from_body = test::pose_at({0, 0.1, 0}),
           .world_from_depth = looking_down(),
           .frames_to_rest = 40,
