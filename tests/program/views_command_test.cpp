@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 using test::run_seamline;
 using testing::HasSubstr;
 
-constexpr const char* small = " --width 96 --height 54 --spp 2 --bounces 1 --out ";
+constexpr const char* small_view = " --width 96 --height 54 --spp 2 --bounces 1 --out ";
 
 TEST(ViewsCommand, MakesAFrameWithDepthAndViewsOfIt) {
   const fs::path folder = test::fresh_folder("views");
   const fs::path frame = folder / "frame.png";
-  test::Outcome outcome =
-      run_seamline("picture builtin:bedroom --view 2d_plus_depth --max-depth 8" + (small + frame.string()));
+  test::Outcome outcome = run_seamline("picture builtin:bedroom --view 2d_plus_depth --max-depth 8" +
+                                       (small_view + frame.string()));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const ByteImage both = read_bytes_image(frame);
   EXPECT_EQ(both.width_px, 96);
@@ -35,8 +35,8 @@ TEST(ViewsCommand, EveryKindOfViewIsOfTheSizeThatWasAsked) {
   const fs::path folder = test::fresh_folder("views-kinds");
   for (const char* kind : {"side_by_side", "anaglyph", "interleaved"}) {
     const fs::path file = folder / (std::string(kind) + ".png");
-    const test::Outcome outcome =
-        run_seamline("picture builtin:bedroom --zero-parallax 4 --view " + (kind + (small + file.string())));
+    const test::Outcome outcome = run_seamline("picture builtin:bedroom --zero-parallax 4 --view " +
+                                               (kind + (small_view + file.string())));
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_EQ(read_bytes_image(file).width_px, 96);
   }
@@ -46,7 +46,7 @@ TEST(ViewsCommand, RefusesWhatWouldBeIgnoredAndWhatIsMissing) {
   const fs::path folder = test::fresh_folder("views-refused");
   const auto refused = [&](const std::string& options, const char* because) {
     const test::Outcome outcome =
-        run_seamline("picture builtin:bedroom " + options + (small + (folder / "a.png").string()));
+        run_seamline("picture builtin:bedroom " + options + (small_view + (folder / "a.png").string()));
     EXPECT_NE(outcome.status, 0) << options;
     EXPECT_THAT(outcome.output, HasSubstr(because)) << options;
     EXPECT_FALSE(fs::exists(folder / "a.png"));
