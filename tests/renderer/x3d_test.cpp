@@ -104,7 +104,7 @@ TEST(X3dPage, IsTheSameTwiceAndAsksForNothingOutside) {
   EXPECT_EQ(text.find("http"), text.find("http-equiv"));  // the only one
   EXPECT_EQ(text.find("http", text.find("http-equiv") + 4), std::string::npos);
   EXPECT_EQ(text.find("unsafe"), std::string::npos);
-  for (const char* proto : {"<ProtoDeclare name=\"DepthSensor\">", "<ProtoInstance name=\"NISensor\">"})
+  for (const char* proto : {"<ProtoDeclare name=\"DepthSensor\">", "<ProtoInstance name=\"NISensor\" "})
     EXPECT_THAT(text, HasSubstr(proto));
 }
 
