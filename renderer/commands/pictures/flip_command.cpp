@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/commands/pictures/mesh_options.h"
@@ -17,6 +17,7 @@
 #include "support/files/image.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "support/text/limits.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
 
@@ -42,15 +43,17 @@ Region region_of(const std::string& text, const Image& flip) {
   };
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
-  std::array<int, 4> numbers{};
-  const char *at = text.data() + equals + 1, *end = text.data() + text.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto [next, problem] = std::from_chars(at, end, numbers[i]);
-    const bool goes_on = i + 1 < numbers.size() ? next != end && *next == ',' : next == end;
-    if (problem != std::errc() || !goes_on) throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
-    at = next + 1;
+  std::vector<int> numbers;
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const auto number = decimal_number(std::string_view(text).substr(from, comma - from));
+    if (!number || *number != std::floor(*number) || std::abs(*number) > limits::largest_picture_side_px)
+      throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
+    numbers.push_back(static_cast<int>(*number));
+    from = comma + 1;
   }
-  const auto [left, top, width, height] = numbers;
+  if (numbers.size() != 4) throw wrong("NAME=LEFT,TOP,WIDTH,HEIGHT in pixels");
+  const int left = numbers[0], top = numbers[1], width = numbers[2], height = numbers[3];
   if (left < 0 || top < 0 || width < 1 || height < 1 || left > flip.width_px - width ||
       top > flip.height_px - height)
     throw wrong(
