@@ -21,6 +21,7 @@ class PixelRays {
     return first_ + static_cast<float>(x) * right_per_px_ + static_cast<float>(y) * down_per_px_;
   }
   [[nodiscard]] Eigen::Vector3f right_per_px() const { return right_per_px_; }
+  [[nodiscard]] Eigen::Vector3f down_per_px() const { return down_per_px_; }
   [[nodiscard]] Eigen::Vector3f point_m(int x, int y, float planar_m) const {
     return eye_m_ + planar_m * direction(x, y);
   }

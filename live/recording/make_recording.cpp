@@ -69,6 +69,8 @@ Recording make_recording(const renderer::SceneFile& file, const SceneDefinition&
     Eigen::Isometry3d pose = pose_on_path(path, scene.world_from_colour, share);
     renderer::SenseSettings settings = options.sense;
     settings.key.frame += static_cast<std::uint64_t>(i);
+    // Else the colours' noise would stand still on the sensor, and corners that are followed with it.
+    settings.photograph.seed += static_cast<std::uint64_t>(i);
     const renderer::SensedFrame sensed = renderer::sense_frame(scene, rig, pose, settings);
     RecordedFrame frame{.time_s = i / options.frames_per_s,
                         .depth_file = fmt::format("depth/{:06}.exr", i),

@@ -67,24 +67,25 @@ inline renderer::SceneFile room() {
   return file;
 }
 
-/// The room with 16 x 10 patches of planted greys on its wall and 16 x 8 on its floor: corners to follow.
+/// The room with 32 x 20 patches of planted greys on its wall and 32 x 16 on its floor: corners to follow.
 inline renderer::SceneFile patched_room() {
   renderer::SceneFile file = room();
   Random random(7);
   const auto grey = [&] { return static_cast<float>(0.1 + 0.8 * random.uniform()); };
-  for (int column = 0; column < 16; ++column) {
-    const double left = -4 + 0.5 * column;
-    for (int row = 0; row < 10; ++row) {
-      const double low = -1 + 0.4 * row, z = -3.999;
+  for (int column = 0; column < 32; ++column) {
+    const double left = -4 + 0.25 * column;
+    for (int row = 0; row < 20; ++row) {
+      const double low = -1 + 0.2 * row, z = -3.999;
       file.meshes.push_back(square(
-          "patch", {{left, low, z}, {left + 0.5, low, z}, {left + 0.5, low + 0.4, z}, {left, low + 0.4, z}},
+          "patch", {{left, low, z}, {left + 0.25, low, z}, {left + 0.25, low + 0.2, z}, {left, low + 0.2, z}},
           grey()));
     }
-    for (int row = 0; row < 8; ++row) {
-      const double far = -4 + 0.5 * row, y = -0.999;
-      file.meshes.push_back(square(
-          "tile", {{left, y, far}, {left + 0.5, y, far}, {left + 0.5, y, far + 0.5}, {left, y, far + 0.5}},
-          grey()));
+    for (int row = 0; row < 16; ++row) {
+      const double far = -4 + 0.25 * row, y = -0.999;
+      file.meshes.push_back(
+          square("tile",
+                 {{left, y, far}, {left + 0.25, y, far}, {left + 0.25, y, far + 0.25}, {left, y, far + 0.25}},
+                 grey()));
     }
   }
   return file;
@@ -142,7 +143,7 @@ inline LoadedRecording recorded(const renderer::SceneFile& file, const sensors::
     Eigen::Isometry3d pose =
         pose_on_path(path, scene.world_from_colour, frames > 1 ? static_cast<double>(i) / (frames - 1) : 0);
     renderer::SenseSettings settings;
-    settings.photograph = {.spp = spp, .seed = 1, .threads = 2};
+    settings.photograph = {.spp = spp, .seed = 1 + static_cast<std::uint64_t>(i), .threads = 2};
     const renderer::SensedFrame sensed = renderer::sense_frame(scene, rig, pose, settings);
     recording.frames.push_back({.time_s = i / 30.0,
                                 .depth = sensed.measured.frame,

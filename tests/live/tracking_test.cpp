@@ -23,9 +23,9 @@ PoseError error_of(const Eigen::Isometry3d& found, const Eigen::Isometry3d& plan
 
 TEST(Tracking, FeaturesFollowAPlantedOrbitWithinTwoCentimetresAndHalfADegree) {
   if (!has_optical_flow()) GTEST_SKIP() << "built without OpenCV's video part";
-  LoadedRecording recording =
-      test::recorded(test::patched_room(), test::exact_rig(320, 240), test::definition_of(1),
-                     {.kind = PathKind::orbit, .centre_m = Eigen::Vector3d(0, 0, -4), .angle_deg = 8}, 12, 4);
+  LoadedRecording recording = test::recorded(
+      test::patched_room(), test::exact_rig(320, 240), test::definition_of(1),
+      {.kind = PathKind::orbit, .centre_m = Eigen::Vector3d(0, 0, -4), .angle_deg = 8}, 12, 16);
   std::vector<Eigen::Isometry3d> planted;
   for (LoadedFrame& frame : recording.frames) planted.push_back(*frame.world_from_colour);
   for (LoadedFrame& frame : recording.frames) frame.world_from_colour.reset();
