@@ -26,7 +26,7 @@ struct Page {
 Page read_page() {
   Page page;
   std::ifstream in(fs::path(SEAMLINE_SOURCE_DIR) / "documentation/folders.md");
-  const std::regex top(R"(^\| `([a-z_]+)/` \|.*\|(.*)\|$)"), room(R"(^\| `([a-z_/]+[a-z_])` \|)"),
+  const std::regex top(R"(^\| `([a-z_]+)/` \|.*\|(.*)\|$)"), room(R"(^\| `([a-z0-9_/]+[a-z0-9_])` \|)"),
       name(R"(`([a-z_]+)/`)");
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
