@@ -1,0 +1,31 @@
+# A package of the npm registry, pinned by its hash and kept in the build folder, for `option` (AUTO, ON or OFF).
+# `copy`: the cache variable that may name an archive on the disk. Sets ${package}_archive, and `has` to whether it is there;
+# ends the configuration where it is wanted and is not.
+function(seamline_npm_archive package version sha512 option copy has)
+  set(${has} FALSE PARENT_SCOPE)
+  if(NOT ${option} STREQUAL "AUTO" AND NOT ${option})
+    return()
+  endif()
+  set(archive ${PROJECT_BINARY_DIR}/${package}-${version}.tgz)
+  if(${copy})
+    set(archive ${${copy}})
+  endif()
+  set(found "")
+  if(EXISTS ${archive})
+    file(SHA512 ${archive} found)
+  endif()
+  if(NOT ${copy} AND NOT found STREQUAL sha512)
+    file(DOWNLOAD https://registry.npmjs.org/${package}/-/${package}-${version}.tgz ${archive}
+      STATUS status TIMEOUT 60 INACTIVITY_TIMEOUT 15)
+    if(EXISTS ${archive})
+      file(SHA512 ${archive} found)
+    endif()
+  endif()
+  if(found STREQUAL sha512)
+    set(${has} TRUE PARENT_SCOPE)
+    set(${package}_archive ${archive} PARENT_SCOPE)
+  elseif(${copy} OR NOT ${option} STREQUAL "AUTO")
+    message(FATAL_ERROR "${archive}: wanted ${package} ${version} of the npm registry (${status}); "
+      "name a copy with -D${copy}=FILE, or leave the page out with -D${option}=OFF")
+  endif()
+endfunction()
