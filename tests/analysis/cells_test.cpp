@@ -10,6 +10,7 @@
 namespace seamline::analysis {
 namespace {
 
+using namespace study;
 using test::answer;
 using test::person;
 

@@ -18,6 +18,7 @@
 namespace seamline::analysis {
 namespace {
 
+using namespace study;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

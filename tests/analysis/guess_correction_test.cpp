@@ -11,6 +11,7 @@
 namespace seamline::analysis {
 namespace {
 
+using namespace study;
 using test::corrected;
 using test::GuessingLog;
 using test::GuessingStudy;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "stimuli/definition/stimulus.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"

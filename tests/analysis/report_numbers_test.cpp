@@ -12,6 +12,7 @@
 namespace seamline::analysis {
 namespace {
 
+using namespace study;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 

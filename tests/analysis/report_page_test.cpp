@@ -20,6 +20,7 @@
 namespace seamline::analysis {
 namespace {
 
+using namespace study;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "renderer/depth/capture.h"
+#include "renderer/depth/depth_mesh.h"
 #include "renderer/estimators/path/path_depth_pass.h"
 #include "renderer/picture/composite.h"
 #include "stimuli/pictures/difference.h"

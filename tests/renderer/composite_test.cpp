@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/depth/capture.h"
+#include "renderer/depth/depth_mesh.h"
 #include "renderer/estimators/path/path_depth_pass.h"
 #include "shapes.h"
 #include "stimuli/pictures/difference.h"

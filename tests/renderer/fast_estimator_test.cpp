@@ -4,6 +4,7 @@
 #include <map>
 
 #include "renderer/depth/capture.h"
+#include "renderer/depth/depth_mesh.h"
 #include "renderer/estimators/estimator.h"
 #include "stimuli/pictures/difference.h"
 #include "stimuli/study_file/study_file.h"
