@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "renderer/common/parallel.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double largest_code = 16777215;  ///< 2^24 - 1
 constexpr double ghost_tolerance = 1e-3;   ///< of their mesh, along rays
+constexpr double jump_ratio = 1.1;         ///< between depths of what is no longer one surface
 constexpr float nowhere_m = std::numeric_limits<float>::infinity();
 
 /// Planar depth of the nearest surface in every pixel's centre; infinity where there is none.
@@ -49,9 +51,10 @@ ClipPlanes planes_around(std::span<const float> depth_m, const X3dSubject& subje
   return {near_m, std::max(2 * farthest_m, 4 * near_m)};
 }
 
-DepthMesh ghosts_of(const sensors::DepthFrame& depth, const Camera& camera, int threads) {
-  const PixelGrid grid = pixel_grid({depth, world_from_photograph(camera)}, threads);
-  DepthMesh mesh = build_pixel_mesh(grid, {.tolerance = ghost_tolerance, .threads = threads});
+/// In the frame of X3D.
+DepthMesh mesh_of(const PixelGrid& grid, const Camera& camera, std::optional<double> cut_ratio, int threads) {
+  DepthMesh mesh =
+      build_pixel_mesh(grid, {.tolerance = ghost_tolerance, .cut_ratio = cut_ratio, .threads = threads});
   for (Eigen::Vector3f& vertex_m : mesh.vertices_m) vertex_m = camera.axes.transpose() * vertex_m;
   return mesh;
 }
@@ -75,7 +78,9 @@ X3dFrame frame_of(const X3dSubject& subject, int threads) {
                         : object_m[i] < frame.depth.depth_m[i] ? InFront::object
                                                                : InFront::real;
   frame.planes = planes_around(frame.depth.depth_m, subject);
-  frame.ghosts = ghosts_of(frame.depth, subject.camera, threads);
+  const PixelGrid grid = pixel_grid({frame.depth, world_from_photograph(subject.camera)}, threads);
+  frame.ghosts = mesh_of(grid, subject.camera, std::nullopt, threads);
+  frame.blockers = mesh_of(grid, subject.camera, jump_ratio, threads);
   return frame;
 }
 

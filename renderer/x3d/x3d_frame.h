@@ -30,6 +30,7 @@ struct X3dFrame {
   std::vector<InFront> in_front;  ///< by rays through the pixels' centres, row by row
   ClipPlanes planes;              ///< around everything that is seen
   DepthMesh ghosts;               ///< a mesh of the depth, in the frame of X3D
+  DepthMesh blockers;  ///< the same without sheets over jumps, which would keep the sun's light away
 };
 [[nodiscard]] X3dFrame frame_of(const X3dSubject& subject, int threads);
 

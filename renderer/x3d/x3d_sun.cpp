@@ -44,13 +44,13 @@ std::optional<X3dSun> x3d_sun(const X3dSubject& subject, const X3dFrame& frame, 
     for (const Triangle& corners : mesh->triangles)
       triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
   }
-  const TriangleSpan object{object_m, triangles}, real{frame.ghosts.vertices_m, frame.ghosts.triangles};
+  const TriangleSpan object{object_m, triangles}, real{frame.blockers.vertices_m, frame.blockers.triangles};
   const Rgb sky = open_sky_w_m2(subject.light).max(least_sky_share * sun.irradiance_w_m2);
   return X3dSun{.to_sun = sun.to_sun.cast<double>(),
                 .sun_w_m2 = sun.irradiance_w_m2.matrix().cast<double>(),
                 .sky_w_m2 = sky.matrix().cast<double>(),
                 .object = sun_shadow_map(sun, {&object, 1}, object_m, map_px, threads),
-                .real = sun_shadow_map(sun, {&real, 1}, frame.ghosts.vertices_m, map_px, threads)};
+                .real = sun_shadow_map(sun, {&real, 1}, frame.blockers.vertices_m, map_px, threads)};
 }
 
 }  // namespace seamline::renderer

@@ -1,8 +1,8 @@
 // Sessions that are broken off at random instants: reloads, closed tabs, a killed browser, a network that is cut, hosts
 // that fail. No acknowledged answer is lost, none is there twice, and a finished stream has no gap.
-//   robust.mjs COUNT     disruptions in all (default 60)
+//   robust.mjs COUNT SEED     disruptions in all (default 60), and which ones (default 1)
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, readlinkSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { fakeServe, jatosHost, realServe, staticHost } from "./hosts.mjs";
 import { act, look, openBrowser } from "./person.mjs";
@@ -11,6 +11,7 @@ import { checkWhole, messagesOf } from "./stream.mjs";
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const folder = join(work, "tiny-page");
 const count = Number(process.argv[2] ?? 60);
+const PATIENCE_MS = 240000; // without any change on the screen; a busy machine is slow, but never still for so long
 const tally = { reload: 0, close: 0, kill: 0, network: 0, host: 0 };
 let sessions = 0;
 let acknowledged = 0;
@@ -23,6 +24,17 @@ const HOSTS = {
   jatos: () => jatosHost(folder, 0.15),
   static: () => staticHost(folder),
 };
+
+/** xorshift32: the same seed, the same disruptions, as far as a browser's own pace lets them be. */
+let state = Math.imul(Number(process.argv[3] ?? 1), 2654435761) >>> 0 || 1;
+function random() {
+  state ^= state << 13;
+  state ^= state >>> 17;
+  state = (state ^ (state << 5)) >>> 0;
+  return state / 2 ** 32;
+}
+
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** What the browser keeps, as lines. */
 const kept = (page) =>
@@ -51,31 +63,31 @@ async function session(kind) {
     reload: () => page.reload({ waitUntil: "commit" }),
     async close() {
       const next = await browser.newPage();
-      await page.close({ runBeforeUnload: Math.random() < 0.5 });
+      await page.close({ runBeforeUnload: random() < 0.5 });
       page = next;
       await open();
     },
     async kill() {
       // The browser's own process, by its profile's lock: as a crash would end it.
       const before = browser;
-      const pid = Number((await import("node:fs")).readlinkSync(join(profile, "SingletonLock")).split("-").pop());
+      const pid = Number(readlinkSync(join(profile, "SingletonLock")).split("-").pop());
       process.kill(pid, "SIGKILL");
       await before.close().catch(() => {});
-      await new Promise((resolve) => setTimeout(resolve, 300));
+      await sleep(300);
       browser = await openBrowser(profile);
       page = browser.pages()[0];
       await open();
     },
     async network() {
       await browser.setOffline(true);
-      await page.waitForTimeout(50 + Math.random() * 900);
+      await sleep(50 + random() * 900);
       await browser.setOffline(false);
     },
     async host() {
-      if (host.restart) return host.restart(Math.random() * 700);
+      if (host.restart) return host.restart(random() * 700);
       const usual = host.trouble;
       host.trouble = 1;
-      await page.waitForTimeout(50 + Math.random() * 700);
+      await sleep(50 + random() * 700);
       host.trouble = usual;
     },
   };
@@ -86,27 +98,33 @@ async function session(kind) {
 
   try {
     await open();
-    let dueAt = Date.now() + Math.random() * 900;
-    const end = Date.now() + 240000;
+    let dueAt = Date.now() + random() * 900;
+    let last = "";
+    let movedAt = Date.now();
     for (;;) {
-      assert.ok(Date.now() < end, "the session does not end: " + JSON.stringify(await look(page).catch(String)));
       const seen = await look(page).catch(() => null);
+      const now = JSON.stringify([seen?.screen, seen?.phase, seen?.trial?.trial_index ?? seen?.trial?.training_index, seen?.pending]);
+      if (now !== last) {
+        last = now;
+        movedAt = Date.now();
+      }
+      assert.ok(Date.now() < movedAt + PATIENCE_MS, "the session does not move: " + JSON.stringify(seen));
       if (seen?.participant) participant = seen.participant;
       if (seen && seen.screen !== "loading") most = Math.max(most, seen.answered);
       if (seen?.screen === "stopped") assert.fail("stopped: " + seen.message);
       if (seen?.screen === "thanks") break;
       if (Date.now() >= dueAt && here < 14) {
-        const what = kinds[Math.floor(Math.random() * kinds.length)];
+        const what = kinds[Math.floor(random() * kinds.length)];
         ++tally[what];
         ++here;
         await disrupt[what]().catch((error) => {
           if (!/net::|closed|Target|interrupted|ERR_/.test(String(error))) throw error;
         });
-        dueAt = Date.now() + 100 + Math.random() * 1400;
+        dueAt = Date.now() + 100 + random() * 1400;
         continue;
       }
-      if (seen) await act(page, seen, { mouse: Math.random() < 0.3 }).catch(() => {});
-      await page.waitForTimeout(10).catch(() => {});
+      if (seen) await act(page, seen, { mouse: random() < 0.3 }).catch(() => {});
+      await sleep(10);
     }
     const own = await kept(page);
     const lines = kind === "static" || kind === "program" ? own.map((line) => named(line, participant)) : host.lines;
@@ -126,6 +144,8 @@ async function session(kind) {
     acknowledged += answers.length;
     resent += lines.length - messages.length;
     ++sessions;
+    await browser.close().catch(() => {});
+    rmSync(profile, { recursive: true, force: true }); // kept where something is wrong
   } finally {
     await browser.close().catch(() => {});
     await host.stop();

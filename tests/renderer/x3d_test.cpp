@@ -117,6 +117,9 @@ TEST(X3dSun, TheObjectsShadowMapShadesThePostBehindItAndNotWhatStandsBefore) {
                                                  before = on_object + 0.5F * to_sun;
   EXPECT_EQ(arriving(sun->object, {}, behind, normal, 0), 0);
   EXPECT_EQ(arriving(sun->object, {}, before, normal, 0), 1);
+  // Light reaches the wall beside the post: no sheet hangs between the post's right edge and the wall.
+  EXPECT_EQ(arriving(sun->real, {}, {1.5F, 0, -4}, normal, 0), 1);
+  EXPECT_EQ(arriving(sun->real, {}, {0, 0, -4}, normal, 0), 0);  // but the post's own shadow is there
   // 0.1 of the sun at least, where the sky gives less.
   EXPECT_GE(sun->sky_w_m2.minCoeff(), 0.3 - 1e-6);
 }
