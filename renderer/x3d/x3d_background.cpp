@@ -15,12 +15,6 @@ constexpr const char* whole_window =
     "<indexedTriangleSet solid=\"false\" index=\"0 1 2 0 2 3\"><coordinate point=\"-1 -1 0 1 -1 0 1 1 0 -1 1 "
     "0\"></coordinate></indexedTriangleSet></shape>\n";
 
-std::string shader_parts(const std::filesystem::path& folder, const std::string& name) {
-  return "<shaderPart type=\"VERTEX\">" + element_text(read_file(folder / (name + ".vert"))) +
-         "</shaderPart>\n<shaderPart type=\"FRAGMENT\">" +
-         element_text(read_file(folder / (name + ".frag"))) + "</shaderPart>";
-}
-
 /// What a sun sees, so that a shader can read it: depths from a little before the nearest on.
 struct CodedMap {
   ByteImage picture;
@@ -60,12 +54,42 @@ ByteImage mask_picture(const X3dPage& page) {
   return mask;
 }
 
+/// Of the objects and of the real world.
+std::pair<CodedMap, CodedMap> coded_maps(const X3dPage& page) {
+  if (page.sun == nullptr) return {no_map(), no_map()};
+  return {coded(page.sun->object), coded(page.sun->real)};
+}
+
 }  // namespace
 
-std::string X3dTextures::texture(const ByteImage& picture) {
+std::string shader_parts(const std::filesystem::path& folder, const std::string& name,
+                         const std::string& constants) {
+  return "<shaderPart type=\"VERTEX\">" + element_text(read_file(folder / (name + ".vert"))) +
+         "</shaderPart>\n<shaderPart type=\"FRAGMENT\">" +
+         element_text(read_file(folder / "light.frag") + constants + read_file(folder / (name + ".frag"))) +
+         "</shaderPart>";
+}
+
+std::string light_fields(const X3dPage& page) {
+  std::string text = shader_field("shades", "SFFloat", page.sun != nullptr ? "1" : "0");
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  if (page.sun != nullptr) axes = page.sun->object.view.axes.cast<double>();
+  text += shader_field("sun_right", "SFVec3f", field_text(Eigen::Vector3d(axes.row(0))));
+  text += shader_field("sun_down", "SFVec3f", field_text(Eigen::Vector3d(axes.row(1))));
+  text += shader_field("sun_forward", "SFVec3f", field_text(Eigen::Vector3d(axes.row(2))));
+  const auto [object, real] = coded_maps(page);
+  text += map_fields("object", object) + map_fields("real", real);
+  text += shader_field("sun_w_m2", "SFVec3f",
+                       field_text(page.sun != nullptr ? page.sun->sun_w_m2 : Eigen::Vector3d::Zero().eval()));
+  text += shader_field("sky_w_m2", "SFVec3f", field_text(sky_of(page)));
+  return text + shader_field("moved_m", "SFVec3f", "0 0 0");
+}
+
+std::string X3dTextures::texture(const ByteImage& picture, const std::string& name) {
   const std::filesystem::path file = folder_.path() / fmt::format("{}.png", ++number_);
   write_png(file, picture);
-  return "<imageTexture scale=\"false\" url=\"data:image/png;base64," + base64(read_file(file)) +
+  return "<imageTexture" + (name.empty() ? name : " def=\"" + name + "\"") +
+         " scale=\"false\" url=\"data:image/png;base64," + base64(read_file(file)) +
          "\"><textureProperties minificationFilter=\"NEAREST_PIXEL\" magnificationFilter=\"NEAREST_PIXEL\" "
          "boundaryModeS=\"CLAMP_TO_EDGE\" boundaryModeT=\"CLAMP_TO_EDGE\" "
          "generateMipMaps=\"false\"></textureProperties></imageTexture>\n";
@@ -80,15 +104,14 @@ std::string depth_background(const X3dPage& page, X3dTextures& textures,
                              const std::filesystem::path& folder) {
   const auto& depth = page.frame.depth;
   const double range_m = depth_range_m(depth.depth_m);
-  const CodedMap object = page.sun != nullptr ? coded(page.sun->object) : no_map(),
-                 real = page.sun != nullptr ? coded(page.sun->real) : no_map();
+  const auto [object, real] = coded_maps(page);
   std::string text =
       "<shape id=\"depth_background\" isPickable=\"false\"><appearance sortKey=\"-2\"><depthMode "
       "depthFunc=\"always\"></depthMode><multiTexture>\n";
   text +=
       textures.texture(depth_codes(depth.depth_m, depth.camera.width_px, depth.camera.height_px, range_m));
   text += textures.texture(page.photograph);
-  text += textures.texture(object.picture) + textures.texture(real.picture);
+  text += textures.texture(object.picture, "object_map") + textures.texture(real.picture, "real_map");
   text += textures.texture(mask_picture(page));
   text += "</multiTexture><composedShader>\n";
   int unit = 0;
@@ -99,17 +122,7 @@ std::string depth_background(const X3dPage& page, X3dTextures& textures,
   text += shader_field("depth_range_m", "SFFloat", field_text(range_m));
   text += shader_field("tangents", "SFVec2f", field_text(tangents_of(page.subject.camera)));
   text += shader_field("occludes", "SFFloat", "1") + shader_field("shows_user_only", "SFFloat", "0");
-  text += shader_field("shades", "SFFloat", page.sun != nullptr ? "1" : "0");
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (page.sun != nullptr) axes = page.sun->object.view.axes.cast<double>();
-  text += shader_field("sun_right", "SFVec3f", field_text(Eigen::Vector3d(axes.row(0))));
-  text += shader_field("sun_down", "SFVec3f", field_text(Eigen::Vector3d(axes.row(1))));
-  text += shader_field("sun_forward", "SFVec3f", field_text(Eigen::Vector3d(axes.row(2))));
-  text += map_fields("object", object) + map_fields("real", real);
-  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
-  text += shader_field("sun_w_m2", "SFVec3f", field_text(page.sun != nullptr ? page.sun->sun_w_m2 : none));
-  text += shader_field("sky_w_m2", "SFVec3f", field_text(page.sun != nullptr ? page.sun->sky_w_m2 : none));
-  text += shader_field("moved_m", "SFVec3f", "0 0 0");
+  text += light_fields(page);
   return text + shader_parts(folder, "background") + "</composedShader></appearance>" + whole_window;
 }
 
@@ -118,7 +131,9 @@ std::string ghost_template(const X3dPage& page, X3dTextures& textures, const std
       "<template id=\"ghost_template\"><shape isPickable=\"false\"><appearance sortKey=\"-3\"><depthMode "
       "readOnly=\"true\"></depthMode>\n" +
       textures.texture(page.photograph) + "<composedShader>" + shader_field("colour", "SFInt32", "0") +
-      shader_parts(folder, "photograph") + "</composedShader></appearance>" + whole_window;
+      "<shaderPart type=\"VERTEX\">" + element_text(read_file(folder / "photograph.vert")) +
+      "</shaderPart>\n<shaderPart type=\"FRAGMENT\">" + element_text(read_file(folder / "photograph.frag")) +
+      "</shaderPart></composedShader></appearance>" + whole_window;
   if (!page.frame.ghosts.triangles.empty())
     text +=
         "<shape class=\"ghost\" isPickable=\"false\"><appearance sortKey=\"-2\"><material></material>"

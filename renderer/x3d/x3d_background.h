@@ -10,12 +10,21 @@ namespace seamline::renderer {
 /// Pictures as X3DOM's textures: inside the page, not scaled, read texel by texel.
 class X3dTextures {
  public:
-  [[nodiscard]] std::string texture(const ByteImage& picture);
+  /// `name`: by which it may be used again.
+  [[nodiscard]] std::string texture(const ByteImage& picture, const std::string& name = {});
 
  private:
   TemporaryFolder folder_;
   int number_ = 0;
 };
+
+/// Both parts of a shader of ours; what its fragments share with others (`light.frag`) and `constants` come
+/// before its own fragments' text. `folder`: where the shaders are.
+[[nodiscard]] std::string shader_parts(const std::filesystem::path& folder, const std::string& name,
+                                       const std::string& constants = {});
+
+/// Fields of `light.frag`: sun, sky and what the maps cover.
+[[nodiscard]] std::string light_fields(const X3dPage& page);
 
 /// Tangents of half a pinhole's angles of view, across and up.
 [[nodiscard]] Eigen::Vector2d tangents_of(const Camera& camera);

@@ -8,6 +8,7 @@
 #include "renderer/composite/photo_composite.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/picture/composite.h"
+#include "renderer/x3d/x3d_openness.h"
 #include "renderer/x3d/x3d_page.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -118,6 +119,7 @@ X3dSummary export_x3d(const X3dRequest& request) {
   const X3dFrame frame = frame_of(subject, threads);
   const std::optional<X3dUser> user = user_of(request, subject, frame);
   const std::optional<X3dSun> sun = x3d_sun(subject, frame, threads);
+  const std::vector<std::vector<float>> openness = x3d_openness(subject, threads);
   const ByteImage photograph = display_image(subject.photograph, subject.exposure_ev);
 
   X3dSummary summary{.notes = subject.notes};
@@ -138,6 +140,7 @@ X3dSummary export_x3d(const X3dRequest& request) {
   write_file_atomically(folder / "index.html", x3d_page_text({.subject = subject,
                                                               .frame = frame,
                                                               .photograph = photograph,
+                                                              .openness = openness,
                                                               .sun = sun ? &*sun : nullptr,
                                                               .user = user ? &*user : nullptr},
                                                              carried_from));

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/x3d/x3d_background.h"
+#include "renderer/x3d/x3d_object.h"
 #include "renderer/x3d/x3d_text.h"
 #include "support/text/html.h"
 
@@ -20,46 +21,6 @@ constexpr const char* content_policy =
 
 Eigen::Vector3d x3d_from(const X3dSubject& subject, const Eigen::Vector3f& world) {
   return (subject.camera.axes.transpose() * world).cast<double>();
-}
-
-/// A colour whose largest part is 1, and what it is multiplied with.
-std::string colour_and_intensity(const Rgb& light, double scale) {
-  const float most = std::max(light.maxCoeff(), 1e-30F);
-  return fmt::format("color=\"{}\" intensity=\"{}\"",
-                     field_text(Eigen::Vector3d((light / most).matrix().cast<double>())),
-                     field_text(static_cast<double>(most) * scale));
-}
-
-std::string lights(const X3dSubject& subject) {
-  const double shown = std::exp2(subject.exposure_ev), lambert = 1 / std::numbers::pi;
-  std::string text;
-  for (const Sun& sun : subject.light.suns)
-    text += fmt::format("<directionalLight global=\"true\" direction=\"{}\" {}></directionalLight>\n",
-                        field_text(Eigen::Vector3d(-x3d_from(subject, sun.to_sun))),
-                        colour_and_intensity(sun.irradiance_w_m2, lambert * shown));
-  for (const Lamp& lamp : subject.light.lamps)
-    text += fmt::format(
-        "<pointLight global=\"true\" location=\"{}\" attenuation=\"0 0 1\" radius=\"1000\" "
-        "{}></pointLight>\n",
-        field_text(x3d_from(subject, lamp.position_m)),
-        colour_and_intensity(lamp.intensity_w_sr, lambert * shown));
-  return text;
-}
-
-std::string object_shape(const X3dSubject& subject, const SurfaceMesh& mesh,
-                         const Eigen::Vector3d& sky_w_m2) {
-  const Eigen::Matrix3f x3d_from_world = subject.camera.axes.transpose();
-  std::vector<Eigen::Vector3f> positions_m, normals;
-  for (const Eigen::Vector3f& place_m : mesh.positions_m) positions_m.push_back(x3d_from_world * place_m);
-  for (const Eigen::Vector3f& normal : mesh.normals) normals.push_back(x3d_from_world * normal);
-  const Eigen::Vector3d albedo = mesh.albedo.matrix().cast<double>();
-  const Eigen::Vector3d glow =
-      (albedo.cwiseProduct(sky_w_m2) * std::exp2(subject.exposure_ev) / std::numbers::pi).cwiseMin(1.0);
-  return fmt::format(
-      "<shape><appearance><material class=\"object\" diffuseColor=\"{0}\" emissiveColor=\"{1}\" "
-      "data-diffuse=\"{0}\" data-emissive=\"{1}\" specularColor=\"0 0 0\" shininess=\"0\" "
-      "ambientIntensity=\"0\"></material></appearance>{2}</shape>\n",
-      field_text(albedo), field_text(glow), triangle_set(positions_m, normals, mesh.triangles));
 }
 
 /// What the user is put into when the real world is left out (001, section 5.1): a ground below their lowest
@@ -97,14 +58,8 @@ std::string scene(const X3dPage& page, X3dTextures& textures, const std::filesys
       "</viewpoint>\n",
       subject.camera.width_px, subject.camera.height_px, field_text(2 * std::atan(tangents.minCoeff())),
       field_text(page.frame.planes.near_m), field_text(page.frame.planes.far_m));
-  text += depth_background(page, textures, folder) + lights(subject) + virtual_scene(page);
-  Eigen::Vector3d sky = Eigen::Vector3d::Zero();
-  if (page.sun != nullptr) sky = page.sun->sky_w_m2;
-  if (page.sun == nullptr)
-    sky = std::numbers::pi * subject.light.sky(Eigen::Vector3f::UnitY()).matrix().cast<double>();
-  text += "<transform id=\"object\" translation=\"0 0 0\">\n";
-  for (const auto& mesh : subject.objects) text += object_shape(subject, *mesh, sky);
-  return text + "</transform>\n" +
+  text += depth_background(page, textures, folder) + x3d_lights(page) + virtual_scene(page);
+  return text + x3d_objects(page, folder) +
          sensor_prototypes({.depth = page.frame.depth,
                             .colour = page.photograph,
                             .label = subject.title,
@@ -117,9 +72,7 @@ std::string controls(const X3dPage& page) {
       "<fieldset><label><input type=\"checkbox\" id=\"occlusion\" checked> the real hides the "
       "virtual</label>\n";
   if (page.sun != nullptr)
-    text +=
-        "<label class=\"needs-depth\"><input type=\"checkbox\" id=\"shadow\" checked> shadow of the "
-        "object</label>\n";
+    text += "<label class=\"needs-depth\"><input type=\"checkbox\" id=\"shadow\" checked> shadows</label>\n";
   if (page.user != nullptr)
     text +=
         "<label class=\"needs-depth\"><input type=\"checkbox\" id=\"user_only\"> only the user, in a virtual "
@@ -166,7 +119,7 @@ std::string x3d_page_text(const X3dPage& page, const std::filesystem::path& fold
       "<h2>Recorded values of the sensors</h2>\n<div class=\"sheet\"><table><tbody "
       "id=\"values\"></tbody></table></div>\n"
       "<h2>The program's own picture</h2>\n<p>Traced, with the same depth deciding who is in front: bounce "
-      "light and the real world's shadow on the object are in it, which the scene above does not have.</p>\n"
+      "light is in it, which the scene above does not have.</p>\n"
       "<p><img src=\"program.png\" alt=\"the same, traced\"></p>\n";
   return text + "</main></body></html>\n";
 }

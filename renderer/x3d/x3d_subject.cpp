@@ -110,6 +110,11 @@ X3dSubject subject_of_set(const X3dRequest& request) {
 }
 
 X3dSubject subject_of_scene(const X3dRequest& request) {
+  if (std::error_code error;
+      !request.source.starts_with("builtin:") && !std::filesystem::exists(request.source, error))
+    throw input_error({.file = request.source,
+                       .wanted = "a rendered set, or a scene: .glb, .gltf or builtin:NAME",
+                       .found = "nothing of that name"});
   if (!request.object)
     throw input_error({.field = "--object",
                        .wanted = "what is put into the scene: .glb, .gltf or builtin:NAME",

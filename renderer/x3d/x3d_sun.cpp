@@ -25,12 +25,21 @@ Rgb open_sky_w_m2(const Light& light) {
 
 }  // namespace
 
+const Sun* brightest_sun(const Light& light) {
+  const auto brightest = std::max_element(
+      light.suns.begin(), light.suns.end(),
+      [](const Sun& a, const Sun& b) { return a.irradiance_w_m2.sum() < b.irradiance_w_m2.sum(); });
+  return brightest != light.suns.end() && brightest->irradiance_w_m2.sum() > 0.0F ? &*brightest : nullptr;
+}
+
+Eigen::Vector3d sky_of(const X3dPage& page) {
+  return page.sun != nullptr ? page.sun->sky_w_m2
+                             : Eigen::Vector3d(open_sky_w_m2(page.subject.light).matrix().cast<double>());
+}
+
 std::optional<X3dSun> x3d_sun(const X3dSubject& subject, const X3dFrame& frame, int threads) {
-  const auto& suns = subject.light.suns;
-  const auto brightest = std::max_element(suns.begin(), suns.end(), [](const Sun& a, const Sun& b) {
-    return a.irradiance_w_m2.sum() < b.irradiance_w_m2.sum();
-  });
-  if (brightest == suns.end() || !(brightest->irradiance_w_m2.sum() > 0.0F)) return std::nullopt;
+  const Sun* brightest = brightest_sun(subject.light);
+  if (brightest == nullptr) return std::nullopt;
   const Eigen::Matrix3f x3d_from_world = subject.camera.axes.transpose();
   Sun sun = *brightest;
   sun.to_sun = (x3d_from_world * sun.to_sun).normalized();

@@ -44,26 +44,30 @@ std::string element_text(std::string_view text) {
   return out;
 }
 
-std::string triangle_set(std::span<const Eigen::Vector3f> positions_m,
-                         std::span<const Eigen::Vector3f> normals, std::span<const Triangle> triangles) {
+std::string triangle_set(std::span<const Eigen::Vector3f> positions_m, const VertexValues& values,
+                         std::span<const Triangle> triangles) {
   std::string text = "<indexedTriangleSet solid=\"false\" ";
-  text += normals.empty() ? "normalPerVertex=\"false\" index=\"" : "index=\"";
+  text += values.normals.empty() ? "normalPerVertex=\"false\" index=\"" : "index=\"";
   for (const Triangle& corners : triangles)
     fmt::format_to(std::back_inserter(text), "{} {} {} ", corners[0], corners[1], corners[2]);
   text += "\"><coordinate point=\"";
   append_vectors(positions_m, text);
   text += "\"></coordinate>";
-  if (!normals.empty()) {
+  if (!values.normals.empty()) {
     text += "<normal vector=\"";
-    append_vectors(normals, text);
+    append_vectors(values.normals, text);
     text += "\"></normal>";
+  }
+  if (!values.colours.empty()) {
+    text += "<color color=\"";
+    append_vectors(values.colours, text);
+    text += "\"></color>";
   }
   return text + "</indexedTriangleSet>";
 }
 
 std::string shader_field(const char* name, const char* type, const std::string& value) {
-  return fmt::format("<field id=\"{0}\" name=\"{0}\" type=\"{1}\" value=\"{2}\"></field>\n", name, type,
-                     value);
+  return fmt::format("<field name=\"{0}\" type=\"{1}\" value=\"{2}\"></field>\n", name, type, value);
 }
 
 }  // namespace seamline::renderer

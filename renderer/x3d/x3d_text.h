@@ -18,12 +18,17 @@ namespace seamline::renderer {
 /// Text of our own (a shader) inside an element: its line breaks stay.
 [[nodiscard]] std::string element_text(std::string_view text);
 
-/// `<indexedTriangleSet>` with its points and, where there are some, normals of its vertices.
-[[nodiscard]] std::string triangle_set(std::span<const Eigen::Vector3f> positions_m,
-                                       std::span<const Eigen::Vector3f> normals,
-                                       std::span<const Triangle> triangles);
+/// What vertices have besides their places, where they have it.
+struct VertexValues {
+  std::span<const Eigen::Vector3f> normals;
+  std::span<const Eigen::Vector3f> colours;
+};
 
-/// `<field>` of a ComposedShader; with an id where the page's script changes it.
+/// `<indexedTriangleSet>`.
+[[nodiscard]] std::string triangle_set(std::span<const Eigen::Vector3f> positions_m,
+                                       const VertexValues& values, std::span<const Triangle> triangles);
+
+/// `<field>` of a ComposedShader.
 [[nodiscard]] std::string shader_field(const char* name, const char* type, const std::string& value);
 
 }  // namespace seamline::renderer

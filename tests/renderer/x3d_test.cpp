@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/x3d/x3d_frame.h"
+#include "renderer/x3d/x3d_openness.h"
 #include "renderer/x3d/x3d_page.h"
 #include "renderer/x3d/x3d_text.h"
 #include "support/text/numbers.h"
@@ -96,7 +97,9 @@ TEST(X3dPage, IsTheSameTwiceAndAsksForNothingOutside) {
   const auto sun = x3d_sun(subject, frame, 1);
   ASSERT_TRUE(sun);
   const ByteImage photograph = display_image(subject.photograph);
-  const X3dPage page{.subject = subject, .frame = frame, .photograph = photograph, .sun = &*sun};
+  const auto openness = x3d_openness(subject, 1);
+  const X3dPage page{
+      .subject = subject, .frame = frame, .photograph = photograph, .openness = openness, .sun = &*sun};
   const std::filesystem::path folder = std::filesystem::path(SEAMLINE_SOURCE_DIR) / "renderer/x3d/page";
   const std::string text = x3d_page_text(page, folder);
   EXPECT_EQ(text, x3d_page_text(page, folder));
@@ -106,6 +109,26 @@ TEST(X3dPage, IsTheSameTwiceAndAsksForNothingOutside) {
   EXPECT_EQ(text.find("unsafe"), std::string::npos);
   for (const char* proto : {"<ProtoDeclare name=\"DepthSensor\">", "<ProtoInstance name=\"NISensor\" "})
     EXPECT_THAT(text, HasSubstr(proto));
+}
+
+TEST(X3dOpenness, IsAllOnAPlaneAndHalfAtTheFootOfAWallOrBehindTheEdgeOfACover) {
+  X3dSubject subject = post_before_object();
+  const auto wall = upright_square(-50, 50, -4, 1);
+  auto ground = std::make_shared<SurfaceMesh>();
+  ground->positions_m = {{0, 0, -3.99F}, {-0.1F, 0, -3.9F}, {0.1F, 0, -3.9F}, {0, 4.9F, 30}};
+  ground->normals.assign(4, Eigen::Vector3f::UnitY());
+  ground->triangles = {{0, 1, 2}};
+  const std::vector far = {upright_square(-50, 50, -400, 0)};
+  subject.depth = std::make_shared<const Geometry>(far);
+  subject.objects = {wall, ground};
+  const auto open = x3d_openness(subject, 1);
+  EXPECT_THAT(open[0], testing::Each(1));
+  EXPECT_NEAR(open[1][0], 0.5, 0.04);  // the wall, 5 m high, hides nearly all of its side
+  subject.objects = {wall};
+  const std::vector cover = {upright_square(-5000, 5000, -3.8, 0)};
+  subject.depth = std::make_shared<const Geometry>(cover);
+  EXPECT_THAT(x3d_openness(subject, 2)[0],
+              testing::Each(testing::FloatNear(0.5F, 0.04F)));  // 10 m high, like the wall
 }
 
 TEST(X3dSun, TheObjectsShadowMapShadesThePostBehindItAndNotWhatStandsBefore) {

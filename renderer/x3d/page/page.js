@@ -2,7 +2,9 @@
 (() => {
   "use strict";
   const by = (id) => document.getElementById(id);
-  const set = (id, value) => by(id)?.setAttribute("value", String(value));
+  const set = (name, value) => {
+    for (const field of document.querySelectorAll(`field[name="${name}"]`)) field.setAttribute("value", String(value));
+  };
   const hasWebGl2 = !!document.createElement("canvas").getContext("webgl2");
   const ghosts = !hasWebGl2 || location.search === "?ghosts";
   if (ghosts) {
@@ -10,12 +12,13 @@
     const scene = by("scene");
     scene.insertBefore(by("ghost_template").content, scene.firstChild);
     by("depth_background").remove();
+    for (const part of document.querySelectorAll(".by-shader")) part.remove();
     for (const control of document.querySelectorAll(".needs-depth")) control.hidden = true;
   }
   by("status").textContent = !ghosts
     ? "Who is in front is decided by the depth image, written fragment by fragment (WebGL 2)."
     : (hasWebGl2 ? "As asked for" : "There is no WebGL 2 here") +
-      ": who is in front is decided by invisible geometry, drawn before the object. The object's shadow and the user's mask are not shown.";
+      ": who is in front is decided by invisible geometry, drawn before the object. Shadows and the user's mask are not shown.";
   by("other_way").hidden = !hasWebGl2;
   by("other_way").href = ghosts ? "?" : "?ghosts";
   by("other_way").textContent = ghosts ? "Use the depth image" : "Use invisible geometry";
@@ -47,9 +50,15 @@
     by("virtual_scene").setAttribute("whichChoice", event.target.checked ? "0" : "-1");
   });
   by("marked").addEventListener("change", (event) => {
+    set("marked", event.target.checked ? 1 : 0);
+    if (!ghosts) return;
     for (const material of document.querySelectorAll("material.object")) {
-      material.setAttribute("diffuseColor", event.target.checked ? "0 0 0" : material.dataset.diffuse);
-      material.setAttribute("emissiveColor", event.target.checked ? "1 0 1" : material.dataset.emissive);
+      material.setAttribute("emissiveColor", event.target.checked ? "1 0 1" : "0 0 0");
+      material.setAttribute("ambientIntensity", event.target.checked ? "0" : "1");
+    }
+    for (const light of document.querySelectorAll(".light")) {
+      light.dataset.intensity ??= light.getAttribute("intensity");
+      light.setAttribute("intensity", event.target.checked ? "0" : light.dataset.intensity);
     }
   });
 
