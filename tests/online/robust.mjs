@@ -98,7 +98,7 @@ async function session(kind) {
 
   try {
     await open();
-    let dueAt = Date.now() + random() * 900;
+    let dueAt = Date.now() + random() * 700;
     let last = "";
     let movedAt = Date.now();
     for (;;) {
@@ -120,7 +120,7 @@ async function session(kind) {
         await disrupt[what]().catch((error) => {
           if (!/net::|closed|Target|interrupted|ERR_/.test(String(error))) throw error;
         });
-        dueAt = Date.now() + 100 + random() * 1400;
+        dueAt = Date.now() + 50 + random() * 800;
         continue;
       }
       if (seen) await act(page, seen, { mouse: random() < 0.3 }).catch(() => {});
