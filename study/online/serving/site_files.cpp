@@ -61,8 +61,11 @@ std::shared_ptr<const SentFile> read_sent_file(const fs::path& path, const std::
   file->content_type = content_type_of(name);
   file->version = "\"" + wanted_sha256.substr(0, 32) + "\"";
   file->size_bytes = wanted_bytes;
-  std::string bytes = read_file(path, wanted_bytes);
-  if (static_cast<std::int64_t>(bytes.size()) != wanted_bytes || sha256(bytes) != wanted_sha256)
+  std::error_code error;
+  const std::uintmax_t found_bytes = fs::file_size(path, error);  // too many are not even read
+  const bool too_many = !error && found_bytes > static_cast<std::uintmax_t>(wanted_bytes);
+  std::string bytes = too_many ? std::string() : read_file(path, wanted_bytes);
+  if (too_many || static_cast<std::int64_t>(bytes.size()) != wanted_bytes || sha256(bytes) != wanted_sha256)
     throw input_error({.file = path.string(),
                        .wanted = "the file that was exported (export it again)",
                        .found = "another one"});
@@ -124,6 +127,10 @@ void read_study(const fs::path& file, SiteFiles& site) {
 
 SiteFiles read_site_files(const fs::path& folder) {
   const fs::path list = folder / "files.json";
+  if (std::error_code error; !fs::exists(list, error))
+    throw input_error({.file = folder.string(),
+                       .wanted = "a folder that seamline export --web wrote",
+                       .found = fs::is_directory(folder, error) ? "one without files.json" : "none"});
   const JsonValue listed = read_json(list);
   SiteFiles site;
   for (const JsonValue& entry : field(listed, "files", JsonValue::Kind::array, list).items) {
