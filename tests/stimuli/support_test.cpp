@@ -169,6 +169,10 @@ TEST(Error, SentenceNamesFileFieldWantedAndFound) {
       input_error({.file = "a.toml", .field = "scene[0].scale", .wanted = "a positive number", .found = "-1"})
           .what(),
       "a.toml: scene[0].scale: wanted a positive number, found -1");
+  // Empty parts are left out.
+  EXPECT_STREQ(input_error({.file = "a.jsonl:1", .field = "message: wanted one value"}).what(),
+               "a.jsonl:1: message: wanted one value");
+  EXPECT_STREQ(input_error({.wanted = "a disk", .found = "none"}).what(), "wanted a disk, found none");
 }
 
 }  // namespace
