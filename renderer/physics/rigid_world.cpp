@@ -1,26 +1,30 @@
 // The only file that includes Bullet.
+#ifdef SEAMLINE_HAS_BULLET
 #include "renderer/physics/rigid_world.h"
 
-#include "support/text/error.h"
-
-#ifdef SEAMLINE_HAS_BULLET
-#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <LinearMath/btConvexHullComputer.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
-#endif
+#include <limits>
+#include <utility>
+
+#include "renderer/physics/ground_edges.h"
+#include "renderer/physics/solid.h"
+#include "renderer/physics/touching.h"
+#include "support/text/error.h"
 
 namespace seamline::renderer {
-
-#ifdef SEAMLINE_HAS_BULLET
-
 namespace {
 
 constexpr int solver_iterations = 30;
+constexpr double nearest_m = 0.003;        ///< what is so near to a body at rest may touch it
+constexpr double cells_per_reach = 0.125;  ///< touches are so far from each other, in reaches of the body
 
 btVector3 to_bullet(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
@@ -50,35 +54,23 @@ struct MassedShape {
   std::unique_ptr<btConvexInternalShape> shape;
   Eigen::Isometry3d body_from_principal = Eigen::Isometry3d::Identity();
   Eigen::Vector3d inertia_m2 = Eigen::Vector3d::Ones();  ///< of a kilogram
+  double reach_m = 0;                                    ///< of its farthest point from the centre of mass
+  // Of a hull, in the principal frame: corners, the margin inside its surface, and planes of faces, outwards.
+  std::vector<Eigen::Vector3d> corners_m;
+  std::vector<std::pair<Eigen::Vector3d, double>> faces;
 };
 
-/// Volume, centre and second moments of the solid between triangles, wound outwards.
-struct Moments {
-  double volume_m3 = 0;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-
-  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-    const double volume = a.dot(b.cross(c)) / 6;
-    const Eigen::Vector3d sum = a + b + c;
-    volume_m3 += volume;
-    first += volume / 4 * sum;
-    second +=
-        volume / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
-  }
-};
-
-Moments moments_of(btConvexHullComputer& hull) {
-  Moments moments;
+Solid solid_of(btConvexHullComputer& hull) {
+  Solid solid;
+  for (int i = 0; i < hull.vertices.size(); ++i) solid.corners_m.push_back(from_bullet(hull.vertices[i]));
   for (int face = 0; face < hull.faces.size(); ++face) {
     const btConvexHullComputer::Edge* first = &hull.edges[hull.faces[face]];
-    const Eigen::Vector3d a = from_bullet(hull.vertices[first->getSourceVertex()]);
-    for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != first->getSourceVertex();
+    const int start = first->getSourceVertex();
+    for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != start;
          edge = edge->getNextEdgeOfFace())
-      moments.add(a, from_bullet(hull.vertices[edge->getSourceVertex()]),
-                  from_bullet(hull.vertices[edge->getTargetVertex()]));
+      solid.triangles.push_back({start, edge->getSourceVertex(), edge->getTargetVertex()});
   }
-  return moments;
+  return solid;
 }
 
 InputError flat_shape() {
@@ -91,7 +83,7 @@ MassedShape massed(const HullShape& hull, double margin_m) {
   btConvexHullComputer whole;
   whole.compute(hull.points_m.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(hull.points_m.size()),
                 0, 0);
-  const Moments moments = moments_of(whole);
+  const Moments moments = moments_of(solid_of(whole));
   if (!(std::abs(moments.volume_m3) > 1e-12)) throw flat_shape();
   MassedShape out;
   const Eigen::Vector3d middle = moments.first / moments.volume_m3;
@@ -110,7 +102,12 @@ MassedShape massed(const HullShape& hull, double margin_m) {
   shrunk.compute(points.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(points.size()), margin_m,
                  0.25);
   auto shape = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < shrunk.vertices.size(); ++i) shape->addPoint(shrunk.vertices[i], false);
+  for (int i = 0; i < shrunk.vertices.size(); ++i) {
+    shape->addPoint(shrunk.vertices[i], false);
+    out.corners_m.push_back(from_bullet(shrunk.vertices[i]));
+    out.reach_m = std::max(out.reach_m, out.corners_m.back().norm() + margin_m);
+  }
+  out.faces = faces_of(solid_of(shrunk));
   shape->recalcLocalAabb();
   shape->setMargin(margin_m);
   out.shape = std::move(shape);
@@ -123,103 +120,101 @@ MassedShape massed(const BallShape& ball, double) {
   out.body_from_principal.translation() = ball.centre_m;
   out.inertia_m2 = Eigen::Vector3d::Constant(0.4 * ball.radius_m * ball.radius_m);
   out.shape = std::make_unique<btSphereShape>(ball.radius_m);
+  out.reach_m = ball.radius_m;
   return out;
 }
 
-/// Across each edge of a triangle, from its corner i to its corner i + 1: the neighbour, and the neighbour's
-/// third corner. An edge that has no other triangle, or several, has none.
-struct Neighbour {
-  int triangle = -1;
-  std::uint32_t third = 0;
+struct ClosestPoint : btDiscreteCollisionDetectorInterface::Result {
+  bool is_found = false;
+  Eigen::Vector3d push = Eigen::Vector3d::Zero(), on_ground_m = Eigen::Vector3d::Zero();
+  double distance_m = 0;
+  void setShapeIdentifiersA(int, int) override {}
+  void setShapeIdentifiersB(int, int) override {}
+  void addContactPoint(const btVector3& push_out, const btVector3& at, btScalar distance) override {
+    is_found = true;
+    push = from_bullet(push_out);
+    on_ground_m = from_bullet(at);
+    distance_m = distance;
+  }
 };
-using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
-Neighbours neighbours_of(const Ground& ground) {
-  struct Side {
-    std::uint64_t edge;
-    int triangle, side;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * ground.triangles.size());
-  for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-    for (int side = 0; side < 3; ++side) {
-      const std::uint64_t a = ground.triangles[t][static_cast<std::size_t>(side)],
-                          b = ground.triangles[t][static_cast<std::size_t>((side + 1) % 3)];
-      sides.push_back({std::min(a, b) << 32U | std::max(a, b), static_cast<int>(t), side});
+/// Asks triangles one by one how near a body is: at its nearest point, and at each corner of a hull that lies
+/// over the triangle.
+struct TouchSearch : btTriangleCallback {
+  const MassedShape& shape;
+  const JoinedGround& joined;
+  btTransform pose;
+  double margin_m, near_m;
+  std::vector<Touch> touches;
+  Eigen::Isometry3d principal_from_world;
+  std::vector<Eigen::Vector3d> corners_m;  ///< in the world
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver penetration;
+
+  TouchSearch(const MassedShape& of, const JoinedGround& on, const btTransform& at, double margin,
+              double nearer_than)
+      : shape(of), joined(on), pose(at), margin_m(margin), near_m(nearer_than) {
+    principal_from_world = from_bullet(pose).inverse();
+    for (const Eigen::Vector3d& corner_m : shape.corners_m) corners_m.push_back(from_bullet(pose) * corner_m);
+  }
+
+  void processTriangle(btVector3* triangle, int, int index) override {
+    const std::array<Eigen::Vector3d, 3> at_m = {from_bullet(triangle[0]), from_bullet(triangle[1]),
+                                                 from_bullet(triangle[2])};
+    if (is_far(at_m)) return;
+    btTriangleShape one(triangle[0], triangle[1], triangle[2]);
+    one.setMargin(margin_m);
+    btGjkPairDetector detector(shape.shape.get(), &one, &simplex, &penetration);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = pose;
+    input.m_transformB.setIdentity();
+    const double widest_m = shape.shape->getMargin() + margin_m + near_m;
+    input.m_maximumDistanceSquared = widest_m * widest_m;
+    ClosestPoint closest;
+    detector.getClosestPoints(input, closest, nullptr);
+    if (!closest.is_found || closest.distance_m > near_m) return;
+    add_corners(at_m, static_cast<std::size_t>(index), closest);
+    const Eigen::Vector3d push =
+        push_of(joined, static_cast<std::size_t>(index), closest.on_ground_m, closest.push);
+    add(closest.on_ground_m, push, closest.distance_m, false);
+  }
+
+  void add(const Eigen::Vector3d& on_ground_m, const Eigen::Vector3d& push, double distance_m,
+           bool is_corner) {
+    touches.push_back({.on_body_m = principal_from_world * (on_ground_m + distance_m * push),
+                       .on_ground_m = on_ground_m,
+                       .push = push,
+                       .distance_m = distance_m,
+                       .is_corner = is_corner});
+  }
+
+  /// Whether a face of the hull has the whole triangle before it.
+  bool is_far(const std::array<Eigen::Vector3d, 3>& at_m) const {
+    std::array<Eigen::Vector3d, 3> here_m;
+    for (std::size_t i = 0; i < 3; ++i) here_m[i] = principal_from_world * at_m[i];
+    const double away_m = near_m + 2 * margin_m;
+    return std::any_of(shape.faces.begin(), shape.faces.end(), [&](const auto& face) {
+      return std::all_of(here_m.begin(), here_m.end(), [&](const Eigen::Vector3d& corner_m) {
+        return face.first.dot(corner_m) > face.second + away_m;
+      });
+    });
+  }
+
+  void add_corners(const std::array<Eigen::Vector3d, 3>& at_m, std::size_t index,
+                   const ClosestPoint& closest) {
+    const Eigen::Vector3d normal = ground_normal(joined.ground, index, closest.push);
+    if (!(normal.dot(closest.push) > 0.5)) return;
+    for (const Eigen::Vector3d& corner_m : corners_m) {
+      const double distance_m = normal.dot(corner_m - at_m[0]) - 2 * margin_m;
+      if (distance_m > near_m || distance_m < closest.distance_m - near_m) continue;
+      const auto is_left_of = [&](std::size_t i) {
+        const Eigen::Vector3d& a = at_m[i];
+        return normal.dot((at_m[(i + 1) % 3] - a).cross(corner_m - a));
+      };
+      const double one = is_left_of(0), two = is_left_of(1), three = is_left_of(2);
+      if (!((one >= 0 && two >= 0 && three >= 0) || (one <= 0 && two <= 0 && three <= 0))) continue;
+      add(corner_m - (distance_m + margin_m) * normal, normal, distance_m, true);
     }
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
-  Neighbours neighbours(ground.triangles.size());
-  const auto third = [&](const Side& s) {
-    return ground.triangles[static_cast<std::size_t>(s.triangle)][static_cast<std::size_t>((s.side + 2) % 3)];
-  };
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    while (end < sides.size() && sides[end].edge == sides[i].edge) ++end;
-    if (end != i + 2) continue;
-    const Side &one = sides[i], &other = sides[i + 1];
-    neighbours[static_cast<std::size_t>(one.triangle)][static_cast<std::size_t>(one.side)] = {other.triangle,
-                                                                                              third(other)};
-    neighbours[static_cast<std::size_t>(other.triangle)][static_cast<std::size_t>(other.side)] = {
-        one.triangle, third(one)};
-  }
-  return neighbours;
-}
-
-/// A ground and who is whose neighbour there.
-struct JoinedGround {
-  Ground ground;
-  Neighbours neighbours;
-};
-
-constexpr double flat_cosine = 0.97;  ///< of 14 degrees
-
-/// The direction in which a triangle pushes at a point, unit. Bullet asks each triangle alone, so that bodies
-/// catch on the edges inside a flat floor: a triangle that goes on beyond its nearest edge, nearly in its
-/// plane, pushes along its normal. Elsewhere Bullet's own direction stays.
-Eigen::Vector3d push_of(const JoinedGround& joined, std::size_t triangle, const Eigen::Vector3d& at_m,
-                        const Eigen::Vector3d& push) {
-  const auto& corners = joined.ground.triangles[triangle];
-  const auto place_m = [&](std::size_t i) -> const Eigen::Vector3d& {
-    return joined.ground.vertices_m[corners[i % 3]];
-  };
-  Eigen::Vector3d normal = (place_m(1) - place_m(0)).cross(place_m(2) - place_m(0)).normalized();
-  if (normal.dot(push) < 0) normal = -normal;
-  if (!normal.allFinite() || normal.isZero() || normal.dot(push) > 1 - 1e-9) return push;
-  std::size_t nearest = 0;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Vector3d along = (place_m(i + 1) - place_m(i)).normalized();
-    const double distance_m = (at_m - place_m(i)).cross(along).norm();
-    if (distance_m < nearest_m) nearest = i, nearest_m = distance_m;
-  }
-  const Neighbour& neighbour = joined.neighbours[triangle][nearest];
-  if (neighbour.triangle < 0) return push;
-  const Eigen::Vector3d& third_m = joined.ground.vertices_m[neighbour.third];
-  const Eigen::Vector3d other =
-      (place_m(nearest + 1) - place_m(nearest)).cross(third_m - place_m(nearest)).normalized();
-  return std::abs(normal.dot(other)) > flat_cosine ? normal : push;
-}
-
-bool correct_push(btManifoldPoint& point, const btCollisionObjectWrapper* first, int, int first_index,
-                  const btCollisionObjectWrapper* second, int, int second_index) {
-  const bool ground_is_second = second->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE;
-  const btCollisionObjectWrapper* triangle = ground_is_second ? second : first;
-  const auto* joined = static_cast<const JoinedGround*>(triangle->getCollisionObject()->getUserPointer());
-  if (joined == nullptr) return false;
-  const int index = ground_is_second ? second_index : first_index;
-  const double sign = ground_is_second ? 1 : -1;
-  const btVector3& at = ground_is_second ? point.m_positionWorldOnB : point.m_positionWorldOnA;
-  const Eigen::Vector3d push = sign * push_of(*joined, static_cast<std::size_t>(index), from_bullet(at),
-                                              sign * from_bullet(point.m_normalWorldOnB));
-  point.m_normalWorldOnB = to_bullet(push);
-  return true;
-}
-
-struct DeepestContact : btCollisionWorld::ContactResultCallback {
-  double deepest_m = 0;
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                           const btCollisionObjectWrapper*, int, int) override {
-    deepest_m = std::max(deepest_m, static_cast<double>(-point.getDistance()));
-    return 0;
   }
 };
 
@@ -237,7 +232,7 @@ struct RigidWorld::Bullet {
   JoinedGround joined;
   std::unique_ptr<btTriangleIndexVertexArray> triangles;
   std::unique_ptr<btBvhTriangleMeshShape> ground_shape;
-  std::unique_ptr<btCollisionObject> ground_object;
+  btCollisionObject ground_object;
   MassedShape body_shape;
   std::unique_ptr<btRigidBody> body;
   btDefaultCollisionConfiguration configuration;
@@ -245,17 +240,19 @@ struct RigidWorld::Bullet {
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<btPersistentManifold*> manifolds = {};  ///< of the touches, four in each; the dispatcher's
+  std::vector<Touch> touched = {};
 
   Bullet(Ground on, const BodyShape& shape, const Eigen::Isometry3d& world_from_body,
          const PhysicsSettings& how)
-      : settings(how), joined{std::move(on), {}} {
-    static const bool callback_is_set = (gContactAddedCallback = correct_push, true);
-    static_cast<void>(callback_is_set);
+      : settings(how) {
     world.setGravity({0, -settings.gravity_m_s2, 0});
     world.getSolverInfo().m_numIterations = solver_iterations;
     // With one direction of friction, boxes on fine meshes tremble a thousand times more.
     world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-    add_ground();
+    // Else what reaches less than 4 cm into the ground is pushed out with a speed, which it keeps.
+    world.getSolverInfo().m_splitImpulsePenetrationThreshold = std::numeric_limits<btScalar>::max();
+    set_ground(std::move(on));
     body_shape = std::visit([&](const auto& s) { return massed(s, settings.margin_m); }, shape);
     btRigidBody::btRigidBodyConstructionInfo facts(1, nullptr, body_shape.shape.get(),
                                                    to_bullet(body_shape.inertia_m2));
@@ -269,12 +266,13 @@ struct RigidWorld::Bullet {
   Bullet(const Bullet&) = delete;
   Bullet& operator=(const Bullet&) = delete;
   ~Bullet() {
+    for (btPersistentManifold* manifold : manifolds) dispatcher.releaseManifold(manifold);
     if (body) world.removeRigidBody(body.get());
-    if (ground_object) world.removeCollisionObject(ground_object.get());
   }
 
-  void add_ground() {
-    joined.neighbours = neighbours_of(joined.ground);
+  /// The ground is not part of Bullet's world: it gives its touches by itself.
+  void set_ground(Ground on) {
+    joined = joined_ground(std::move(on));
     const Ground& ground = joined.ground;
     btIndexedMesh mesh;
     mesh.m_numTriangles = static_cast<int>(ground.triangles.size());
@@ -287,14 +285,54 @@ struct RigidWorld::Bullet {
     triangles = std::make_unique<btTriangleIndexVertexArray>();
     triangles->addIndexedMesh(mesh, PHY_INTEGER);
     ground_shape = std::make_unique<btBvhTriangleMeshShape>(triangles.get(), true);
-    ground_shape->setMargin(settings.margin_m);
-    ground_object = std::make_unique<btCollisionObject>();
-    ground_object->setCollisionShape(ground_shape.get());
-    ground_object->setFriction(1);
-    ground_object->setUserPointer(&joined);
-    ground_object->setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT |
-                                     btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
-    world.addCollisionObject(ground_object.get());
+    ground_object.setCollisionShape(ground_shape.get());
+    ground_object.setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
+  }
+
+  /// Where the body is nearer to the ground than `near_m`.
+  std::vector<Touch> touches(double near_m) const {
+    TouchSearch search(body_shape, joined, body->getCenterOfMassTransform(), settings.margin_m, near_m);
+    btVector3 low, high;
+    body_shape.shape->getAabb(search.pose, low, high);
+    const btScalar wider_m = near_m + settings.margin_m;
+    ground_shape->processAllTriangles(&search, low - btVector3(wider_m, wider_m, wider_m),
+                                      high + btVector3(wider_m, wider_m, wider_m));
+    return std::move(search.touches);
+  }
+
+  /// Gives Bullet's solver the touches of this moment, with the impulses of the last.
+  void touch() {
+    const double step_s = 1.0 / settings.steps_per_s;
+    const double speed_m_s = body->getLinearVelocity().length() +
+                             body->getAngularVelocity().length() * body_shape.reach_m +
+                             settings.gravity_m_s2 * step_s;
+    const double cell_m = cells_per_reach * body_shape.reach_m;
+    std::vector<Touch> now = spread_touches(touches(nearest_m + 1.5 * speed_m_s * step_s), cell_m);
+    keep_impulses(touched, cell_m, now);
+    for (btPersistentManifold* manifold : manifolds) manifold->clearManifold();
+    while (manifolds.size() * MANIFOLD_CACHE_SIZE < now.size())
+      manifolds.push_back(dispatcher.getNewManifold(body.get(), &ground_object));
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Touch& touch = now[i];
+      btManifoldPoint point(to_bullet(touch.on_body_m), to_bullet(touch.on_ground_m), to_bullet(touch.push),
+                            touch.distance_m);
+      point.m_positionWorldOnB = to_bullet(touch.on_ground_m);
+      point.m_positionWorldOnA = to_bullet(touch.on_ground_m + touch.distance_m * touch.push);
+      point.m_combinedFriction = settings.friction;
+      point.m_combinedRollingFriction = settings.rolling_friction_m;
+      point.m_appliedImpulse = touch.impulse;
+      manifolds[i / MANIFOLD_CACHE_SIZE]->addManifoldPoint(point);
+    }
+    touched = std::move(now);
+  }
+
+  void step() {
+    touch();
+    world.stepSimulation(1.0 / settings.steps_per_s, 0);
+    for (std::size_t i = 0; i < touched.size(); ++i)
+      touched[i].impulse = manifolds[i / MANIFOLD_CACHE_SIZE]
+                               ->getContactPoint(static_cast<int>(i % MANIFOLD_CACHE_SIZE))
+                               .m_appliedImpulse;
   }
 };
 
@@ -308,20 +346,14 @@ void RigidWorld::move_ground(std::span<const Eigen::Vector3d> vertices_m) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex_m : b.joined.ground.vertices_m) box.extend(vertex_m);
   b.ground_shape->refitTree(to_bullet(box.min()), to_bullet(box.max()));
-  b.world.updateSingleAabb(b.ground_object.get());
-  b.broadphase.getOverlappingPairCache()->cleanProxyFromPairs(b.ground_object->getBroadphaseHandle(),
-                                                              &b.dispatcher);
 }
 
 void RigidWorld::set_ground(Ground ground) {
-  Bullet& b = *bullet_;
-  b.world.removeCollisionObject(b.ground_object.get());
-  b.joined.ground = std::move(ground);
-  b.add_ground();
+  bullet_->set_ground(std::move(ground));
 }
 
 void RigidWorld::step() {
-  bullet_->world.stepSimulation(1.0 / bullet_->settings.steps_per_s, 0);
+  bullet_->step();
 }
 
 BodyState RigidWorld::body() const {
@@ -342,42 +374,15 @@ BodyState RigidWorld::body() const {
 }
 
 double RigidWorld::overlap_m() const {
-  DeepestContact contact;
-  bullet_->world.contactPairTest(bullet_->body.get(), bullet_->ground_object.get(), contact);
-  return contact.deepest_m;
+  double deepest_m = 0;
+  for (const Touch& touch : bullet_->touches(0))
+    if (!touch.is_corner) deepest_m = std::max(deepest_m, -touch.distance_m);
+  return deepest_m;
 }
-
-#else
-
-bool has_physics() {
-  return false;
-}
-
-void require_physics() {
-  throw input_error({.field = "falling bodies",
-                     .wanted = "Seamline built with Bullet (Debian: libbullet-dev)",
-                     .found = "a build without it"});
-}
-
-struct RigidWorld::Bullet {};
-
-RigidWorld::RigidWorld(Ground, const BodyShape&, const Eigen::Isometry3d&, const PhysicsSettings&) {
-  require_physics();
-}
-void RigidWorld::move_ground(std::span<const Eigen::Vector3d>) {}
-void RigidWorld::set_ground(Ground) {}
-void RigidWorld::step() {}
-BodyState RigidWorld::body() const {
-  return {};
-}
-double RigidWorld::overlap_m() const {
-  return 0;
-}
-
-#endif
 
 RigidWorld::~RigidWorld() = default;
 RigidWorld::RigidWorld(RigidWorld&&) noexcept = default;
 RigidWorld& RigidWorld::operator=(RigidWorld&&) noexcept = default;
 
 }  // namespace seamline::renderer
+#endif

@@ -40,7 +40,7 @@ TEST(RigidWorld, ABallRestsAtItsRadius) {
       RigidWorld world(flat_floor(cells), BallShape{.radius_m = radius_m},
                        pose_at({0.013, 1.5 * radius_m, 0.02}), settings);
       run(world, 3 * second);
-      EXPECT_NEAR(world.body().middle_m.y(), radius_m, settings.margin_m) << cells << " cells";
+      EXPECT_NEAR(world.body().middle_m.y(), radius_m, 1.001 * settings.margin_m) << cells << " cells";
     }
 }
 
@@ -49,10 +49,31 @@ TEST(RigidWorld, ABoxRestsOnItsFace) {
   const PhysicsSettings settings;
   for (const int cells : {1, 20, 60}) {
     RigidWorld world(flat_floor(cells), box_hull({0.1, 0.07, 0.12}), pose_at({0.01, 0.1, 0.02}), settings);
-    run(world, 4 * second);
+    run(world, 2 * second);
     EXPECT_NEAR(world.body().middle_m.y(), 0.07, 2 * settings.margin_m) << cells << " cells";
     EXPECT_GT(world.body().world_from_body.linear()(1, 1), 0.99999) << cells << " cells";
   }
+}
+
+TEST(RigidWorld, ATallBoxStandsStillOnManySmallTriangles) {
+  SKIP_WITHOUT_BULLET();
+  const int frame = second / 30;
+  RigidWorld world(test::flat_floor(30, 0.5), box_hull({0.1, 0.3, 0.1}), pose_at({0.003, 0.301, 0.002}), {});
+  run(world, second / 2);
+  for (int i = 0; i < 15; ++i) {
+    const Eigen::Vector3d before_m = world.body().middle_m;
+    run(world, frame);
+    EXPECT_LT((world.body().middle_m - before_m).norm(), 1e-5) << "frame " << i;
+  }
+}
+
+TEST(RigidWorld, AFastBallDoesNotGoThroughTheGround) {
+  SKIP_WITHOUT_BULLET();
+  // At 9.9 m/s it moves by twice its size in a step.
+  const PhysicsSettings settings;
+  RigidWorld world(flat_floor(7), BallShape{.radius_m = 0.01}, pose_at({0.1, 5, 0.1}), settings);
+  run(world, 3 * second);
+  EXPECT_NEAR(world.body().middle_m.y(), 0.01, 1.001 * settings.margin_m);
 }
 
 TEST(RigidWorld, ABoxStaysUnderTheFrictionAngleAndSlidesOverIt) {

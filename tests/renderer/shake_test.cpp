@@ -99,16 +99,14 @@ TEST(Shake, PlanesInPlaceOfNoiseShakeLess) {
   EXPECT_LT(exact.jump_mm, 0.25 * planes.jump_mm);
 }
 
-TEST(Shake, OnExactDepthItFallsWithStepsASecond) {
+TEST(Shake, OnExactDepthThereIsNoneAtAnyNumberOfSteps) {
   SKIP_WITHOUT_BULLET();
-  std::vector<double> jumps_mm;
-  for (const int steps_per_s : {60, 240, 960}) {
+  for (const int steps_per_s : {60, 240, 480}) {
     FallRequest request = box_request("exact");
     request.physics.steps_per_s = steps_per_s;
-    jumps_mm.push_back(renderer::fall_on([](int) { return measured(0, 0); }, request, [] {}).jump_mm);
+    const Fall exact = renderer::fall_on([](int) { return measured(0, 0); }, request, [] {});
+    EXPECT_LT(exact.jump_mm, 1e-3) << steps_per_s << " steps a second";
   }
-  EXPECT_LT(jumps_mm[1], 0.5 * jumps_mm[0]);
-  EXPECT_LT(jumps_mm[2], jumps_mm[1]);
 }
 
 TEST(Shake, TheSameDepthGivesTheSameBits) {
