@@ -157,8 +157,10 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
   add_number(*command, "--depth-bias", request.settings.depth_bias, {0, 1},
              "share of the distance within which a real surface does not shade itself")
       ->capture_default_str();
-  add_number(*command, "--normal-reach", request.settings.normal_reach_px, {1, 1000, "px"},
-             "how far beside a pixel the depths lie that give its normal")
+  add_number(*command, "--surface-reach", request.settings.surface_reach_px, {1, 1000, "px"},
+             "how far beside a pixel the depths lie through which the plane that a shadow falls on is "
+             "fitted; 1: its own "
+             "depth, and its neighbours for the normal")
       ->capture_default_str();
   add_number(*command, "--views", request.settings.views, {1, 64}, "eyes beside each other")
       ->capture_default_str();

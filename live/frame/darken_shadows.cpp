@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "live/frame/codes.h"
 #include "live/frame/eye_picture.h"
+#include "live/frame/fitted_surface.h"
 #include "live/frame/pixel_rays.h"
 #include "renderer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
@@ -15,7 +15,6 @@
 namespace seamline::live {
 namespace {
 
-constexpr float jump_share = 0.1F;       ///< of the distance; more is another surface
 constexpr std::size_t most_lights = 64;  ///< of a bit each; light of the others is not taken away
 
 /// The part of a light's picture in which the objects lie. Without maps: all of it.
@@ -65,7 +64,7 @@ class Darkening {
   Darkening(const ShadowPass& pass, EyePicture& eye)
       : scene_(pass.scene),
         shadows_(pass.shadows),
-        normal_reach_px_(pass.normal_reach_px),
+        surface_reach_px_(pass.surface_reach_px),
         eye_(eye),
         rays_(eye.view, eye.codes.width_px, eye.codes.height_px),
         lights_(std::min(scene_.light_count(), most_lights)),
@@ -102,43 +101,29 @@ class Darkening {
                               static_cast<std::size_t>(x);
     if (eye_.covered[pixel] != 0) return;
     const Eigen::Vector3f direction = rays_.direction(x, y);
-    LitPoint point{rays_.eye_m() + planar_m * direction, -direction.normalized(), planar_m * direction.norm(),
-                   turn_of_pixel(x, y)};
+    const FittedSurface surface = surface_at(x, y, planar_m);
+    const LitPoint point{rays_.eye_m() + surface.planar_m * direction, surface.normal,
+                         surface.planar_m * direction.norm(), turn_of_pixel(x, y)};
     std::array<float, most_lights> passes_object;
-    bool any_taken = false, has_normal = false;
+    bool any_taken = false;
     for (std::size_t i = 0; i < lights_; ++i) {
       passes_object[i] = 1;
       if ((marks >> i & 1U) == 0) continue;
       const SeenLight seen = seen_light(scene_.light, i, point.position_m);
-      if (!has_normal) {
-        point.normal = normal_at(x, y, point.normal);
-        has_normal = true;
-      }
       passes_object[i] = shadows_.arriving(Caster::object, i, seen, point);
       any_taken = any_taken || passes_object[i] < 1.0F;
     }
     if (any_taken) apply(pixel, point, passes_object);
   }
 
-  /// The point beside a pixel, where it continues the pixel's surface.
-  [[nodiscard]] std::optional<Eigen::Vector3f> beside(int x, int y, float centre_m) const {
-    if (x < 0 || y < 0 || x >= eye_.real.width_px || y >= eye_.real.height_px) return std::nullopt;
-    const float planar_m = eye_.real.at(x, y);
-    if (!(std::abs(planar_m - centre_m) <= jump_share * centre_m)) return std::nullopt;
-    return rays_.point_m(x, y, planar_m);
-  }
-
-  [[nodiscard]] Eigen::Vector3f normal_at(int x, int y, const Eigen::Vector3f& to_eye) const {
-    const int reach = normal_reach_px_;
-    const float centre_m = eye_.real.at(x, y);
-    const auto left = beside(x - reach, y, centre_m), right = beside(x + reach, y, centre_m),
-               above = beside(x, y - reach, centre_m), below = beside(x, y + reach, centre_m);
-    if (left && right && above && below) {
-      const Eigen::Vector3f normal = (*below - *above).cross(*right - *left).normalized();
-      if (normal.allFinite()) return normal.dot(to_eye) < 0.0F ? Eigen::Vector3f(-normal) : normal;
-    }
+  /// What receives the shadow. At a reach of one pixel, and where no plane fits, it is the pixel's own depth
+  /// and the cross product of its neighbours'.
+  [[nodiscard]] FittedSurface surface_at(int x, int y, float planar_m) const {
+    if (surface_reach_px_ > 1)
+      if (const auto fitted = fitted_surface(eye_.real, rays_, x, y, surface_reach_px_)) return *fitted;
     const Eigen::Vector3f normal = renderer::cross_product_normal(eye_.real, eye_.view, x, y);
-    return normal.squaredNorm() > 0.0F ? normal : to_eye;
+    return {planar_m,
+            normal.squaredNorm() > 0.0F ? normal : Eigen::Vector3f(-rays_.direction(x, y).normalized())};
   }
 
   void apply(std::size_t pixel, const LitPoint& point, const std::array<float, most_lights>& passes_object) {
@@ -162,7 +147,7 @@ class Darkening {
 
   const LiveScene& scene_;
   const ShadowAnswers& shadows_;
-  int normal_reach_px_;
+  int surface_reach_px_;
   EyePicture& eye_;
   PixelRays rays_;
   std::size_t lights_;

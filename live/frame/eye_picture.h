@@ -44,13 +44,13 @@ void draw_objects(const ObjectPass& pass, EyePicture& eye);
 ///     (ambient + sum of lights that pass both) / (ambient + sum of lights that pass the real world)
 ///
 /// with ambient = pi times the sky's radiance. Only pixels that a light sees behind the objects are looked
-/// at. Their normals are cross products of depths that lie `normal_reach_px` beside them (paper 001,
-/// section 5.2, has neighbours, between which noise turns surfaces away from a low sun), of neighbours where
-/// depth jumps within that reach.
+/// at. A shadow falls on the plane that fits the depths up to `surface_reach_px` beside a pixel
+/// (`fitted_surface`); at 1, on the pixel's own depth with the cross product of its neighbours', as paper 001
+/// (section 5.2) has it, where noise gives the shadow ragged edges and turns surfaces away from a low sun.
 struct ShadowPass {
   const LiveScene& scene;
   const ShadowAnswers& shadows;
-  int normal_reach_px = 8;
+  int surface_reach_px = 8;
   int threads = 1;
 };
 void darken_shadows(const ShadowPass& pass, EyePicture& eye);

@@ -53,7 +53,7 @@ LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry
     const StageTimer timer(frame_.times, Stage::shadow);
     darken_shadows({.scene = scene_,
                     .shadows = shadows,
-                    .normal_reach_px = settings_.normal_reach_px,
+                    .surface_reach_px = settings_.surface_reach_px,
                     .threads = settings_.threads},
                    frame_.eyes[i]);
   }

@@ -14,7 +14,7 @@ struct PipelineSettings {
   int shadow_map_px = 512;  ///< a side
   double shadow_bias_texels = 1;
   double depth_bias = 0.015;     ///< of the local scene's shadows (`ShadowAnswers`)
-  int normal_reach_px = 8;       ///< of real surfaces (`ShadowPass`)
+  int surface_reach_px = 8;      ///< of real surfaces (`ShadowPass`)
   int views = 1;                 ///< eyes along the camera's right vector; 1: the camera itself
   double eye_spacing_m = 0.065;  ///< between neighbouring eyes
   double zero_parallax_m = 2;    ///< what is so far away has the same pixel in all views

@@ -32,7 +32,7 @@ PipelineSettings all_pixels(int threads = 2) {
   settings.local_mesh.most_triangles = 0;
   settings.shadow_map_px = 1024;
   settings.depth_bias = 0.002;
-  settings.normal_reach_px = 1;
+  settings.surface_reach_px = 1;
   settings.threads = threads;
   return settings;
 }
