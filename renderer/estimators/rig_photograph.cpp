@@ -3,6 +3,7 @@
 #include "renderer/common/parallel.h"
 #include "renderer/common/sampler.h"
 #include "renderer/transport/transport.h"
+#include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 
@@ -25,6 +26,7 @@ Image photograph_along(const Geometry& scene, const Light& light, int width_px, 
       height_px, options.threads,
       [&](int y) {
         for (int x = 0; x < width_px; ++x) {
+          stop_if_interrupted();  // a row of thousands of samples takes seconds
           Rgb sum = Rgb::Zero();
           for (int i = 0; i < options.spp; ++i) sum += radiance(x, y, Sampler(options.seed, x, y, i));
           picture.set_rgb(x, y, sum / static_cast<float>(options.spp));

@@ -20,9 +20,7 @@ using testing::Not;
 
 /// The bedroom alone at two widths.
 std::string small_study() {
-  std::string text = test::quick_study_with({{"width_px = 480", "width_px = 96"},
-                                             {"height_px = 270", "height_px = 54"},
-                                             {"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
+  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
   text.erase(text.find("# Types 2 and 4"));
   return text;
 }
@@ -39,7 +37,7 @@ struct Job {
 
 Job make_job(const fs::path& place, const std::string& options) {
   Job job{place / "a job's", place / "many", place / "one", options};
-  test::write_text(place / "study.toml", small_study());
+  test::write_small_study(place, small_study());
   const std::string render = "render " + (place / "study.toml").string() + " --threads 1 " + options;
   EXPECT_EQ(run_seamline(render + " --out " + job.one.string()).status, 0);
   const Outcome made = run_seamline(render + " --out " + job.set.string() + " --elements 2 --parallel \"" +
@@ -88,7 +86,8 @@ TEST(Cluster, ADamagedTruthPassIsMadeAgain) {
 TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const Job job = make_job(fresh_folder("cluster-status"), "--spp 2");
   const std::string status = "render --status " + job.set.string();
-  EXPECT_THAT(run_seamline(status).output, HasSubstr("wanted a set that a job of `seamline render` has begun"));
+  EXPECT_THAT(run_seamline(status).output,
+              HasSubstr("wanted a set that a job of `seamline render` has begun"));
   ASSERT_EQ(job.piece("truth-1").status, 0);
   EXPECT_THAT(run_seamline(status).output, HasSubstr("0 of 6 stimuli done"));
   ASSERT_EQ(job.piece("stimuli-1").status, 0);
@@ -138,7 +137,7 @@ TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
   EXPECT_THAT(with("\"inputs\": \"", "\"inputs\": \"0"), HasSubstr("others: make the job again"));
   EXPECT_THAT(with("\"truths\"", "\"lies\""), HasSubstr("wanted a job that `seamline render --slurm`"));
   EXPECT_FALSE(fs::exists(job.set));
-  const std::string render = "render " + (job.one / "study.toml").string() + " --out " + job.set.string();
+  const std::string render = "render " + (job.one.parent_path() / "study.toml").string() + " --out " + job.set.string();
   EXPECT_THAT(run_seamline(render + " --elements 3").output,
               HasSubstr("wanted --slurm DIR or --parallel DIR"));
   EXPECT_EQ(run_seamline(render + " --shard 1/2 --slurm x").status, 1);

@@ -31,9 +31,10 @@ TEST(Explain, WithoutOutPrintsThePlanAndStops) {
 }
 
 TEST(Explain, WithOutAlsoPrintsWhatWasSavedAndTheManifestKeepsThePlan) {
-  const auto set = fresh_folder("explain") / "set";
-  const std::string command =
-      "render " + quick_study() + " --only 'bedroom-*-0064' --spp 4 --explain --out " + set.string();
+  const auto folder = fresh_folder("explain"), set = folder / "set";
+  test::write_small_study(folder, test::small_study_with({}));
+  const std::string command = "render " + (folder / "study.toml").string() +
+                              " --only 'bedroom-*-0064' --spp 4 --explain --out " + set.string();
   const Outcome outcome = run_seamline(command + " --no-omit bounce_filter");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   for (const char* part : {"turned off", "rays traced, about", "tails at"})

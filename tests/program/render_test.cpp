@@ -2,10 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "run_program.h"
+#include "running_program.h"
 
 namespace seamline {
 namespace {
@@ -16,7 +20,7 @@ using test::read_text;
 using test::run_seamline;
 
 std::string tiny_study() {
-  return test::quick_study_with({{"width_px = 480", "width_px = 96"}, {"height_px = 270", "height_px = 54"}});
+  return test::small_study_with({});
 }
 
 std::string render(const fs::path& folder, const std::string& set, const std::string& more) {
@@ -40,7 +44,7 @@ bool is_about_the_run(const fs::path& file) {
 
 TEST(Render, SameBytesForOneAndTwoThreads) {
   const fs::path folder = fresh_folder("threads");
-  test::write_text(folder / "study.toml", tiny_study());
+  test::write_small_study(folder, tiny_study());
   ASSERT_EQ(run_seamline(render(folder, "one", "--threads 1 --only '*-0256'")).status, 0);
   ASSERT_EQ(run_seamline(render(folder, "two", "--threads 2 --only '*-0256'")).status, 0);
   int files = 0;
@@ -56,16 +60,14 @@ TEST(Render, SameBytesForOneAndTwoThreads) {
 
 /// The bedroom alone at two widths, with conditions or without.
 std::string bedroom_study(const std::string& conditions) {
-  std::string text = test::quick_study_with({{"width_px = 480", "width_px = 96"},
-                                             {"height_px = 270", "height_px = 54"},
-                                             {"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
+  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
   text.erase(text.find("# Types 2 and 4"));
   return text + conditions;
 }
 
 TEST(Render, ConditionsShareTheTruthOfOneLightAndCostOthersNothing) {
   const fs::path folder = fresh_folder("conditions");
-  test::write_text(folder / "study.toml", bedroom_study(""));
+  test::write_small_study(folder, bedroom_study(""));
   ASSERT_EQ(run_seamline(render(folder, "without", "")).status, 0);
   test::write_text(
       folder / "study.toml",
@@ -93,15 +95,12 @@ TEST(Render, ConditionsShareTheTruthOfOneLightAndCostOthersNothing) {
 
 TEST(Render, ALevelOfNoneIsTheFullMesh) {
   const fs::path folder = fresh_folder("tolerances");
-  test::write_text(
-      folder / "study.toml",
-      test::quick_study_with(
-          {{"width_px = 480", "width_px = 96"},
-           {"height_px = 270", "height_px = 54"},
-           {"mesh = \"adaptive\"\n", ""},
-           {"mesh_tolerance = 1e-4\n", ""},
-           {"depth_width_px = [64, 256, 512, 1024, 4096]",
-            "depth_width_px = 256\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0, 0.1]"}}));
+  test::write_small_study(
+      folder, test::small_study_with(
+                  {{"mesh = \"adaptive\"\n", ""},
+                   {"mesh_tolerance = 1e-4\n", ""},
+                   {"depth_width_px = [64, 256, 512, 1024, 4096]",
+                    "depth_width_px = 256\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0, 0.1]"}}));
   ASSERT_EQ(run_seamline(render(folder, "set", "--only 'bedroom*'")).status, 0);
   const nlohmann::json manifest = nlohmann::json::parse(read_text(folder / "set/manifest.json"));
   ASSERT_EQ(manifest["stimuli"].size(), 6U);
@@ -117,7 +116,7 @@ TEST(Render, ALevelOfNoneIsTheFullMesh) {
 
 TEST(Render, ContinuesWhereItWasStoppedAndEndsWithTheSameBytes) {
   const fs::path folder = fresh_folder("continue");
-  test::write_text(folder / "study.toml", tiny_study());
+  test::write_small_study(folder, tiny_study());
   ASSERT_EQ(run_seamline(render(folder, "whole", "--only 'bedroom*-0064'")).status, 0);
   // Part of the work first, as after an interruption; then everything: only what is missing is rendered.
   ASSERT_EQ(run_seamline(render(folder, "parts", "--only 'bedroom*teapot-0064'")).status, 0);
@@ -130,34 +129,34 @@ TEST(Render, ContinuesWhereItWasStoppedAndEndsWithTheSameBytes) {
   EXPECT_THAT(run_seamline(render(folder, "parts", "--only 'bedroom*-0064'")).output,
               testing::HasSubstr("1 stimuli rendered, 2 kept"));
   // Changed inputs: everything is rendered again.
-  test::write_text(folder / "study.toml", test::quick_study_with({{"width_px = 480", "width_px = 96"},
-                                                                  {"height_px = 270", "height_px = 54"},
-                                                                  {"albedo = 0.5", "albedo = 0.4"}}));
+  test::write_small_study(folder, test::small_study_with({{"albedo = 0.5", "albedo = 0.4"}}));
   EXPECT_THAT(run_seamline(render(folder, "parts", "--only 'bedroom*-0064'")).output,
               testing::HasSubstr("3 stimuli rendered, 0 kept"));
 }
 
 TEST(Render, CtrlCStopsCleanlyAndARerunContinues) {
-  const fs::path folder = fresh_folder("interrupt");
-  test::write_text(folder / "study.toml", tiny_study());
-  const std::string arguments = "render " + (folder / "study.toml").string() + " --out " +
-                                (folder / "set").string() + " --spp 64 --only 'gazebo*-0064'";
-  // Interrupted again and again, a little later each time, until some stimuli but not all are finished.
-  int finished = 0;
-  for (int tenths = 10; tenths < 600 && finished == 0; tenths += tenths / 4) {
-    const std::string command = "timeout --preserve-status -s INT " + std::to_string(tenths / 10.0) + " " +
-                                SEAMLINE_PROGRAM + " " + arguments + " >/dev/null 2>&1";
-    const int status = std::system(command.c_str());
-    ASSERT_TRUE(WIFEXITED(status));
-    if (WEXITSTATUS(status) == 0) GTEST_SKIP() << "rendered whole between two interruptions";
-    ASSERT_EQ(WEXITSTATUS(status), 130);
-    if (!fs::exists(folder / "set" / "stimuli")) continue;
-    finished = static_cast<int>(std::distance(fs::directory_iterator(folder / "set" / "stimuli"), {}));
-    EXPECT_FALSE(fs::exists(folder / "set" / "manifest.json"));
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "set"))
-      EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "half-written: " << entry.path();
-  }
-  const test::Outcome rest = run_seamline(arguments);
+  const fs::path folder = fresh_folder("interrupt"), stimuli = folder / "set" / "stimuli";
+  test::write_small_study(folder, tiny_study());
+  const std::vector<std::string> arguments = {"render", (folder / "study.toml").string(),
+                                              "--out",  (folder / "set").string(),
+                                              "--spp",  "256",
+                                              "--only", "gazebo*-0064"};
+  // Interrupted as soon as one stimulus is finished: several are not.
+  const test::Running running = test::start(arguments, folder / "output.txt");
+  const auto finished = [&] {
+    return fs::exists(stimuli) && std::any_of(fs::directory_iterator(stimuli), {}, [](const auto& entry) {
+             return !entry.path().filename().string().starts_with(".");
+           });
+  };
+  for (int i = 0; i < 10000 && !finished(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_EQ(test::status_after(running, SIGINT), 130) << read_text(running.output);
+  ASSERT_TRUE(finished());
+  EXPECT_FALSE(fs::exists(folder / "set" / "manifest.json"));
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "set"))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "half-written: " << entry.path();
+  std::string again;
+  for (const std::string& argument : arguments) again += "'" + argument + "' ";
+  const test::Outcome rest = run_seamline(again);
   EXPECT_EQ(rest.status, 0) << rest.output;
   EXPECT_THAT(rest.output, testing::ContainsRegex("[1-9][0-9]* kept from before"));
   EXPECT_EQ(run_seamline("verify " + (folder / "set").string()).status, 0);
@@ -165,12 +164,12 @@ TEST(Render, CtrlCStopsCleanlyAndARerunContinues) {
 
 TEST(Render, AFailedRunLeavesAFinishedSetAsItWas) {
   const fs::path folder = fresh_folder("failed-run");
-  test::write_text(folder / "study.toml", tiny_study());
+  test::write_small_study(folder, tiny_study());
   ASSERT_EQ(run_seamline(render(folder, "set", "--only 'atrium*left-0064'")).status, 0);
   const std::string study = read_text(folder / "set" / "study.toml"),
                     manifest = read_text(folder / "set" / "manifest.json");
   test::write_text(folder / "study.toml",
-                   "# changed\n" + test::quick_study_with({{"albedo = 0.5", "albedo = 0.4"}}));
+                   "# changed\n" + test::small_study_with({{"albedo = 0.5", "albedo = 0.4"}}));
   EXPECT_EQ(run_seamline(render(folder, "set", "--only 'zzz*'")).status, 1);
   EXPECT_EQ(read_text(folder / "set" / "study.toml"), study);
   EXPECT_EQ(read_text(folder / "set" / "manifest.json"), manifest);
@@ -181,49 +180,31 @@ TEST(Render, AFailedRunLeavesAFinishedSetAsItWas) {
 
 TEST(Render, ShardsTogetherMakeTheWholeSet) {
   const fs::path folder = fresh_folder("shards");
-  test::write_text(folder / "study.toml", tiny_study());
-  ASSERT_EQ(run_seamline(render(folder, "whole", "--only '*-0064'")).status, 0);
+  test::write_small_study(folder, tiny_study());
+  ASSERT_EQ(run_seamline(render(folder, "whole", "--only 'gazebo*-0064'")).status, 0);
   for (const char* shard : {"1/4", "2/4", "3/4", "4/4"})
-    ASSERT_EQ(run_seamline(render(folder, "shards", std::string("--only '*-0064' --shard ") + shard)).status,
-              0);
+    ASSERT_EQ(
+        run_seamline(render(folder, "shards", std::string("--only 'gazebo*-0064' --shard ") + shard)).status,
+        0);
   EXPECT_EQ(read_text(folder / "whole" / "manifest.json"), read_text(folder / "shards" / "manifest.json"));
   EXPECT_EQ(run_seamline(render(folder, "none", "--shard 5/4")).status, 1);
 }
 
 TEST(Render, ChangedBufferOfAGltfFileIsRenderedAgain) {
   const fs::path folder = fresh_folder("buffers");
-  const auto cube = [&](float size) {
-    std::string bytes;
-    const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-    for (int i = 0; i < 8; ++i)
-      for (int axis = 0; axis < 3; ++axis) put((i >> axis & 1) != 0 ? size : -size);
-    for (const int index : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
-                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
-      put(static_cast<std::uint16_t>(index));
-    test::write_text(folder / "cube.bin", bytes);
-  };
-  cube(0.3F);
-  test::write_text(
-      folder / "cube.gltf",
-      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":168,"uri":"cube.bin"}],"bufferViews":[{"buffer":0,"byteLength":96},)"
-      R"({"buffer":0,"byteOffset":96,"byteLength":72}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":8},)"
-      R"({"bufferView":1,"componentType":5123,"type":"SCALAR","count":36}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},)"
-      R"("indices":1}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
-  test::write_text(folder / "study.toml", test::quick_study_with({{"width_px = 480", "width_px = 96"},
-                                                                  {"height_px = 270", "height_px = 54"},
-                                                                  {"builtin:statue", "cube.gltf"}}));
+  test::write_small_study(folder, tiny_study());
   ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
               testing::HasSubstr("1 stimuli rendered"));
   ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
               testing::HasSubstr("0 stimuli rendered, 1 kept"));
-  cube(0.5F);
+  test::write_cube(folder, 0.5F);
   EXPECT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
               testing::HasSubstr("1 stimuli rendered"));
 }
 
 TEST(Render, ManifestKeepsItsContract) {
   const fs::path folder = fresh_folder("manifest");
-  test::write_text(folder / "study.toml", tiny_study());
+  test::write_small_study(folder, tiny_study());
   ASSERT_EQ(run_seamline(render(folder, "set", "--only 'atrium*left-0064' --layers --contact-sheet")).status,
             0);
   const auto manifest = nlohmann::json::parse(read_text(folder / "set" / "manifest.json"));

@@ -2,10 +2,12 @@
 #include <sys/wait.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 /// Runs the program as a person would.
@@ -65,6 +67,45 @@ inline std::string quick_study_with(std::initializer_list<std::pair<std::string,
     text.replace(at, from.size(), to);
   }
   return text;
+}
+
+/// The quick study's scenes in a small picture, a cube for every object: a render takes a moment.
+inline std::string small_study_with(std::initializer_list<std::pair<std::string, std::string>> replacements) {
+  std::string text = quick_study_with(replacements);
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  };
+  replace("width_px = 480", "width_px = 96");
+  replace("height_px = 270", "height_px = 54");
+  for (const char* object : {"statue", "teapot", "creature", "beast", "lion", "dragon"})
+    replace("builtin:" + std::string(object), "cube.gltf");
+  return text;
+}
+
+/// A glTF file and its buffer, on the ground around the origin.
+inline void write_cube(const std::filesystem::path& folder, float half_side_m = 0.3F) {
+  std::string bytes;
+  const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (int i = 0; i < 8; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      put((i >> axis & 1) != 0 ? half_side_m * (axis == 1 ? 2 : 1) : (axis == 1 ? 0 : -half_side_m));
+  for (const int index : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                          2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
+    put(static_cast<std::uint16_t>(index));
+  write_text(folder / "cube.bin", bytes);
+  write_text(
+      folder / "cube.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":168,"uri":"cube.bin"}],"bufferViews":[{"buffer":0,"byteLength":96},)"
+      R"({"buffer":0,"byteOffset":96,"byteLength":72}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":8},)"
+      R"({"bufferView":1,"componentType":5123,"type":"SCALAR","count":36}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},)"
+      R"("indices":1}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
+}
+
+/// A study file and the cube that it names.
+inline void write_small_study(const std::filesystem::path& folder, const std::string& text) {
+  write_cube(folder);
+  write_text(folder / "study.toml", text);
 }
 
 }  // namespace seamline::test

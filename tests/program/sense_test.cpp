@@ -46,14 +46,15 @@ TEST(Sense, WithoutNoiseTheDepthIsTheTruthAndWithNoiseItIsNot) {
 
 TEST(Sense, ItsFilesAreThoseThatRegisterAndCompositeRead) {
   const auto in = [](const fs::path& name) { return (sensed() / name).string(); };
+  test::write_cube(sensed());
   const test::Outcome registered =
       run_seamline("register --depth " + in("depth.exr") + " --colour " + in("colour.exr") + " --camera " +
                    in("camera.toml") + " --repair nearest --extrude 40 --out " + in("registered"));
   ASSERT_EQ(registered.status, 0) << registered.output;
   const std::string composite =
       "composite --background " + in("colour.exr") + " --depth " + in("registered/registered.exr") +
-      " --camera " + in("camera.toml") +
-      " --object builtin:statue --position 0 -1.5 -3.2 --scale 0.6 --environment 1 1 1 --spp 1 --bounces 0 ";
+      " --camera " + in("camera.toml") + " --object " + in("cube.gltf") +
+      " --position 0 -1.5 -3.2 --scale 1.6 --tolerance 0.02 --environment 1 1 1 --spp 1 --bounces 0 ";
   const auto picture = [&](const std::string& occlusion) {
     const fs::path out = sensed() / ("composite-" + occlusion + ".exr");
     std::string options = composite + "--occlusion " + occlusion + " --out " + out.string();

@@ -1,10 +1,6 @@
 // The first Ctrl-C or SIGTERM ends every command that can run longer than a second: status 130, one sentence.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <spawn.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <csignal>
 #include <regex>
@@ -15,10 +11,9 @@
 #include "registration/calibration/opencv.h"
 #include "renderer/physics/rigid_world.h"
 #include "run_program.h"
+#include "running_program.h"
 #include "support/files/assets.h"
 #include "tests/app/picture_set.h"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace seamline {
 namespace {
@@ -29,47 +24,11 @@ using test::fresh_folder;
 using test::run_seamline;
 namespace fs = std::filesystem;
 
-/// A program that is running, its output in a file.
-struct Running {
-  pid_t process = -1;
-  fs::path output;
-};
-
-Running start(const std::vector<std::string>& arguments, const fs::path& output) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::vector<std::string> words = {SEAMLINE_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  Running running{.process = -1, .output = output};
-  if (posix_spawn(&running.process, SEAMLINE_PROGRAM, &actions, nullptr, pointers.data(), environ) != 0)
-    throw std::runtime_error("the program cannot be started");
-  posix_spawn_file_actions_destroy(&actions);
-  return running;
-}
-
-/// Whether the process catches the signal by now, so that it no longer ends it by itself.
-bool catches(pid_t process, int signal) {
-  const std::string status = test::read_text("/proc/" + std::to_string(process) + "/status");
-  const std::size_t at = status.find("SigCgt:");
-  if (at == std::string::npos) return true;  // it has ended
-  return (std::stoull(status.substr(at + 7), nullptr, 16) >> (signal - 1) & 1U) != 0;
-}
-
 /// Exit status after one signal, sent while the command was at work.
-int status_after(const Running& running, int signal) {
-  while (!catches(running.process, signal)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+int stopped_at_work(const test::Running& running, int signal) {
+  while (!test::catches(running.process, signal)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(150));
-  ::kill(running.process, signal);
-  int status = 0;
-  ::waitpid(running.process, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return test::status_after(running, signal);
 }
 
 /// What the commands work on; each piece takes them much longer than the moment after which they are stopped.
@@ -292,8 +251,8 @@ TEST(Signals, TheFirstEndsEveryCommand) {
     SCOPED_TRACE(command + " " + what);
     std::vector<std::string> arguments = {command};
     for (const std::string& argument : arguments_of(command, what)) arguments.push_back(argument);
-    const Running running = start(arguments, work().folder / (command + what + ".txt"));
-    EXPECT_EQ(status_after(running, signal), 130);
+    const test::Running running = test::start(arguments, work().folder / (command + what + ".txt"));
+    EXPECT_EQ(stopped_at_work(running, signal), 130);
     EXPECT_THAT(test::read_text(running.output), testing::HasSubstr("seamline: stopped"));
   }
 }

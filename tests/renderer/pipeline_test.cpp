@@ -44,8 +44,8 @@ struct Piped {
     estimator->take_object(1, {});
   }
   [[nodiscard]] LocalScene local(const Pipeline& pipeline, int width_px = 1024) const {
-    // Full, because rays see the bumps that the adaptive mesh may have, and a bias does not.
-    DepthSettings settings{.width_px = width_px, .mesh = MeshDensity::full};
+    // A tolerance so small because rays see the bumps that an adaptive mesh may have, and a bias does not.
+    DepthSettings settings{.width_px = width_px, .mesh_tolerance = 2e-6};
     settings.pipeline = pipeline;
     return stimulus_scene(scene, *estimator, settings, true, 2);
   }

@@ -5,6 +5,7 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/estimators/stimulus_sampler.h"
+#include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
@@ -153,6 +154,7 @@ StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geom
   const auto row = [&](int y) {
     PixelRenderer pixel(sampler);
     for (int x = 0; x < truth.width_px; ++x) {
+      stop_if_interrupted();
       const std::size_t i = truth.index(x, y);
       pixel.render(options, x, y, {&truth.halves[0][i], &truth.halves[1][i]},
                    {&sums.halves[0][i], &sums.halves[1][i]}, sums.guides[i]);

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "renderer/common/parallel.h"
+#include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
@@ -16,7 +17,8 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
   if (object) {
     ++sums.covered;
     const RealQuestion truth{&geometry.truth, &*object};
-    sums.object += leaving_object(ObjectQuestions::all_of(truth), geometry.object, *object, scene.light, sampler, &counts);
+    sums.object += leaving_object(ObjectQuestions::all_of(truth), geometry.object, *object, scene.light,
+                                  sampler, &counts);
     sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
                               .without_object.total()
                         : scene.light.sky(ray.direction);
@@ -53,6 +55,7 @@ TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, 
   const auto row = [&](int y) {
     RayCounts counts;
     for (int x = 0; x < camera.width_px; ++x) {
+      stop_if_interrupted();
       const std::size_t pixel = sums.index(x, y);
       sums.object_ids[pixel] = id_at_centre(geometry, centre_ray(camera, x, y), sums.guides[pixel], counts);
       for (int sample = 0; sample < options.spp; ++sample) {
@@ -78,6 +81,7 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
   const auto row = [&](int y) {
     RayCounts counts;
     for (int x = 0; x < camera.width_px; ++x) {
+      stop_if_interrupted();
       Rgb sum = Rgb::Zero();
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
