@@ -42,7 +42,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
       const auto from_light =
           light_sample(light, number, point, throughput, sampler, vertex, world.glow_hits());
       if (from_light && !world.occluded(leaving_ray(point, from_light->direction, from_light->far_m)))
-        sum += from_light->radiance;
+        sum += from_light->total();
     }
     const auto next = scatter(point, sampler.point(dimension::direction(vertex)));
     if (!next) return sum;

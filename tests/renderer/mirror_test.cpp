@@ -70,6 +70,37 @@ TEST(Mirror, ADepthMeshThatIsTheTruthMirrorsTheSame) {
   }
 }
 
+TEST(Mirror, NothingIsDarkInAFurnaceThatMirrorsCastTheirLightInto) {
+  // All surfaces are white and the same light comes from everywhere, so that each sends as much as it gets,
+  // also where a glossy ball takes the sky and casts it onto the floor.
+  const Geometry real(std::vector{test::floor(-1, 50, 1.0F)});
+  for (const float alpha : {0.05F, 0.4F}) {
+    SurfaceMesh ball = *test::sphere({0, -0.35F, -4}, 0.6F, 32, 0.0F, 1);
+    ball.f0 = Rgb::Ones();
+    ball.alpha = alpha;
+    const Geometry object(std::vector{std::make_shared<const SurfaceMesh>(ball)});
+    Light light;
+    light.bounces = 64;
+    light.environment = std::make_shared<EnvironmentMap>(Image(32, 16, 3, 1.0F), 0.0F);
+    const auto floor = real.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -1, -3.3F).normalized()});
+    const auto glossy = object.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.5F, -4).normalized()});
+    ASSERT_TRUE(floor && glossy);
+    constexpr int samples = 6000;
+    double on_floor = 0, on_object = 0;
+    for (int i = 0; i < samples; ++i) {
+      const Sampler sampler(1, i, 0, 0);
+      on_floor +=
+          double{leaving_pair(real, &object, *floor, light, sampler).with_object.total()[1]} / samples;
+      on_object +=
+          double{leaving_object(ObjectQuestions::all_of({&real, &*glossy}), object, *glossy, light, sampler)
+                     .total()[1]} /
+          samples;
+    }
+    EXPECT_NEAR(on_floor, 1, 0.01) << alpha;
+    EXPECT_NEAR(on_object, 1, 0.01) << alpha;
+  }
+}
+
 TEST(Mirror, OnlyReflectionAndAllShowWhatTheDepthMeshLacks) {
   const TruthScene scene = mirror_room(0.0025F);
   const Geometry depth(std::vector{test::floor(-1, 6)});  // no wall, no other balls
