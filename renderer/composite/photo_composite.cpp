@@ -2,6 +2,7 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/error/sampling_rounds.h"
+#include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
@@ -119,6 +120,7 @@ void add_photo_samples(const PhotoScene& scene, int first, const PassOptions& op
       camera.height_px, options.threads,
       [&](int y) {
         for (int x = 0; x < camera.width_px; ++x) {
+          stop_if_interrupted();  // a row of many samples takes long
           const std::size_t pixel =
               scene.photograph.index(x, y) / static_cast<std::size_t>(scene.photograph.channels);
           for (int i = first; i < options.spp; ++i) {
