@@ -6,9 +6,9 @@
 
 #include "study/log/now.h"
 #include "study/online/messages/message_writer.h"
-#include "support/running/overloaded.h"
 #include "study/running/participant_session.h"
 #include "support/files/hash.h"
+#include "support/running/overloaded.h"
 #include "support/text/printable.h"
 
 namespace seamline::study::online {
@@ -181,8 +181,11 @@ EnrolledPerson Intake::enrol(const Message& message, const GivenIdentity& given)
   }
   check_consent(body);
   if (!given.token_sha256.empty() && !log_.use_token(given.token_sha256))
-    throw Refusal(RefusalKind::unknown,
-                  {.field = "token", .wanted = "an invitation that was not used", .found = "a used one"});
+    throw Refusal(
+        RefusalKind::unknown,
+        {.field = "invitation in the link",
+         .wanted = "one that is still free; each is for one person, in the browser that opened it first",
+         .found = "a used one"});
   const std::vector<HeldSlot> held = log_.held_slots(body.pilot);
   int slot = newcomer_slot(set_.study.session.orders, held);
   if (slot >= given.slots) slot = newcomer_slot(given.slots, held);  // people share what the page has

@@ -203,7 +203,7 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
   if (token_hashes_ == nullptr && !token.empty())
     return reply(error(400, "token: wanted none, since this server asks for none, found one"));
   if (token_hashes_ != nullptr && !token_hashes_->contains(token))
-    return reply(error(403, "token: wanted an invitation to this study, found another one or none"));
+    return reply(error(403, "invitation in the link: wanted one to this study, found another one or none"));
   if (std::holds_alternative<DeclineBody>(wanted.message.body)) {
     log_.add(
         [message = wanted.message](Intake& intake) -> HttpResponse {

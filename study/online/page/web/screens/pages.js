@@ -127,11 +127,16 @@ export function drawThanks(app, display) {
 export const drawDeclined = (app, display) =>
   drawLast(app, display, app.phrase("declined_title"), app.phrase("declined_text"));
 
-export const drawStopped = (app, display) =>
-  drawLast(
-    app,
-    display,
-    app.phrase("stopped_title"),
-    app.phrase("stopped_text", { message: app.visit.screen.message }),
-    app.host ? saveWords(app) : []
-  );
+export function drawStopped(app, display) {
+  const { message } = app.visit.screen;
+  // Whom the host did not let in has answered nothing.
+  if (app.stream.participant === "") drawLast(app, display, app.phrase("online_refused_title"), message);
+  else
+    drawLast(
+      app,
+      display,
+      app.phrase("stopped_title"),
+      app.phrase("stopped_text", { message }),
+      app.host ? saveWords(app) : []
+    );
+}
