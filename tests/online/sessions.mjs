@@ -164,6 +164,30 @@ const tests = {
     await host.stop();
   },
 
+  async "whatever file the network loses, the page comes"() {
+    for (const kind of ["static", "jatos"]) {
+      const host = kind === "static" ? await staticHost(folderOf("tiny")) : await jatosHost(folderOf("tiny"), 0);
+      const browser = await openBrowser(mkdtempSync(join(work, "browser-")));
+      const files = ["jspsych.js", "seamline.js", "core/visit.js", "screens/dom.js", "seamline.css", "study.json", "host.json"];
+      for (const file of kind === "jatos" ? ["jatos.js", "study.json"] : files) {
+        const page = await browser.newPage();
+        let lost = 0;
+        await page.route("**/" + file, (route) => (lost++ === 0 ? route.abort("internetdisconnected") : route.continue()));
+        await page.goto(host.address);
+        for (let i = 0; lost < 2; ++i) {
+          assert.ok(i < 200, file + " is not asked for again");
+          await page.waitForTimeout(100);
+        }
+        await page.waitForSelector("#accept", { timeout: 20000 });
+        assert.equal(await page.evaluate(() => globalThis.seamline.host.kind), kind, "without " + file);
+        assert.equal(await page.evaluate(() => getComputedStyle(document.body).margin), "0px", "styled without " + file);
+        await page.close();
+      }
+      await browser.close();
+      await host.stop();
+    }
+  },
+
   async "a second tab says that there is a first"() {
     const host = await staticHost(folderOf("tiny"));
     await visiting(host.address, async (page, browser) => {

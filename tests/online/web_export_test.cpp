@@ -82,7 +82,7 @@ TEST_F(WebExport, TheSameBytesTwiceAndTheListNamesEveryFile) {
   }
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   EXPECT_EQ(names.size() + 1, one.size());
-  for (const char* name : {"index.html", "seamline.js", "seamline.css", "icon.svg", "jspsych.js",
+  for (const char* name : {"index.html", "start.js", "seamline.js", "seamline.css", "icon.svg", "jspsych.js",
                            "jspsych-licence.txt", "study.json"})
     EXPECT_TRUE(one.contains(name)) << name;
   // Others may read it, as they may read a web server's files.

@@ -27,11 +27,14 @@ const token = addressed.get("token");
 const statusLine = document.getElementById("status");
 const spoken = document.getElementById("spoken");
 
-async function loadJson(file) {
+async function load(file) {
   const response = await fetch(file, { cache: "no-cache" });
-  if (!response.ok) throw new Error(file + ": HTTP " + response.status);
-  return response.json();
+  const complaint = file + ": HTTP " + response.status;
+  const passing = response.status >= 500 || response.status === 408 || response.status === 429;
+  if (!response.ok) throw passing ? new Error(complaint) : new Refused(complaint);
+  return response;
 }
+const loadJson = async (file) => (await load(file)).json();
 
 /** Words in place of the study, for good. */
 function refuse(study, text) {
@@ -375,13 +378,15 @@ function listenToKeys(app) {
 }
 
 async function main() {
-  const study = readStudy(await loadJson("study.json"));
+  globalThis.seamlineArrived();
+  // No words yet in which a lost network could be told.
+  const study = readStudy(await persistently(() => loadJson("study.json"), () => {}));
   document.documentElement.lang = study.language;
   document.documentElement.dir = direction(study.language);
   document.title = study.title;
   if (study.font) {
-    const font = await new FontFace("study", "url(" + study.font + ")").load();
-    document.fonts.add(font);
+    const bytes = await persistently(async () => (await load(study.font)).arrayBuffer(), () => {});
+    document.fonts.add(await new FontFace("study", bytes).load());
   }
   const reason = unfit(study);
   if (reason !== null) return refuse(study, reason);

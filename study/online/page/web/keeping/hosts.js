@@ -96,12 +96,16 @@ function jatosHost(study, jatos) {
   };
 }
 
-function loadJatos() {
-  return new Promise((resolve) => {
+/** Null where there is none. A network that is cut is not "none": then the answers would stay in the browser. */
+async function loadJatos() {
+  const response = await fetch("jatos.js", { cache: "no-cache" });
+  if (response.status >= 500) throw new Error("jatos.js: HTTP " + response.status);
+  if (!response.ok) return null;
+  return new Promise((resolve, reject) => {
     const script = document.createElement("script");
     script.src = "jatos.js";
     script.onload = () => (globalThis.jatos ? globalThis.jatos.onLoad(() => resolve(globalThis.jatos)) : resolve(null));
-    script.onerror = () => resolve(null);
+    script.onerror = () => reject(new Error("jatos.js did not arrive"));
     document.head.append(script);
   });
 }
