@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "live/frame/caster_blocks.h"
 #include "live/frame/codes.h"
 #include "live/frame/eye_picture.h"
 #include "live/frame/fitted_surface.h"
@@ -72,6 +73,9 @@ class Darkening {
     if (!shadows_.object) return;
     for (const renderer::ShadowMap& map : shadows_.object->suns) windows_.push_back(window_of(map.view));
     for (const renderer::ShadowMap& map : shadows_.object->lamps) windows_.push_back(window_of(map.view));
+    if (shadows_.method == Shadows::pcss) return;  // its taps reach as far as its light is large
+    for (const renderer::ShadowMap& map : shadows_.object->suns) casters_.emplace_back(map);
+    for (const renderer::ShadowMap& map : shadows_.object->lamps) casters_.emplace_back(map);
   }
 
   void darken_row(int y) {
@@ -101,6 +105,8 @@ class Darkening {
                               static_cast<std::size_t>(x);
     if (eye_.covered[pixel] != 0) return;
     const Eigen::Vector3f direction = rays_.direction(x, y);
+    marks = marks_near_casters(rays_.eye_m() + planar_m * direction, marks);
+    if (marks == 0) return;
     const FittedSurface surface = surface_at(x, y, planar_m);
     const LitPoint point{rays_.eye_m() + surface.planar_m * direction, surface.normal,
                          surface.planar_m * direction.norm(), turn_of_pixel(x, y)};
@@ -114,6 +120,18 @@ class Darkening {
       any_taken = any_taken || passes_object[i] < 1.0F;
     }
     if (any_taken) apply(pixel, point, passes_object);
+  }
+
+  /// The marked lights whose map has something near a point.
+  [[nodiscard]] std::uint64_t marks_near_casters(const Eigen::Vector3f& point_m, std::uint64_t marks) const {
+    for (std::size_t i = 0; i < std::min(lights_, casters_.size()); ++i) {
+      if ((marks >> i & 1U) == 0) continue;
+      const Window& window = windows_[i];
+      const Eigen::Vector3f seen = window.axes * (point_m - window.eye_m);
+      const float over = window.from_point ? 1.0F / seen.z() : 1.0F;
+      if (!casters_[i].near(seen.x() * over, seen.y() * over)) marks &= ~(std::uint64_t{1} << i);
+    }
+    return marks;
   }
 
   /// What receives the shadow. At a reach of one pixel, and where no plane fits, it is the pixel's own depth
@@ -153,6 +171,7 @@ class Darkening {
   std::size_t lights_;
   Rgb ambient_w_m2_;
   std::vector<Window> windows_;
+  std::vector<CasterBlocks> casters_;  ///< of the windows, but for `pcss`
   const CodeTables& codes_ = code_tables();
 };
 
