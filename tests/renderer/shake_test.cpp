@@ -99,6 +99,23 @@ TEST(Shake, PlanesInPlaceOfNoiseShakeLess) {
   EXPECT_LT(exact.jump_mm, 0.25 * planes.jump_mm);
 }
 
+TEST(Shake, ABallRestsOnAFittedPlaneWithinTheMargin) {
+  SKIP_WITHOUT_BULLET();
+  constexpr double sigma_m = 0.004, radius_m = 0.08;
+  FrameGround ground(looking_down());
+  ground.take(sensors::replace_planes(measured(sigma_m, 0), {.tolerance_m = 5 * sigma_m}).repaired.frame);
+  const std::vector<Eigen::Vector3d>& places_m = ground.ground().vertices_m;
+  const Eigen::Vector3d across_m = places_m[31] - places_m[0], along_m = places_m[23 * 32] - places_m[0];
+  const Eigen::Vector3d normal = along_m.cross(across_m).normalized();
+  const renderer::PhysicsSettings settings;
+  renderer::RigidWorld world(ground.ground(), renderer::BallShape{.radius_m = radius_m},
+                             test::pose_at({0.01, 0.12, 0}), settings);
+  test::run(world, 240);
+  const double above_m = std::abs(normal.dot(world.body().middle_m - places_m[0]));
+  EXPECT_NEAR(above_m, radius_m, 1.01 * settings.margin_m);
+  EXPECT_LT(world.body().speed_m_s, 1e-3);
+}
+
 TEST(Shake, OnExactDepthThereIsNoneAtAnyNumberOfSteps) {
   SKIP_WITHOUT_BULLET();
   for (const int steps_per_s : {60, 240, 480}) {
