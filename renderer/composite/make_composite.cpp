@@ -80,7 +80,9 @@ void judge_sight(const ObjectSight& sight, Notes& notes) {
 }
 
 std::string model_text(const PhotoObjects::Size& size) {
-  const Eigen::Vector3d sides = size.high_m - size.low_m, middle = 0.5 * (size.high_m + size.low_m);
+  const Eigen::Vector3d sides = size.high_m - size.low_m;
+  Eigen::Vector3d middle = 0.5 * (size.high_m + size.low_m);
+  middle = (middle.array().abs() < 1e-9 * sides.maxCoeff()).select(0.0, middle);  // what rounding leaves
   return fmt::format(
       "{}: {:.3g} x {:.3g} x {:.3g} m (right, up, back), its middle at {:.3g} {:.3g} {:.3g}, {} triangles",
       printable(size.file), sides.x(), sides.y(), sides.z(), middle.x(), middle.y(), middle.z(),

@@ -26,20 +26,48 @@ struct SeenSurface {
   }
 };
 
+/// Light without what is mirrored. Sums of mirrored light stand apart, so that scenes in which nothing is
+/// glossy have none.
+struct Unmirrored {
+  Rgb direct = Rgb::Zero(), bounce = Rgb::Zero();
+
+  Unmirrored& operator+=(const Split& light) {
+    direct += light.direct;
+    bounce += light.bounce;
+    return *this;
+  }
+  [[nodiscard]] Split with(const Rgb& mirrored) const { return {direct, bounce, mirrored}; }
+};
+
 /// What the camera sees through one pixel in each world, summed over the samples of one half.
 struct WorldPixel {
-  std::array<Split, 4> seen = {};      ///< light of the surfaces that each world shows
-  std::array<float, 4> surfaces = {};  ///< number of samples that show a surface; the others show sky
+  std::array<Unmirrored, 4> seen = {};  ///< light of the surfaces that each world shows
+  std::array<float, 4> surfaces = {};   ///< number of samples that show a surface; the others show sky
 };
 
 /// Where an object lies on the camera ray, before or behind other things; of one pixel and half.
 struct ObjectPixel {
-  Split object;       ///< its own light where it is in front
-  Split behind;       ///< light of what it covers, in the world without it,
-  Split behind_with;  ///< and in the world with it (only when the study asks who is in front)
-  Split hidden;       ///< its own light where something covers it (likewise)
+  Unmirrored object;       ///< its own light where it is in front
+  Unmirrored behind;       ///< light of what it covers, in the world without it,
+  Unmirrored behind_with;  ///< and in the world with it (only when the study asks who is in front)
+  Unmirrored hidden;       ///< its own light where something covers it (likewise)
   float covered = 0, behind_surfaces = 0, hidden_samples = 0;
 };
+
+/// What is mirrored of the light in a `WorldPixel` and an `ObjectPixel`.
+struct WorldMirrored {
+  std::array<Rgb, 4> seen = {Rgb::Zero(), Rgb::Zero(), Rgb::Zero(), Rgb::Zero()};
+};
+struct ObjectMirrored {
+  Rgb object = Rgb::Zero(), behind = Rgb::Zero(), behind_with = Rgb::Zero(), hidden = Rgb::Zero();
+};
+
+/// Of a pixel of such sums; nothing where there are none.
+template <class Mirrored>
+[[nodiscard]] const Mirrored& mirrored_at(const std::vector<Mirrored>& sums, std::size_t pixel) {
+  static const Mirrored nothing;
+  return sums.empty() ? nothing : sums[pixel];
+}
 
 inline constexpr std::size_t tile_pixels =
     static_cast<std::size_t>(TileGrid::side_px) * static_cast<std::size_t>(TileGrid::side_px);
@@ -77,6 +105,7 @@ class ObjectOnRays {
 /// One object's part of a tile; only tiles that it is seen or hidden in have one.
 struct ObjectTile {
   std::array<std::vector<ObjectPixel>, 2> halves;
+  std::array<std::vector<ObjectMirrored>, 2> mirrored;  ///< likewise, or empty as the scene's
   std::vector<SeenSurface> guides;
   /// Of each block. Only when the study asks who is in front.
   std::array<ObjectOnRays, 4> on_rays;
@@ -90,8 +119,9 @@ struct ObjectTile {
 /// All sums of a scene, its worlds and its objects.
 struct SceneSums {
   TileGrid grid;
-  std::array<std::vector<WorldPixel>, 2> halves;   ///< row by row
-  std::array<std::vector<SeenSurface>, 3> guides;  ///< of the surfaces that world k shows, at [k - 1]
+  std::array<std::vector<WorldPixel>, 2> halves;       ///< row by row
+  std::array<std::vector<WorldMirrored>, 2> mirrored;  ///< likewise; empty where nothing is glossy
+  std::array<std::vector<SeenSurface>, 3> guides;      ///< of the surfaces that world k shows, at [k - 1]
   std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
   std::vector<int> spp;                                             ///< of each block, even
   RayCounts counts;

@@ -12,6 +12,7 @@ void PathBatch::begin(const Worlds& worlds, const Light& light) {
   worlds_ = &worlds;
   light_ = &light;
   emits_ = worlds.emits() || light.photographed != nullptr;
+  glossy_ = worlds.room->is_glossy() || worlds.objects->is_glossy();
   starts_.clear();
 }
 
@@ -126,7 +127,7 @@ void PathBatch::go_on(int vertex) {
     if (!next) continue;
     from.throughput *= next->weight;
     from.spread = next->spread;
-    if (vertex == 0 && (next->specular > 0.0F).any()) {
+    if (glossy_ && vertex == 0 && (next->specular > 0.0F).any()) {
       mirrors_ = true;
       mirrored_shares_.resize(starts_.size(), Rgb::Zero());
       mirrored_shares_[from.path] = next->mirrored_share();
@@ -180,7 +181,7 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
   }
   if (vertex >= light_->bounces || sends_photograph(*light_, *hit)) return;
   next_vertices_.push_back({from.path, set, *hit, from.throughput});
-  blur_after(from.spread, next_vertices_.back().point);
+  if (glossy_) blur_after(from.spread, next_vertices_.back().point);
 }
 
 /// Light that a path found, by how it left its first surface.
@@ -211,7 +212,7 @@ void PathBatch::add(std::size_t path, WorldSet set, const FoundLight& found) {
   for (unsigned left = set; left != 0; left &= left - 1) {
     Split& light = found_[path].light[static_cast<std::size_t>(std::countr_zero(left))];
     (found.direct ? light.direct : light.bounce) += found.radiance;
-    light.mirrored += found.mirrored;
+    if (glossy_) light.mirrored += found.mirrored;
   }
 }
 

@@ -96,6 +96,7 @@ class PathBatch {
   const Worlds* worlds_ = nullptr;
   const Light* light_ = nullptr;
   bool emits_ = false;
+  bool glossy_ = false;               ///< some surface is: else nothing is mirrored
   bool mirrors_ = false;              ///< some path left a glossy surface first
   std::vector<Rgb> mirrored_shares_;  ///< of each path, then
   RayCounts counts_;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/estimators/estimator.h"
+#include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/picture/composite.h"
 #include "renderer/scene/visible_objects.h"
 #include "shapes.h"
@@ -125,6 +127,25 @@ TEST(Mirror, FastAgreesWithPath) {
       const double by_path = mean_of(stimulus_of(*path, artifact, depth));
       EXPECT_NEAR(by_fast / by_path, 1, 0.01) << word(artifact) << " alpha " << alpha;
     }
+  }
+}
+
+TEST(Mirror, SumsOfItAreThereOnlyWhereSomethingIsGlossyAndComeBackFromTheirBytes) {
+  for (const bool glossy : {true, false}) {
+    TruthScene scene = mirror_room(0.3F);
+    if (!glossy) scene.objects[1] = {test::sphere({0, -0.3F, -4}, 0.6F, 32, 0.1F, 2)};
+    SceneSums sums = empty_sums(scene.camera);
+    add_samples(scene, SceneGeometry(scene), std::vector<int>(sums.spp.size(), 2), {}, sums);
+    EXPECT_EQ(sums.mirrored[0].empty(), !glossy);
+    for (const auto& object : sums.objects)
+      for (const auto& tile : object) EXPECT_TRUE(!tile || tile->mirrored[1].empty() == !glossy);
+    ByteWriter written, again;
+    write_sums(sums, written);
+    SceneSums read = empty_sums(scene.camera);
+    ByteReader in(written.bytes());
+    ASSERT_TRUE(read_sums(in, read));
+    write_sums(read, again);
+    EXPECT_EQ(written.bytes(), again.bytes());
   }
 }
 

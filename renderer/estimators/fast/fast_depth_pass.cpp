@@ -77,6 +77,12 @@ class TileAsker {
     sums.without_object += light.without_object;
     sums.with_object += light.with_object;
     sums.object += light.object;
+    if (!answers_.mirrored[half].empty()) {
+      DepthMirrored& mirrored = answers_.mirrored[half][pixel];
+      mirrored.without_object += light.without_object.mirrored;
+      mirrored.with_object += light.with_object.mirrored;
+      mirrored.object += light.object.mirrored;
+    }
     sums.uncovered_surfaces += light.uncovered_surfaces;
     if (sample.shows == Shows::object) sums.covered += 1.0F;
     if (sample.beside_truth) answers_.object_in_truth[half][pixel] += light.object_in_truth;
@@ -98,12 +104,14 @@ class TileAsker {
 }  // namespace
 
 DepthAnswers empty_answers(const Camera& camera, const Answers& answers,
-                           const std::vector<int>& photograph_spp) {
+                           const std::vector<int>& photograph_spp, bool mirrors) {
   DepthAnswers out;
   out.grid = {camera.width_px, camera.height_px};
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);
+  if (mirrors)
+    for (auto& half : out.mirrored) half.resize(pixels);
   if (asks_depth_off_object(answers)) out.guides.resize(pixels);
   out.spp.uncovered.resize(static_cast<std::size_t>(out.blocks().count()));
   out.spp.object.resize(static_cast<std::size_t>(out.blocks().count()));

@@ -6,12 +6,17 @@ namespace seamline::renderer {
 
 /// What the depth mesh answered in one pixel, summed over the samples of one half.
 struct DepthPixel {
-  Split without_object, with_object;  ///< light off the object as far as the depth mesh has a part in it; its
-                                      ///< sky is in `bounce`, with what may be filtered
-  Split object;                       ///< light on the object, as far as the depth mesh answers it
-  float uncovered_surfaces = 0;       ///< samples in these two
-  float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
-  float covered = 0;    ///< samples in `object`
+  Unmirrored without_object, with_object;  ///< light off the object as far as the depth mesh has a part in
+                                           ///< it; its sky is in `bounce`, with what may be filtered
+  Unmirrored object;             ///< light on the object, as far as the depth mesh answers it
+  float uncovered_surfaces = 0;  ///< samples in these two
+  float depth_sky = 0;           ///< uncovered samples where the truth has a surface and the depth mesh sky
+  float covered = 0;             ///< samples in `object`
+};
+
+/// What is mirrored of it.
+struct DepthMirrored {
+  Rgb without_object = Rgb::Zero(), with_object = Rgb::Zero(), object = Rgb::Zero();
 };
 
 /// How many samples each block has, even numbers. A ratio is content with few of them, and so is what the
@@ -28,16 +33,17 @@ struct DepthSamples {
 struct DepthAnswers {
   TileGrid grid;
   std::array<std::vector<DepthPixel>, 2> halves;
-  std::array<std::vector<Rgb>, 2> object_in_truth;  ///< see DepthLight; empty when it is never asked for
+  std::array<std::vector<DepthMirrored>, 2> mirrored;  ///< empty where nothing is glossy
+  std::array<std::vector<Rgb>, 2> object_in_truth;     ///< see DepthLight; empty when it is never asked for
   std::vector<SeenSurface> guides;  ///< of the surfaces that light is asked for; empty when none is
   DepthSamples spp;
   RayCounts counts;
 
   [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
 };
-/// `photograph_spp`: samples of each block.
+/// `photograph_spp`: samples of each block; `mirrors`: whether anything is glossy.
 [[nodiscard]] DepthAnswers empty_answers(const Camera& camera, const Answers& answers,
-                                         const std::vector<int>& photograph_spp);
+                                         const std::vector<int>& photograph_spp, bool mirrors);
 
 /// Asks the depth mesh until each block has the samples wanted. `shows_object` has a flag a pixel.
 void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,

@@ -38,7 +38,9 @@ class StimulusRounds {
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
                  {.may_filter = true, .tail_every = choices.tail_every}),
-        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.scene_sums.spp)),
+        depth_(empty_answers(truth.scene.camera, recipe.answers, truth.scene_sums.spp,
+                             truth.geometry.truth.is_glossy() || truth.geometry.object.is_glossy() ||
+                                 (depth.mesh != nullptr && depth.mesh->is_glossy()))),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
     const bool order_differs = recipe.answers.occlusion == Who::depth;

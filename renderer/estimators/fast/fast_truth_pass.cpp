@@ -157,15 +157,20 @@ class TileSampler {
           if (object == 0 || v != object) see(followed, v, point, found);
         if (object == 0) return;
         own->object += found.light[0];
+        if (mirrors()) own_mirrored(followed).object += found.light[0].mirrored;
         object_tile(object).guides[followed.place].add(point, found.reach_m);
         return;
       case LightOf::behind:
         see(followed, object, point, found);
         own->behind += found.light[static_cast<std::size_t>(object)];
         own->behind_with += found.light[0];
+        if (!mirrors()) return;
+        own_mirrored(followed).behind += found.light[static_cast<std::size_t>(object)].mirrored;
+        own_mirrored(followed).behind_with += found.light[0].mirrored;
         return;
       case LightOf::hidden:
         own->hidden += found.light[0];
+        if (mirrors()) own_mirrored(followed).hidden += found.light[0].mirrored;
         return;
     }
   }
@@ -174,8 +179,14 @@ class TileSampler {
     const auto v = static_cast<std::size_t>(world);
     WorldPixel& sums = sums_.halves[followed.half][followed.pixel];
     sums.seen[v] += found.light[v];
+    if (mirrors()) sums_.mirrored[followed.half][followed.pixel].seen[v] += found.light[v].mirrored;
     sums.surfaces[v] += 1.0F;
     if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);
+  }
+
+  [[nodiscard]] bool mirrors() const { return !sums_.mirrored[0].empty(); }
+  ObjectMirrored& own_mirrored(const Followed& followed) {
+    return object_tile(followed.object).mirrored[followed.half][followed.place];
   }
 
   ObjectTile& object_tile(int object) {
@@ -183,6 +194,8 @@ class TileSampler {
     if (!there) {
       there = std::make_unique<ObjectTile>();
       for (auto& half : there->halves) half.resize(tile_pixels);
+      if (mirrors())
+        for (auto& half : there->mirrored) half.resize(tile_pixels);
       there->guides.resize(tile_pixels);
     }
     return *there;
@@ -218,6 +231,8 @@ SceneSums empty_sums(const Camera& camera) {
 void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const std::vector<int>& wanted_spp,
                  const ScenePassOptions& options, SceneSums& sums) {
   std::mutex counting;
+  if (geometry.worlds.room->is_glossy() || geometry.worlds.objects->is_glossy())
+    for (std::size_t half = 0; half < 2; ++half) sums.mirrored[half].resize(sums.halves[half].size());
   const int tiles = sums.grid.count();
   const auto work = [&](int tile) {
     TileSampler sampler(scene, geometry, options, sums, tile);

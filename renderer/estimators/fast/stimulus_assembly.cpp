@@ -19,7 +19,8 @@ class Assembly {
         order_(sources.order),
         dark_layer_(sources.dark_layer) {}
 
-  /// Whether a tile has anything for `add_object`: elsewhere all of it is 0, and most of a picture is not read.
+  /// Whether a tile has anything for `add_object`: elsewhere all of it is 0, and most of a picture is not
+  /// read.
   [[nodiscard]] bool has_object(std::size_t tile) const {
     const auto& tiles = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
     return recipe_.keep == Keep::object_only || tiles[tile] != nullptr;
@@ -54,14 +55,17 @@ class Assembly {
     const TruthPixel& truth;
     const ObjectPixel& own;   ///< in the pixel's own number of samples
     const DepthPixel& depth;  ///< in the depth pass's own number of samples
-    float to_sums = 1;        ///< from the pixel's number of samples to the truth's
-    float uncovers = 0;       ///< share of the truth's covered samples that the depth mesh uncovers
-    float covers = 0;         ///< share of the truth's uncovered samples that it covers
+    const ObjectMirrored& own_mirrored;
+    const DepthMirrored& depth_mirrored;
+    float to_sums = 1;   ///< from the pixel's number of samples to the truth's
+    float uncovers = 0;  ///< share of the truth's covered samples that the depth mesh uncovers
+    float covers = 0;    ///< share of the truth's uncovered samples that it covers
     float newly_covered = 0;
   };
 
   [[nodiscard]] Pixel gather(int x, int y, std::size_t half) const {
     static const ObjectPixel nothing;
+    static const ObjectMirrored nothing_mirrored;
     const TruthSums& sums = truth_.truth_sums;
     const std::size_t i = sums.index(x, y);
     const auto tile = static_cast<std::size_t>(truth_.scene_sums.grid.square_of(x, y));
@@ -69,7 +73,9 @@ class Assembly {
     const auto& object = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
     Pixel in{.truth = sums.halves[half][i],
              .own = object ? object->halves[half][place] : nothing,
-             .depth = depth_.halves[half][i]};
+             .depth = depth_.halves[half][i],
+             .own_mirrored = object ? mirrored_at(object->mirrored[half], place) : nothing_mirrored,
+             .depth_mirrored = mirrored_at(depth_.mirrored[half], i)};
     const auto samples_of_pixel = static_cast<float>(truth_.scene_sums.samples_at(x, y));
     in.to_sums = static_cast<float>(sums.spp) / samples_of_pixel;
     if (order_.empty() || order_[tile][half].empty()) return in;
@@ -89,7 +95,7 @@ class Assembly {
     const Split truth = in.truth.covered > 0.0F ? covered / in.truth.covered * in.truth.object : Split{};
     const bool asked = answers_.bounce == Who::depth || answers_.mirrored == Who::depth;
     if (!asked || in.depth.covered <= 0.0F) return truth;  // or no sample fell on it
-    Split depth = covered / in.depth.covered * in.depth.object;
+    Split depth = covered / in.depth.covered * in.depth.object.with(in.depth_mirrored.object);
     if (answers_.mirrored == Who::truth) depth.mirrored = truth.mirrored;
     if (answers_.bounce == Who::truth) return {truth.direct, truth.bounce, depth.mirrored};
     if (filtered != nullptr && filtered->without_samples(half) > 0.0F)
@@ -115,8 +121,10 @@ class Assembly {
   [[nodiscard]] Split hidden_light(const Pixel& in) const {
     if (in.newly_covered <= 0.0F) return {};
     const bool from_depth = answers_.object_lit == Who::depth && answers_.bounce == Who::depth;
-    if (from_depth && in.depth.covered > 0.0F) return in.newly_covered / in.depth.covered * in.depth.object;
-    return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) * in.own.hidden;
+    if (from_depth && in.depth.covered > 0.0F)
+      return in.newly_covered / in.depth.covered * in.depth.object.with(in.depth_mirrored.object);
+    return in.newly_covered / std::max(in.own.hidden_samples, 1.0F) *
+           in.own.hidden.with(in.own_mirrored.hidden);
   }
 
   void add_uncovered_of(int x, int y, const Pixel& in, const BounceTexel* texel, const Surface* surface,
@@ -128,8 +136,8 @@ class Assembly {
     float uncovered_surfaces = stays * in.truth.uncovered_surfaces;
     out.sky = stays * in.truth.sky;
     if (uncovers) {
-      without_object += behind * in.own.behind;
-      with_object += behind * in.own.behind_with;
+      without_object += behind * in.own.behind.with(in.own_mirrored.behind);
+      with_object += behind * in.own.behind_with.with(in.own_mirrored.behind_with);
       uncovered_surfaces += behind * in.own.behind_surfaces;
       if (const float behind_sky = in.own.covered - in.own.behind_surfaces; behind_sky > 0.0F)
         out.sky += behind * behind_sky * pixel_sky(truth_.scene.light, truth_.scene.camera, x, y);
@@ -145,8 +153,8 @@ class Assembly {
     const Rgb background = share * without_object.total();
     uncovered_surfaces *= share;
     const float to_uncovered = uncovered_surfaces / in.depth.uncovered_surfaces;
-    Split depth_without = to_uncovered * in.depth.without_object,
-          depth_with = to_uncovered * in.depth.with_object;
+    Split depth_without = to_uncovered * in.depth.without_object.with(in.depth_mirrored.without_object),
+          depth_with = to_uncovered * in.depth.with_object.with(in.depth_mirrored.with_object);
     if (texel != nullptr)
       filtered_bounce(*texel, *surface, half, uncovered_surfaces, depth_without, depth_with);
     without_object = join(share * without_object, depth_without);

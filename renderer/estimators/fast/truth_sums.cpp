@@ -7,21 +7,31 @@ namespace seamline::renderer {
 namespace {
 
 const ObjectPixel no_object;
+const ObjectMirrored no_mirrored;
+
+/// All light of an object's pixel and half.
+struct OwnLight {
+  const ObjectPixel& pixel;
+  const ObjectMirrored& mirrored;
+  [[nodiscard]] Split object() const { return pixel.object.with(mirrored.object); }
+  [[nodiscard]] Split behind() const { return pixel.behind.with(mirrored.behind); }
+};
 
 /// The sums of one pixel and half, sorted by what one object covers.
 struct PixelOfObject {
-  const ObjectPixel& own;
+  OwnLight own;
   Split without_object, with_object;
   float uncovered_surfaces;
 
-  PixelOfObject(const WorldPixel& world, const ObjectPixel& object, std::size_t k) : own(object) {
-    uncovered_surfaces = world.surfaces[k] - object.behind_surfaces;
+  PixelOfObject(const WorldPixel& world, const WorldMirrored& mirrored, const OwnLight& object, std::size_t k)
+      : own(object) {
+    uncovered_surfaces = world.surfaces[k] - object.pixel.behind_surfaces;
     if (uncovered_surfaces <= 0.0F) return;
-    without_object = world.seen[k];
-    with_object = world.seen[0];
-    if (object.covered > 0.0F) {
-      without_object -= object.behind;
-      with_object -= object.object;
+    without_object = world.seen[k].with(mirrored.seen[k]);
+    with_object = world.seen[0].with(mirrored.seen[0]);
+    if (object.pixel.covered > 0.0F) {
+      without_object -= object.behind();
+      with_object -= object.object();
     }
   }
 };
@@ -72,9 +82,12 @@ class TruthSumsMaker {
   }
   [[nodiscard]] PixelOfObject parts(int x, int y, std::size_t half) const {
     const ObjectTile* tile = object_tile(x, y);
-    return {sums_.halves[half][sums_.index(x, y)],
-            tile == nullptr ? no_object : tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))],
-            k_};
+    const std::size_t i = sums_.index(x, y);
+    const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+    const OwnLight own = tile == nullptr
+                             ? OwnLight{no_object, no_mirrored}
+                             : OwnLight{tile->halves[half][place], mirrored_at(tile->mirrored[half], place)};
+    return {sums_.halves[half][i], mirrored_at(sums_.mirrored[half], i), own, k_};
   }
   /// Scale from a pixel's own number of samples to the truth's.
   [[nodiscard]] float scale(int x, int y) const {
@@ -106,7 +119,7 @@ class TruthSumsMaker {
     const float half_samples = 0.5F * static_cast<float>(sums_.samples_at(x, y));
     for (std::size_t half = 0; half < 2; ++half) {
       PixelOfObject pixel = parts(x, y, half);
-      const ObjectPixel& own = pixel.own;
+      const ObjectPixel& own = pixel.own.pixel;
       TruthPixel& out = truth_.halves[half][i];
       const float behind_sky = own.covered - own.behind_surfaces;
       const float seen_sky = half_samples - own.covered - pixel.uncovered_surfaces;
@@ -124,7 +137,8 @@ class TruthSumsMaker {
       out.without_object = to_sums * pixel.without_object;
       out.with_object = to_sums * pixel.with_object;
       out.sky = to_sums * seen_sky * sky;
-      out.behind = to_sums * (own.behind.direct + own.behind.mirrored + behind_bounce + behind_sky * sky);
+      out.behind =
+          to_sums * (own.behind.direct + pixel.own.mirrored.behind + behind_bounce + behind_sky * sky);
       out.covered = to_sums * own.covered;
       out.uncovered_surfaces = to_sums * pixel.uncovered_surfaces;
     }
@@ -150,9 +164,10 @@ class TruthSumsMaker {
     if (tile == nullptr) return;
     const std::size_t i = sums_.index(x, y);
     for (std::size_t half = 0; half < 2; ++half) {
-      const ObjectPixel& own = tile->halves[half][static_cast<std::size_t>(TileGrid::place(x, y))];
+      const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
+      const ObjectPixel& own = tile->halves[half][place];
       if (own.covered <= 0.0F) continue;
-      Split object = own.object;
+      Split object = own.object.with(mirrored_at(tile->mirrored[half], place).object);
       if (options_.filter.levels > 0)
         object.bounce = mean(texels_[i].without_object(half), texels_[i].without_samples(half)) *
                         surfaces_[i].albedo * own.covered;
