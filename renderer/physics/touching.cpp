@@ -12,10 +12,10 @@ namespace {
 constexpr double corner_bonus_m = 1e-4;
 constexpr double same_way_cosine = 0.9;  ///< of 25 degrees
 
-using Key = std::array<int, 4>;
+using TouchCell = std::array<int, 4>;
 
-Key key_of(const Touch& touch, double cell_m) {
-  Key key{};
+TouchCell touch_cell(const Touch& touch, double cell_m) {
+  TouchCell key{};
   for (int axis = 0; axis < 3; ++axis)
     key[static_cast<std::size_t>(axis)] = static_cast<int>(std::floor(touch.on_body_m[axis] / cell_m));
   int side = 0;
@@ -36,8 +36,8 @@ std::vector<Touch> spread_touches(std::vector<Touch> touches, double cell_m) {
   };
   std::stable_sort(touches.begin(), touches.end(),
                    [&](const Touch& a, const Touch& b) { return place(a) < place(b); });
-  std::map<Key, Touch> deepest;
-  for (const Touch& touch : touches) deepest.emplace(key_of(touch, cell_m), touch);
+  std::map<TouchCell, Touch> deepest;
+  for (const Touch& touch : touches) deepest.emplace(touch_cell(touch, cell_m), touch);
   std::vector<Touch> out;
   for (const auto& [key, touch] : deepest) out.push_back(touch);
   return out;
