@@ -65,7 +65,7 @@ async function checkDisplay(page) {
     await page.click("#continue");
   } else if (await page.locator("#same").isVisible()) {
     await page.click("#same");
-  } else {
+  } else if (await page.locator("#study input.number").isVisible()) {
     await page.locator("#study input.number").fill("60");
     await page.keyboard.press("Enter");
   }
