@@ -45,7 +45,8 @@ TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {
   write_text(text, "no message\n");
   expect_refused("serve", "wanted a folder of seamline export --web");
   expect_refused("serve " + none, "found no log");
-  expect_refused("serve " + none + " --log " + none, "files.json");
+  expect_refused("serve " + none + " --log " + none,
+                 "none: wanted a folder that seamline export --web wrote");
   expect_refused("serve " + none + " --log " + none + " --port 70000", "--port");
   expect_refused("import " + none + ".sqlite " + text, "--set: wanted the rendered set");
   expect_refused("merge " + none + " " + none, "no such file");
