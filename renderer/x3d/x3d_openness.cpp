@@ -7,6 +7,7 @@
 #include "renderer/common/parallel.h"
 #include "renderer/common/sampler.h"
 #include "renderer/material/hemisphere.h"
+#include "renderer/realtime/depth_normals.h"
 
 namespace seamline::renderer {
 namespace {
@@ -14,18 +15,11 @@ namespace {
 constexpr int rays_a_vertex = 64;
 constexpr float start_share = 1e-3F;  ///< of the objects' size: rays begin so far off the surface
 
-/// The vertices' own, or the mean of the triangles around each, by their areas.
+/// The vertices' own, or the mean of the triangles around each; up where there is none.
 std::vector<Eigen::Vector3f> vertex_normals(const SurfaceMesh& mesh) {
   if (!mesh.normals.empty()) return mesh.normals;
-  std::vector<Eigen::Vector3f> normals(mesh.positions_m.size(), Eigen::Vector3f::Zero());
-  for (const Triangle& corners : mesh.triangles) {
-    const Eigen::Vector3f& a_m = mesh.positions_m[corners[0]];
-    const Eigen::Vector3f area =
-        (mesh.positions_m[corners[1]] - a_m).cross(mesh.positions_m[corners[2]] - a_m);
-    for (const std::uint32_t corner : corners) normals[corner] += area;
-  }
-  for (Eigen::Vector3f& normal : normals)
-    normal = normal.norm() > 0.0F ? normal.normalized() : Eigen::Vector3f::UnitY();
+  std::vector<Eigen::Vector3f> normals = triangle_mean_normals({mesh.positions_m, mesh.triangles});
+  std::replace(normals.begin(), normals.end(), Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(0, 1, 0));
   return normals;
 }
 

@@ -1,0 +1,258 @@
+#include "renderer/commands/pictures/composite_options.h"
+
+#include <algorithm>
+#include <string>
+
+#include "renderer/commands/pictures/asset_root_option.h"
+#include "support/text/error.h"
+#include "support/text/limits.h"
+#include "support/text/number_option.h"
+
+namespace seamline::renderer {
+namespace {
+
+void add_photograph_options(CLI::App& command, CompositeOptions& options) {
+  CompositeRequest& request = options.request;
+  command
+      .add_option(
+          "--background", request.photograph,
+          "photograph: EXR or HDR of linear radiance, or PNG or JPEG, taken as sRGB codes; turned as its "
+          "EXIF orientation says")
+      ->required();
+  command
+      .add_option("--projection", options.projection,
+                  "of the photograph: panorama (equirectangular, +Y up, its middle column towards -Z), "
+                  "perspective, or "
+                  "auto: a picture twice as wide as high is a panorama")
+      ->check(CLI::IsMember({"auto", "panorama", "perspective"}))
+      ->capture_default_str();
+  add_formed_text(
+      command, "--view", options.view, "WxH",
+      "of a panorama: make a perspective view of so many pixels, by --look-at and --fov (default: the "
+      "result is the panorama)",
+      [](const std::string& text) {
+        const auto size = whole_pair(text, 'x');
+        if (!size || size->first < 1 || size->second < 1 ||
+            std::max(size->first, size->second) > limits::largest_picture_side_px)
+          throw input_error({.field = "--view", .wanted = "a size such as 960x540", .found = text});
+      });
+  add_number(command, "--look-at", options.look_at_m, any_place_m,
+             "point that the picture's middle shows, from the camera, in the world's axes; +Y is up")
+      ->capture_default_str();
+  add_number(command, "--fov", options.fov_deg, {1, 170, "degrees"},
+             "horizontal field of view of a perspective photograph without --camera, or of --view")
+      ->capture_default_str();
+  command.add_option(
+      "--camera", request.depth.camera,
+      "the photograph's camera (TOML file or preset, as of register): then --depth has its pixels, as "
+      "the registered.exr that register writes");
+  command.add_option(
+      "--scene", request.scene_file,
+      "glTF file whose first camera is the photograph's, and whose suns and lamps light it where no "
+      "others are given; positions are then that file's");
+}
+
+void add_depth_options(CLI::App& command, CompositeOptions& options) {
+  command
+      .add_option(
+          "--depth", options.mesh.depth,
+          "depth around the camera: .exr of metres, or .png and .pgm of 16 bits with --metres-per-step; an "
+          "equirectangular map, or of the photograph's view. Maps below 2048 texels a row are interpolated "
+          "linearly onto a sphere of 2048 vertices (the paper's section 3.2)")
+      ->required();
+  command
+      .add_option("--depth-view", options.depth_view,
+                  "of the depth map: panorama, photograph (the photograph's own view), or auto: twice as "
+                  "wide as high "
+                  "is a panorama")
+      ->check(CLI::IsMember({"auto", "panorama", "photograph"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--depth-kind", options.depth_kind,
+          "radial: lengths of rays; planar: distances along the camera's axis; auto: radial of panoramas, "
+          "planar of photographs' views")
+      ->check(CLI::IsMember({"auto", "radial", "planar"}))
+      ->capture_default_str();
+  add_number(
+      command, "--metres-per-step", options.metres_per_step, {1e-9, 1e9, "m"},
+      "what 1 in the depth map is worth: 0.001 for millimetres (default: 1 of .exr; of whole numbers it must "
+      "be given)");
+  add_mesh_options(command, options.mesh);
+  add_yaw_option(command, options.mesh);
+  command
+      .add_option("--jumps", options.jumps,
+                  "where depth of the photograph's view jumps: stretch a sheet, or cut a gap")
+      ->check(CLI::IsMember({"stretch", "cut"}))
+      ->capture_default_str();
+  add_number(command, "--jump-ratio", options.jump_ratio, {1.0001, 1000},
+             "of depths between which --jumps cut cuts")
+      ->capture_default_str();
+  add_number(
+      command, "--depth-width", options.depth_width_px, {2, 16384, "px"},
+      "see the local scene through a panorama so wide, captured from the whole depth map (default: the whole "
+      "map)");
+  command
+      .add_option(
+          "--seamless", options.seamless,
+          "choose that width: the smallest whose thresholds all artifacts present meet; of the paper (Table "
+          "1), or of the thresholds.json of a report")
+      ->expected(0, 1)
+      ->type_name("[FILE]");
+  command.add_option("--condition", options.request.condition,
+                     "of the study of --seamless, where it has several");
+}
+
+void add_object_options(CLI::App& command, CompositeOptions& options) {
+  command.add_option("--object", options.object, "one object: .glb, .gltf or builtin:NAME");
+  command.add_option("--objects", options.objects,
+                     "several objects, and perhaps their light: a TOML file (documentation/composite.md)");
+  add_number(
+      command, "--position", options.position_m, any_place_m,
+      "where the object's origin is (with --height: the middle of its lowest level), from the panorama's "
+      "centre or the camera: right, up, back; with --scene in that file's world")
+      ->capture_default_str();
+  add_number(command, "--rotation", options.rotation_deg, {-1e9, 1e9, "degrees"},
+             "pitch about X, yaw about Y, roll about Z")
+      ->capture_default_str();
+  add_number(command, "--scale", options.scale, {1e-9, 1e9},
+             "of the object; its file's unit is then so many metres")
+      ->capture_default_str();
+  command.add_flag("--rest", options.rest,
+                   "the object is let down from there and stands where it comes to rest on the depth map "
+                   "(needs Bullet)");
+  add_number(command, "--height", options.height_m, {1e-9, 1e9, "m"},
+             "in place of --scale: the object is so tall, and stands on --position");
+  command
+      .add_option("--materials", options.materials,
+                  "of the object: gltf (metals, gloss, textures) or diffuse (base colours alone)")
+      ->check(CLI::IsMember({"gltf", "diffuse"}))
+      ->capture_default_str();
+  add_number(command, "--object-albedo", options.object_albedo, {0, 1}, "of its meshes without a material")
+      ->capture_default_str();
+  add_number(command, "--metallic", options.metallic, {0, 1},
+             "in place of the object's own (default: its own)");
+  add_number(command, "--roughness", options.roughness, {0, 1},
+             "in place of the object's own (default: its own)");
+  add_asset_root_option(command, options.asset_root);
+}
+
+void add_light_options(CLI::App& command, CompositeOptions& options) {
+  CompositeRequest& request = options.request;
+  CLI::Option* to_sun = add_number(command, "--to-sun", options.to_sun, {-1e9, 1e9},
+                                   "direction towards a sun, in the world's axes");
+  CLI::Option* irradiance =
+      add_number(command, "--sun-irradiance", options.irradiance, {0, limits::strongest_light, "W/m2"},
+                 "on a plane facing that sun, R G B, in the photograph's own unit of light");
+  to_sun->needs(irradiance);
+  irradiance->needs(to_sun);
+  add_number(command, "--sun-radius", options.sun_radius_deg, {0, 45, "degrees"},
+             "angular radius of that sun")
+      ->capture_default_str()
+      ->needs(to_sun);
+  add_number(
+      command, "--lamp", options.lamp, {-limits::strongest_light, limits::strongest_light},
+      "a lamp without size: its place X Y Z in metres, as --position, and R G B in W/sr; several go into "
+      "the file of --objects");
+  CLI::Option* constant =
+      add_number(command, "--environment", options.environment, {0, limits::strongest_light, "W/m2/sr"},
+                 "radiance R G B from every direction in which the depth map has nothing (default: black)");
+  CLI::Option* map = command.add_option(
+      "--environment-map", options.environment_map,
+      "radiance by direction: .exr, .hdr or builtin:NAME, equirectangular, +Y up, its middle column "
+      "towards -Z");
+  map->excludes(constant);
+  add_number(command, "--environment-rotation", options.rotation_of_map_deg, {-360, 360, "degrees"},
+             "of that map about +Y, counter-clockwise seen from above")
+      ->capture_default_str()
+      ->needs(map);
+  command.add_flag(
+      "--light-from-photograph", request.light.from_photograph,
+      "the panorama itself is the light: every surface sends what it shows of it; the default of "
+      "panoramas where no light is given; beside it a sun may be given");
+  command.add_option("--light-panorama", request.light.panorama,
+                     "the same by another panorama, taken at the photograph's place; scaled to be as bright");
+  command.add_flag("--keep-sun", options.keeps_sun,
+                   "leave a panorama's sun in it (default: it is split off, and printed)");
+  add_number(command, "--albedo", request.albedo, {0, 1}, "of the local scene's surfaces, which are diffuse")
+      ->capture_default_str();
+  add_number(command, "--bounces", request.bounces, {0, 1024}, "further scatterings after the first")
+      ->capture_default_str();
+}
+
+void add_answer_options(CLI::App& command, CompositeOptions& options) {
+  CompositeRequest& request = options.request;
+  command
+      .add_option(
+          "--occlusion", options.occlusion,
+          "who is in front: the mesh, a depth test in metres a pixel (linear between the map's texels), the "
+          "same in a depth buffer, or always the object (none)")
+      ->check(CLI::IsMember({"mesh", "depth_test", "depth_buffer", "none"}))
+      ->capture_default_str();
+  add_number(command, "--depth-buffer-bits", request.buffer.bits, {8, 32, "bits"},
+             "of --occlusion depth_buffer")
+      ->capture_default_str();
+  add_number(command, "--depth-buffer-near", request.buffer.nearest_m, {1e-6, 1e9, "m"}, "its nearer plane")
+      ->capture_default_str();
+  add_number(command, "--depth-buffer-far", request.buffer.farthest_m, {1e-6, 1e9, "m"}, "its farther plane")
+      ->capture_default_str();
+  command.add_option(
+      "--occlusion-mask", request.occlusion_mask,
+      "who is in front, given: .png or .exr, white where something real stands before all objects; by "
+      "direction (twice as wide as high) or of the photograph's shape, in any resolution");
+  command.add_option("--shadow-matte", request.shadow_matte,
+                     "where the sun does not reach real surfaces, given: white in shadow; likewise");
+}
+
+void add_sampling_options(CLI::App& command, CompositeOptions& options) {
+  CompositeRequest& request = options.request;
+  command
+      .add_option("--estimator", options.estimator,
+                  "fast (filtered bounce light), path (every path traced), or auto: fast where it can")
+      ->check(CLI::IsMember({"auto", "fast", "path"}))
+      ->capture_default_str();
+  add_number(command, "--error", options.error, {1e-5, 1},
+             "sample until the picture's estimated error is below this, in display units (one 8-bit step is "
+             "0.0039)");
+  add_number(command, "--spp", request.spp, {1, 65536}, "samples a pixel, without --error")
+      ->capture_default_str();
+  add_number(command, "--seed", request.seed, {0, 2147483647}, "seed of the samples")->capture_default_str();
+  add_number(command, "--threads", request.threads, {0, 1024},
+             "0: one for each core; the picture is the same")
+      ->capture_default_str();
+  command.add_flag("--additive", request.additive, "Debevec's additive form instead of the ratio");
+}
+
+void add_output_options(CLI::App& command, CompositeOptions& options) {
+  CompositeRequest& request = options.request;
+  command.add_option("--out", request.out, "picture to write: .png for the screen, .exr of linear radiance")
+      ->required();
+  add_number(command, "--exposure", request.exposure_ev, {-60, 60, "stops"},
+             "for .png, the report, and display units of errors")
+      ->capture_default_str();
+  command.add_option("--layers", request.layers,
+                     "all layers as one multi-part .exr: composite, photograph, ratio, with_objects, "
+                     "without_objects, objects, depth_m, holes");
+  command.add_option(
+      "--local-scene", request.local_scene,
+      "the local scene alone (.png), grey by the angle at which the camera sees its triangles");
+  command.add_option("--report", request.report,
+                     "a page (.html): depth used, triangles, seconds, and FLIP against full depth as a map");
+  add_number(command, "--pixels-per-degree", request.pixels_per_degree, {1, 1000},
+             "at which FLIP sees the picture")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_composite_options(CLI::App& command, CompositeOptions& options) {
+  add_photograph_options(command, options);
+  add_depth_options(command, options);
+  add_object_options(command, options);
+  add_light_options(command, options);
+  add_answer_options(command, options);
+  add_sampling_options(command, options);
+  add_output_options(command, options);
+}
+
+}  // namespace seamline::renderer
