@@ -75,7 +75,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Fall>& falls,
   panels[0].x_label = "frame";
   panels[0].y_label = "away from its mean place, mm";
   for (std::size_t i = 0; i < falls.size(); ++i) {
-    PlotLine line{.title = falls[i].name + " depth", .points = {}, .style = i};
+    PlotLine line{.title = "depth: " + falls[i].name, .points = {}, .style = i};
     for (std::size_t frame = 0; frame < falls[i].away_mm.size(); ++frame)
       line.points.emplace_back(static_cast<double>(frame), std::max(falls[i].away_mm[frame], least_mm));
     panels[0].lines.push_back(line);
@@ -84,7 +84,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Fall>& falls,
     panels[1].title = "on exact depth, by steps a second";
     panels[1].x_label = "steps a second";
     panels[1].y_label = "from one frame to the next, mm (root mean square)";
-    PlotLine line{.title = "exact depth", .points = {}, .style = falls.size() - 1};
+    PlotLine line{.title = "depth: exact", .points = {}, .style = falls.size() - 1};
     for (const StepShake& other : by_steps) {
       line.points.emplace_back(other.steps_per_s, std::max(other.jump_mm, least_mm));
       panels[1].x_ticks.push_back({double{1} * other.steps_per_s, fmt::format("{}", other.steps_per_s)});
