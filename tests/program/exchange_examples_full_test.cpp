@@ -60,9 +60,11 @@ std::map<std::string, double> numbers_of(const std::string& text) {
 
 class ExchangeExamples : public testing::Test {
  protected:
-  /// Twenty simulated people in the paper's study, their tables and their report.
-  static void SetUpTestSuite() {
-    folder = test::fresh_folder("exchange-examples");
+  /// Twenty simulated people in the paper's study, their tables and their report, in a folder of each test:
+  /// two of them may run side by side.
+  void SetUp() override {
+    folder = test::fresh_folder(std::string("exchange-examples-") +
+                                testing::UnitTest::GetInstance()->current_test_info()->name());
     write_small_set(folder / "set");
     for (const char* arguments :
          {"study set --log log.sqlite --observer threshold --count 20 --seed 3",
@@ -71,10 +73,10 @@ class ExchangeExamples : public testing::Test {
       ASSERT_EQ(outcome.status, 0) << outcome.output;
     }
   }
-  static Outcome in_folder(const std::string& command) {
+  [[nodiscard]] Outcome in_folder(const std::string& command) const {
     return run_program("cd " + folder.string() + " && " + command, "");
   }
-  static void expect_thresholds(const std::string& printed) {
+  void expect_thresholds(const std::string& printed) const {
     const std::map<std::string, double> found = numbers_of(printed);
     const auto report = nlohmann::json::parse(test::read_text(folder / "report/thresholds.json"));
     int finite = 0;
@@ -92,9 +94,8 @@ class ExchangeExamples : public testing::Test {
     EXPECT_EQ(found.size(), report.at("artifacts").size());
     EXPECT_GE(finite, 2);
   }
-  static fs::path folder;
+  fs::path folder;
 };
-fs::path ExchangeExamples::folder;
 
 TEST_F(ExchangeExamples, RComputesTheSameThresholds) {
   if (in_folder("Rscript --version").status != 0) GTEST_SKIP() << "there is no R here";
