@@ -14,7 +14,9 @@ using test::run_seamline;
 /// What a time-of-flight rig delivers of the bedroom, once.
 const fs::path& sensed() {
   static const fs::path folder = [] {
-    fs::path made = test::fresh_folder("sense");
+    // Of the test that asks first: two of them may run side by side.
+    fs::path made = test::fresh_folder(std::string("sense-") +
+                                       testing::UnitTest::GetInstance()->current_test_info()->name());
     const test::Outcome outcome =
         run_seamline("sense builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out " + made.string());
     if (outcome.status != 0) throw std::runtime_error(outcome.output);
