@@ -1,7 +1,18 @@
 # What every target of Seamline is built with.
+
+# The files of a folder are compiled twenty at a time, as one: their headers and templates are most of the time to build.
+# Every file stands alone all the same; CMAKE_UNITY_BUILD=OFF shows it, and rebuilds less after a change.
+set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder twenty at a time")
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 20 CACHE STRING "how many files are compiled as one; 0: all of a folder")
+
+# Where many files are compiled as one, a local may bear the name of another file's constant; a file alone is asked for all.
+set(shadow_warning -Wshadow)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(shadow_warning -Wshadow=local)
+endif()
 add_library(seamline_warnings INTERFACE)
 target_compile_options(seamline_warnings INTERFACE
-  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SEAMLINE_MAY_SHADOW>>>:-Wshadow> -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SEAMLINE_MAY_SHADOW>>>:${shadow_warning}> -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
   # GCC 12 sees overlaps and overflows in std::string and std::map that are not there (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized>
   $<$<BOOL:${SEAMLINE_WERROR}>:-Werror>)
@@ -16,11 +27,6 @@ if(SEAMLINE_COVERAGE)
   add_compile_options(--coverage -O0)
   add_link_options(--coverage)
 endif()
-
-# The files of a folder are compiled twenty at a time, as one: their headers and templates are most of the time to build.
-# Every file stands alone all the same; CMAKE_UNITY_BUILD=OFF shows it, and rebuilds less after a change.
-set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder twenty at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 20 CACHE STRING "how many files are compiled as one; 0: all of a folder")
 
 # One library a folder. The repository root is the include root, so an include names its folder: "stimuli/set/manifest.h".
 function(seamline_library name)
