@@ -88,6 +88,8 @@ StimulusSums half_of(const StimulusSums& sums, std::size_t half) {
   out.spp = (sums.spp + 1 - static_cast<int>(half)) / 2;
   out.halves[0] = sums.halves[half];
   out.halves[1].assign(out.halves[1].size(), {});
+  out.light_as_sampled[0] = sums.light_as_sampled[half];
+  out.light_as_sampled[1].assign(out.light_as_sampled[1].size(), 0.0F);
   return out;
 }
 

@@ -12,6 +12,7 @@ namespace {
 constexpr float floor_share = 1e-6F;  // of the frame's median: below it the ratio is 1
 constexpr float sealed_share = 0.1F;  // of the usual S_no for what the photograph shows
 constexpr float largest_ratio = 4.0F;
+constexpr float least_poorly_lit = 0.02F, most_poorly_lit = 0.25F;  // of the frame's median
 
 std::vector<StimulusPixel> sum_halves(const StimulusSums& sums) {
   std::vector<StimulusPixel> pixels = sums.halves[0];
@@ -51,23 +52,13 @@ struct RatioOutcome {
   bool sealed = false;
 };
 
-/// Pixels whose S_no rests on too few paths for a ratio of their own.
-std::vector<bool> find_pockets(const std::vector<StimulusPixel>& pixels, float median, int samples) {
-  const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
-  std::vector<bool> pockets(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    pockets[i] = pixels[i].uncovered_surfaces > 0 &&
-                 pixels[i].without_object.mean() < poorly_lit_share * median * pixels[i].uncovered_surfaces;
-  return pockets;
-}
-
 /// How much of a pixel's ratio is believed: all of it, less where the depth mesh is more than ten times
 /// darker than the photograph there (both against what is usual in this picture): depth sheets have sealed
 /// the surface in a well that only the camera sees into, and whatever stands before the well takes all its
 /// light.
-float belief(const Rgb& without_object, const Rgb& photograph, float usual_darkness) {
+float belief(float without_object, const Rgb& photograph, float usual_darkness) {
   const float sealed = sealed_share * usual_darkness * photograph.mean();
-  return sealed > 0.0F ? std::min(1.0F, without_object.mean() / sealed) : 1.0F;
+  return sealed > 0.0F ? std::min(1.0F, without_object / sealed) : 1.0F;
 }
 
 /// Median of S_no over the photograph.
@@ -102,15 +93,41 @@ struct PictureLight {
   float median = 0, darkness = 0;
   std::vector<bool> pockets;            ///< empty: none is looked for
   std::vector<FilteredLight> filtered;  ///< of the pockets
+  std::vector<float> for_belief;        ///< light a sample before a filter; empty: what the ratio is of
 };
 
-PictureLight picture_light(const std::vector<StimulusPixel>& pixels, const StimulusSums& sums, int samples,
-                           int threads) {
-  PictureLight light{.median = median_denominator(pixels), .darkness = 0, .pockets = {}, .filtered = {}};
+std::vector<float> light_of(const std::vector<StimulusPixel>& pixels) {
+  std::vector<float> light(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) light[i] = pixels[i].without_object.mean();
+  return light;
+}
+
+/// Light before a filter, a sample; where it is poor it is that of a pixel's like neighbours too.
+std::vector<float> unfiltered_light(const std::vector<StimulusPixel>& pixels, std::vector<float> light,
+                                    const StimulusSums& sums, float median, int threads) {
+  const std::vector<bool> pockets = find_pockets(light, pixels, sums.guides, sums.width_px, sums.height_px,
+                                                 most_poorly_lit * median, threads);
+  const std::vector<float> filtered =
+      filter_pockets(light, pixels, pockets, sums.guides, sums.width_px, sums.height_px, threads);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    if (pixels[i].uncovered_surfaces > 0)
+      light[i] = pockets[i] ? filtered[i] : light[i] / pixels[i].uncovered_surfaces;
+  return light;
+}
+
+PictureLight picture_light(const std::vector<StimulusPixel>& pixels, std::vector<float> as_sampled,
+                           const StimulusSums& sums, int samples, int threads) {
+  PictureLight light;
+  light.median = median_denominator(pixels);
   if (!sums.depth_lights_uncovered) return light;
   light.darkness = usual_darkness(pixels);
-  light.pockets = find_pockets(pixels, light.median, samples);
+  const float poorly_lit =
+      std::clamp(4.0F / static_cast<float>(samples), least_poorly_lit, most_poorly_lit) * light.median;
+  light.pockets =
+      find_pockets(light_of(pixels), pixels, sums.guides, sums.width_px, sums.height_px, poorly_lit, threads);
   light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
+  if (!as_sampled.empty())
+    light.for_belief = unfiltered_light(pixels, std::move(as_sampled), sums, light.median, threads);
   return light;
 }
 
@@ -123,9 +140,9 @@ Rgb rest_of_pixel(const StimulusPixel& pixel, std::size_t i, const PictureLight&
   const FilteredLight light =
       pocket ? picture.filtered[i]
              : FilteredLight{pixel.without_object * per_sample, pixel.with_object * per_sample};
-  const float believed = picture.pockets.empty()
-                             ? 1.0F
-                             : belief(light.without_object, pixel.background * per_sample, picture.darkness);
+  const float lit = picture.for_belief.empty() ? light.without_object.mean() : picture.for_belief[i];
+  const float believed =
+      picture.pockets.empty() ? 1.0F : belief(lit, pixel.background * per_sample, picture.darkness);
   const RatioOutcome outcome = ratio_of(light, picture.median, believed);
   ratio = outcome.ratio;
   if (compositing == Compositing::additive)
@@ -136,10 +153,10 @@ Rgb rest_of_pixel(const StimulusPixel& pixel, std::size_t i, const PictureLight&
   return pixel.background * outcome.ratio;
 }
 
-Composite compose_pixels(const std::vector<StimulusPixel>& pixels, const StimulusSums& sums, int samples,
-                         Compositing compositing, int threads) {
+Composite compose_pixels(const std::vector<StimulusPixel>& pixels, std::vector<float> as_sampled,
+                         const StimulusSums& sums, int samples, Compositing compositing, int threads) {
   Composite out{Image(sums.width_px, sums.height_px, 3), Image(sums.width_px, sums.height_px, 3, 1.0F), {}};
-  const PictureLight light = picture_light(pixels, sums, samples, threads);
+  const PictureLight light = picture_light(pixels, std::move(as_sampled), sums, samples, threads);
   std::vector<TinyDenominators> tiny(static_cast<std::size_t>(sums.height_px));
   parallel_for(sums.height_px, threads, [&](int y) {
     TinyDenominators& row = tiny[static_cast<std::size_t>(y)];
@@ -167,12 +184,15 @@ Composite compose_pixels(const std::vector<StimulusPixel>& pixels, const Stimulu
 }  // namespace
 
 Composite compose(const StimulusSums& sums, Compositing compositing, int threads) {
-  return compose_pixels(sum_halves(sums), sums, sums.spp, compositing, threads);
+  std::vector<float> as_sampled = sums.light_as_sampled[0];
+  for (std::size_t i = 0; i < as_sampled.size(); ++i) as_sampled[i] += sums.light_as_sampled[1][i];
+  return compose_pixels(sum_halves(sums), std::move(as_sampled), sums, sums.spp, compositing, threads);
 }
 
 Composite compose_half(const StimulusSums& sums, std::size_t half, int threads) {
   const int samples = (sums.spp + 1 - static_cast<int>(half)) / 2;
-  return compose_pixels(sums.halves[half], sums, samples, sums.compositing, threads);
+  return compose_pixels(sums.halves[half], sums.light_as_sampled[half], sums, samples, sums.compositing,
+                        threads);
 }
 
 std::optional<double> estimated_noise(const StimulusSums& sums, double exposure_ev) {

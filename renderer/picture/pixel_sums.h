@@ -75,6 +75,9 @@ enum class Compositing {
 struct StimulusSums {
   int width_px = 0, height_px = 0, spp = 0;
   Halves<StimulusPixel> halves = {};
+  /// `without_object` before a filter, channels averaged: what decides whether depth sheets have sealed a
+  /// surface in, because a filter carries light over a well's edge. Empty: nothing is filtered.
+  Halves<float> light_as_sampled = {};
   std::vector<Guide> guides = {};  ///< of the surface whose bounce light is in `without_object`
   bool depth_lights_uncovered =
       false;  ///< whether the depth mesh decides how much light `without_object` has

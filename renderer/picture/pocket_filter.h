@@ -11,6 +11,16 @@ struct FilteredLight {
   Rgb with_object = Rgb::Zero();
 };
 
+/// Pixels of a picture of which less than `poorly_lit` a sample is known to light them, and, beside them,
+/// those that only chance has lit: whose neighbours of like normal and depth have less, themselves left out.
+/// In a well that one path in hundreds finds, the pixel that it fell on is bright: taken for itself it would
+/// be divided by its one path, and its neighbours would be filtered without the only light that was found.
+/// `light`: of each pixel, summed over its samples.
+[[nodiscard]] std::vector<bool> find_pockets(const std::vector<float>& light,
+                                             const std::vector<StimulusPixel>& sums,
+                                             const std::vector<Guide>& guides, int width_px, int height_px,
+                                             float poorly_lit, int threads);
+
 /// The light of the pixels in `pockets`, filtered among themselves by two a-trous levels (Dammertz et al.,
 /// HPG 2010) whose weights fall with the difference in normal and in depth, never with colour. Sums are
 /// filtered, not ratios. Row by row; pixels outside the pockets keep zeros.
@@ -18,5 +28,11 @@ struct FilteredLight {
                                                         const std::vector<bool>& pockets,
                                                         const std::vector<Guide>& guides, int width_px,
                                                         int height_px, int threads);
+/// The same of `light` alone, a sample.
+[[nodiscard]] std::vector<float> filter_pockets(const std::vector<float>& light,
+                                                const std::vector<StimulusPixel>& sums,
+                                                const std::vector<bool>& pockets,
+                                                const std::vector<Guide>& guides, int width_px, int height_px,
+                                                int threads);
 
 }  // namespace seamline::renderer

@@ -247,6 +247,7 @@ class StimulusRounds {
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
       StimulusSums sampled = assembled(no_filters(), half);
       if (made.compositing == Compositing::ratio) divide_alike(made.halves[half], sampled.halves[half]);
+      sampled.light_as_sampled[half] = made.light_as_sampled[half];
       pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     }
     ErrorEstimate error = with_bias_of_truth(pictures);

@@ -43,10 +43,17 @@ class Assembly {
     if (adds_to_object(answers_)) out.object += added_to_object(x, y, half, in);
     if (recipe_.keep == Keep::everything) out.object += hidden_light(in).total();
   }
-  void add_uncovered(int x, int y, std::size_t half, const FilteredBounce& uncovered,
-                     StimulusPixel& out) const {
+  /// Off the object; `as_sampled`: the light without it before the filter, or null where nobody asks.
+  void add_uncovered(int x, int y, std::size_t half, const FilteredBounce& uncovered, StimulusPixel& out,
+                     float* as_sampled) const {
+    const Pixel in = gather(x, y, half);
     const std::size_t i = truth_.truth_sums.index(x, y);
-    add_uncovered_of(x, y, gather(x, y, half), uncovered.texel(i), uncovered.surface(i), half, out);
+    if (as_sampled != nullptr) {
+      StimulusPixel sampled;
+      add_uncovered_of(x, y, in, nullptr, nullptr, half, sampled);
+      *as_sampled = sampled.without_object.mean();
+    }
+    add_uncovered_of(x, y, in, uncovered.texel(i), uncovered.surface(i), half, out);
   }
 
  private:
@@ -209,16 +216,14 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
   out.rays = sources.depth.counts.traced;
   const Assembly assembly(sources);
   const FilteredBounce unfiltered;
-  const auto each_pixel = [&](const FilteredBounce& filtered, bool object_only, auto add) {
+  const auto each_pixel = [&](bool object_only, const auto& add) {
     parallel_for(truth.height_px, threads, [&](int y) {
       for (int x = 0; x < truth.width_px; ++x) {
         const auto tile = static_cast<std::size_t>(sources.truth.scene_sums.grid.square_of(x, y));
         if (object_only && !assembly.has_object(tile)) continue;
         const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
         for (std::size_t half = 0; half < 2; ++half)
-          if (!out.halves[half].empty())
-            (assembly.*add)(x, y, half, is_filtered ? filtered : unfiltered,
-                            out.halves[half][truth.index(x, y)]);
+          if (!out.halves[half].empty()) add(x, y, half, is_filtered);
       }
     });
   };
@@ -228,12 +233,22 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
     FilteredBounce object;
     if (on_object && filters.object.levels > 0)
       object = filtered_object(sources.truth, sources.depth, filters.object, threads);
-    each_pixel(object, true, &Assembly::add_object);
+    each_pixel(true, [&](int x, int y, std::size_t half, bool is_filtered) {
+      assembly.add_object(x, y, half, is_filtered ? object : unfiltered, out.halves[half][truth.index(x, y)]);
+    });
   }
   FilteredBounce uncovered;
   if (!sources.depth.guides.empty())
     uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio, threads, out.guides);
-  if (sources.recipe.keep != Keep::object_only) each_pixel(uncovered, false, &Assembly::add_uncovered);
+  if (sources.recipe.keep == Keep::object_only) return out;
+  const bool sealed_in = out.depth_lights_uncovered && !uncovered.texels.empty();
+  for (std::size_t half = 0; half < 2; ++half)
+    if (sealed_in) out.light_as_sampled[half].resize(out.halves[half].size());
+  each_pixel(false, [&](int x, int y, std::size_t half, bool is_filtered) {
+    const std::size_t i = truth.index(x, y);
+    assembly.add_uncovered(x, y, half, is_filtered ? uncovered : unfiltered, out.halves[half][i],
+                           sealed_in ? &out.light_as_sampled[half][i] : nullptr);
+  });
   return out;
 }
 
