@@ -13,8 +13,8 @@ namespace seamline::analysis {
 
 namespace {
 
-constexpr std::array<const char*, 3> quantities = {"PT", "SN", "IP"};
-using Ranges = std::array<LevelInterval, quantities.size()>;
+constexpr std::array<const char*, 3> threshold_names = {"PT", "SN", "IP"};
+using Ranges = std::array<LevelInterval, threshold_names.size()>;
 
 /// One condition of an artifact, of the people on the curves of all its conditions.
 struct ConditionCurve {
@@ -125,7 +125,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
           ranges_of(fitters[c], {mean.data() + curves[c].first_column, curves[c].level_x.size()}));
     std::vector<Ranges> found(others);
     for (std::size_t c = 0; c < others; ++c)
-      for (std::size_t q = 0; q < quantities.size(); ++q)
+      for (std::size_t q = 0; q < threshold_names.size(); ++q)
         found[c][q] = difference(ranges[c + 1][q], ranges[0][q]);
     return found;
   };
@@ -139,10 +139,10 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
     });
   }
   for (std::size_t c = 0; c < others; ++c)
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
+    for (std::size_t q = 0; q < threshold_names.size(); ++q) {
       const LevelInterval& range = estimates[c][q];
       ThresholdDifference found{.artifact = curves.front().scores->artifact,
-                                .quantity = quantities[q],
+                                .quantity = threshold_names[q],
                                 .condition = curves[c + 1].scores->condition,
                                 .to = curves.front().scores->condition,
                                 .participants = people,
