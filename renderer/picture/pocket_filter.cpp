@@ -15,12 +15,12 @@ constexpr float depth_tolerance = 0.05F;  // relative
 
 /// Light and number of samples are filtered apart, so that pixels with few uncovered samples count for what
 /// they saw.
-struct Texel {
+struct PocketLight {
   Rgb without_object = Rgb::Zero();
   Rgb with_object = Rgb::Zero();
   float samples = 0;
 
-  void add(const Texel& other, float weight) {
+  void add(const PocketLight& other, float weight) {
     without_object += weight * other.without_object;
     with_object += weight * other.with_object;
     samples += weight * other.samples;
@@ -39,7 +39,7 @@ float likeness(const Guide& a, const Guide& b) {
 std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
                                           int width_px, int height_px, int threads) {
-  std::vector<Texel> from(sums.size()), to(sums.size());
+  std::vector<PocketLight> from(sums.size()), to(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) from[i] = {sums[i].without_object, sums[i].with_object, sums[i].uncovered_surfaces};
   const auto index = [&](int x, int y) {
