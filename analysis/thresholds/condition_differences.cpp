@@ -58,24 +58,24 @@ LevelRange turned_back(const LevelAxis& axis, const LevelInterval& range) {
   return levels;
 }
 
-std::string number_text(double value) {
+std::string hundredths_text(double value) {
   const std::string text = fmt::format("{:.2f}", value);
   if (text == "-0.00") return "0.00";
   return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
 std::string text_of(const ThresholdDifference& found) {
-  const auto bound = [](double value) { return std::isfinite(value) ? number_text(value) : "open"; };
+  const auto bound = [](double value) { return std::isfinite(value) ? hundredths_text(value) : "open"; };
   const LevelRange& bounds = found.bounds;
   std::string text;
   if (found.estimate)
-    text = number_text(*found.estimate);
+    text = hundredths_text(*found.estimate);
   else if (std::isfinite(bounds.low) && std::isfinite(bounds.high))
-    text = fmt::format("between {} and {}", number_text(bounds.low), number_text(bounds.high));
+    text = fmt::format("between {} and {}", hundredths_text(bounds.low), hundredths_text(bounds.high));
   else if (std::isfinite(bounds.low))
-    text = "above " + number_text(bounds.low);
+    text = "above " + hundredths_text(bounds.low);
   else if (std::isfinite(bounds.high))
-    text = "below " + number_text(bounds.high);
+    text = "below " + hundredths_text(bounds.high);
   else
     text = "not determined";
   if (!std::isfinite(found.ci95.low) && !std::isfinite(found.ci95.high))
