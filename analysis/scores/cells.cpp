@@ -20,13 +20,13 @@ struct AnswerTally {
   int answers = 0;
 };
 
-struct ObjectKey {
+struct CurveKey {
   Artifact artifact = Artifact::none;
   int condition = 0;  ///< its place in the study's order
   std::string scene;
   int object_index = 0;
   std::string object;
-  auto operator<=>(const ObjectKey&) const = default;
+  auto operator<=>(const CurveKey&) const = default;
 };
 
 /// Along the curve.
@@ -39,7 +39,7 @@ template <class Value>
 using ByLevel = std::map<double, Value, LevelOrder>;
 
 using PersonTallies = std::map<int, AnswerTally>;                           // person -> answers
-using ObjectTallies = std::map<ObjectKey, ByLevel<PersonTallies>>;          // object -> level -> person
+using ObjectTallies = std::map<CurveKey, ByLevel<PersonTallies>>;           // object -> level -> person
 using PersonMeans = std::map<int, std::vector<std::pair<double, double>>>;  // person -> objects' means
 
 ObjectTallies tally_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people,
@@ -59,8 +59,8 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
                          .found = "'" + answer.participant + "'"});
     if (people[static_cast<std::size_t>(found->second)].use != Use::used) continue;
     const auto condition = std::find(conditions.begin(), conditions.end(), answer.condition);
-    const ObjectKey key{answer.artifact, static_cast<int>(condition - conditions.begin()), answer.scene,
-                        answer.object_index, answer.object};
+    const CurveKey key{answer.artifact, static_cast<int>(condition - conditions.begin()), answer.scene,
+                       answer.object_index, answer.object};
     const auto object = tallies.try_emplace(key, order).first;
     AnswerTally& tally = object->second[answer.level][found->second];
     tally.noticeability += answer.noticeability();
@@ -84,7 +84,7 @@ CellMean cell(double level, const std::vector<std::pair<double, double>>& means)
   return result;
 }
 
-ObjectCurve object_curve(const ObjectKey& key, const std::string& condition,
+ObjectCurve object_curve(const CurveKey& key, const std::string& condition,
                          const ByLevel<PersonTallies>& levels) {
   ObjectCurve curve{.artifact = key.artifact,
                     .condition = condition,

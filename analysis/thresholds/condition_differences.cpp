@@ -13,8 +13,8 @@ namespace seamline::analysis {
 
 namespace {
 
-constexpr std::array<const char*, 3> quantities = {"PT", "SN", "IP"};
-using Ranges = std::array<LevelInterval, quantities.size()>;
+constexpr std::array<const char*, 3> threshold_names = {"PT", "SN", "IP"};
+using Ranges = std::array<LevelInterval, threshold_names.size()>;
 
 /// One condition of an artifact, of the people on the curves of all its conditions.
 struct ConditionCurve {
@@ -58,24 +58,24 @@ LevelRange turned_back(const LevelAxis& axis, const LevelInterval& range) {
   return levels;
 }
 
-std::string number_text(double value) {
+std::string hundredths_text(double value) {
   const std::string text = fmt::format("{:.2f}", value);
   if (text == "-0.00") return "0.00";
   return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
 std::string text_of(const ThresholdDifference& found) {
-  const auto bound = [](double value) { return std::isfinite(value) ? number_text(value) : "open"; };
+  const auto bound = [](double value) { return std::isfinite(value) ? hundredths_text(value) : "open"; };
   const LevelRange& bounds = found.bounds;
   std::string text;
   if (found.estimate)
-    text = number_text(*found.estimate);
+    text = hundredths_text(*found.estimate);
   else if (std::isfinite(bounds.low) && std::isfinite(bounds.high))
-    text = fmt::format("between {} and {}", number_text(bounds.low), number_text(bounds.high));
+    text = fmt::format("between {} and {}", hundredths_text(bounds.low), hundredths_text(bounds.high));
   else if (std::isfinite(bounds.low))
-    text = "above " + number_text(bounds.low);
+    text = "above " + hundredths_text(bounds.low);
   else if (std::isfinite(bounds.high))
-    text = "below " + number_text(bounds.high);
+    text = "below " + hundredths_text(bounds.high);
   else
     text = "not determined";
   if (!std::isfinite(found.ci95.low) && !std::isfinite(found.ci95.high))
@@ -125,7 +125,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
           ranges_of(fitters[c], {mean.data() + curves[c].first_column, curves[c].level_x.size()}));
     std::vector<Ranges> found(others);
     for (std::size_t c = 0; c < others; ++c)
-      for (std::size_t q = 0; q < quantities.size(); ++q)
+      for (std::size_t q = 0; q < threshold_names.size(); ++q)
         found[c][q] = difference(ranges[c + 1][q], ranges[0][q]);
     return found;
   };
@@ -139,10 +139,10 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
     });
   }
   for (std::size_t c = 0; c < others; ++c)
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
+    for (std::size_t q = 0; q < threshold_names.size(); ++q) {
       const LevelInterval& range = estimates[c][q];
       ThresholdDifference found{.artifact = curves.front().scores->artifact,
-                                .quantity = quantities[q],
+                                .quantity = threshold_names[q],
                                 .condition = curves[c + 1].scores->condition,
                                 .to = curves.front().scores->condition,
                                 .participants = people,

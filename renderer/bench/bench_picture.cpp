@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/bench/bench.h"
+#include "renderer/common/sampler.h"
 #include "renderer/common/stopwatch.h"
 #include "renderer/convergence/convergence_runs.h"
 #include "renderer/error/true_error.h"
@@ -185,9 +186,9 @@ std::vector<Measurement> bench_picture(const BenchOptions& options) {
       Rgb::Constant(static_cast<float>(subject.scene.definition.albedo)), TreeQuality::for_few_rays);
   const double mesh_seconds = mesh_watch.seconds();
   fmt::print(stderr, "  the reference, by path\n");
-  GivenBackground given =
-      given_background(render_path(subject, subject.recipe, subject.geometry, depth,
-                                   subject.pass(options.quick ? 16 : 64, subject.study.seed + 1000)));
+  GivenBackground given = given_background(
+      render_path(subject, subject.recipe, subject.geometry, depth,
+                  subject.pass(options.quick ? 16 : 64, subject.study.seed + reference_seed_offset)));
   given.threads = subject.threads;
   if (options.quick) {
     given.first_spp = 2;

@@ -12,7 +12,7 @@ double now_s(Clock clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-double median(std::vector<double> values) {
+double upper_median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -21,14 +21,14 @@ double median(std::vector<double> values) {
 }  // namespace
 
 double InterleavedTimes::median_s(std::size_t work) const {
-  return median(seconds[work]);
+  return upper_median(seconds[work]);
 }
 
 double InterleavedTimes::median_ratio(std::size_t work, std::size_t other) const {
   std::vector<double> ratios;
   for (std::size_t repeat = 0; repeat < seconds[work].size(); ++repeat)
     ratios.push_back(seconds[work][repeat] / seconds[other][repeat]);
-  return median(ratios);
+  return upper_median(ratios);
 }
 
 double time_once(Clock clock, const std::function<void()>& work) {

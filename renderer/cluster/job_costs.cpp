@@ -17,7 +17,7 @@ namespace seamline::renderer {
 namespace {
 
 constexpr std::array<int, 2> probe_spp = {2, 8};
-constexpr int most_spp = 4096;
+constexpr int most_planned_spp = 4096;
 /// Where an error is asked for that the probe has no estimate of.
 constexpr int usual_spp = 64;
 
@@ -26,14 +26,14 @@ std::string artifact_and_condition(const Stimulus& stimulus) {
 }
 
 /// Pieces of a small render, by their names in `timings.json`.
-struct Piece {
+struct ProbedPiece {
   double seconds = 0;
   std::optional<double> worst_tile = {};
 };
-using Pieces = std::map<std::string, Piece>;
+using ProbedPieces = std::map<std::string, ProbedPiece>;
 
-Pieces read_pieces(const std::filesystem::path& set_folder) {
-  Pieces pieces;
+ProbedPieces read_pieces(const std::filesystem::path& set_folder) {
+  ProbedPieces pieces;
   const auto json = nlohmann::json::parse(read_file(set_folder / "timings.json"));
   for (const auto& [name, line] : json.at("pieces").items()) {
     pieces[name].seconds = line.at("seconds").get<double>();
@@ -61,7 +61,7 @@ double peak_memory_bytes() {
 
 /// The two probes of one truth.
 struct ProbedTruth {
-  std::array<Pieces, 2> pieces;
+  std::array<ProbedPieces, 2> pieces;
   std::array<double, 2> seconds = {};
   double samples = 0;  ///< a pixel, that the real render is going to take
 
@@ -76,7 +76,8 @@ struct ProbedTruth {
 };
 
 /// Samples a pixel of the real render.
-double samples_wanted(const StudyDefinition& study, const RenderRequest& request, const Pieces& pieces) {
+double samples_wanted(const StudyDefinition& study, const RenderRequest& request,
+                      const ProbedPieces& pieces) {
   if (!request.error) return request.spp.value_or(study.samples_per_pixel);
   double most = 0;
   for (const auto& [name, piece] : pieces)
@@ -85,7 +86,7 @@ double samples_wanted(const StudyDefinition& study, const RenderRequest& request
       const double factor = *piece.worst_tile / (3 * *request.error);
       most = std::max(most, probe_spp[1] * factor * factor);
     }
-  return std::clamp(most > 0 ? most : usual_spp, 16.0, double{most_spp});
+  return std::clamp(most > 0 ? most : usual_spp, 16.0, double{most_planned_spp});
 }
 
 ProbedTruth probe(const StudyDefinition& study, const RenderRequest& request,

@@ -24,6 +24,7 @@
 #include "renderer/scene/truth_scene.h"
 #include "sensors/repair/nearest.h"
 #include "sensors/rig/presets.h"
+#include "support/arithmetic/units.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/plot_panels.h"
@@ -42,7 +43,7 @@ constexpr std::array distances_m = {0.5, 0.75, 1.0, paper_distance_m, 1.5, 2.0, 
 constexpr std::array angles_deg = {0.0, 15.0, 30.0, 45.0, 60.0};
 constexpr std::array refinements = {MarkerCorners::subpix, MarkerCorners::none};
 constexpr double roll_deg = 7;  ///< so that no edge runs along the pixels
-constexpr double mm = 1000, most_percent = 2;
+constexpr double most_percent = 2;
 
 struct MarkerOptions {
   std::string sensor = "tof_160x120", out;
@@ -52,11 +53,12 @@ struct MarkerOptions {
 
 /// Where depths are compared: the marker's middle, where black and white squares meet, and the white margin
 /// to its left; metres from the middle, as shares of its side.
-struct Place {
+struct MarkerPlace {
   const char* name;
   double right;
 };
-constexpr std::array places = {Place{"middle", 0}, Place{"margin", -3.5 / registration::marker_squares}};
+constexpr std::array places = {MarkerPlace{"middle", 0},
+                               MarkerPlace{"margin", -3.5 / registration::marker_squares}};
 
 /// A marker at one distance and angle.
 struct Trial {
@@ -130,7 +132,7 @@ class Laboratory {
  private:
   [[nodiscard]] Eigen::Isometry3d world() const { return world_from_photograph(Camera{}); }
 
-  [[nodiscard]] Eigen::Vector3d point_m(const Place& place) const {
+  [[nodiscard]] Eigen::Vector3d point_m(const MarkerPlace& place) const {
     return {place.right * options_.side_m, 0, 0};
   }
 
@@ -202,19 +204,20 @@ CsvTable table_of(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials)
     for (std::size_t p = 0; p < places.size(); ++p)
       for (std::size_t i = 0; i < refinements.size(); ++i) {
-        std::vector<CsvValue> row = {trial.distance_m * mm, trial.angle_deg, std::string(places[p].name),
-                                     std::string(word(refinements[i])), trial.true_m[p] * mm};
+        std::vector<CsvValue> row = {trial.distance_m * mm_per_m, trial.angle_deg,
+                                     std::string(places[p].name), std::string(word(refinements[i])),
+                                     trial.true_m[p] * mm_per_m};
         const auto add = [&](bool known, double value) {
           row.push_back(known ? CsvValue(value) : CsvValue(std::monostate()));
         };
         const std::vector<double>& flight_m = trial.flight_m[p];
         const bool seen = trial.vision_m[i][p].has_value(), measured = !flight_m.empty();
-        add(seen, trial.vision_m[i][p].value_or(0) * mm);
-        add(seen, (trial.vision_m[i][p].value_or(0) - trial.true_m[p]) * mm);
+        add(seen, trial.vision_m[i][p].value_or(0) * mm_per_m);
+        add(seen, (trial.vision_m[i][p].value_or(0) - trial.true_m[p]) * mm_per_m);
         row.emplace_back(static_cast<std::int64_t>(flight_m.size()));
-        add(measured, measured ? median(flight_m) * mm : 0);
-        add(measured, measured ? percentile(flight_m, 0.025) * mm : 0);
-        add(measured, measured ? percentile(flight_m, 0.975) * mm : 0);
+        add(measured, measured ? median(flight_m) * mm_per_m : 0);
+        add(measured, measured ? percentile(flight_m, 0.025) * mm_per_m : 0);
+        add(measured, measured ? percentile(flight_m, 0.975) * mm_per_m : 0);
         const std::vector<double> percents = deviations_percent(trial, i, p);
         add(!percents.empty(), percents.empty() ? 0 : median(percents));
         add(!percents.empty(), percents.empty() ? 0 : share_within(percents));
@@ -223,8 +226,8 @@ CsvTable table_of(const std::vector<Trial>& trials) {
   return table;
 }
 
-std::string millimetres(double distance_m) {
-  return fmt::format("{:.0f}", distance_m * mm);
+std::string millimetres_text(double distance_m) {
+  return fmt::format("{:.0f}", distance_m * mm_per_m);
 }
 
 /// Left and middle: what 80 % of the deviations stay below, at the two places; right: the error of vision.
@@ -242,7 +245,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
         std::vector<double> percents = deviations_percent(trial, 0, p);
         if (trial.angle_deg != angles_deg[a] || percents.empty()) continue;
         for (double& percent : percents) percent = std::abs(percent);
-        line.points.emplace_back(trial.distance_m * mm, percentile(percents, share));
+        line.points.emplace_back(trial.distance_m * mm_per_m, percentile(percents, share));
       }
       panels[p].lines.push_back(line);
     }
@@ -256,8 +259,8 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
                     .style = 2 * i + (angle_deg > 0 ? 1 : 0)};
       for (const Trial& trial : trials)
         if (trial.angle_deg == angle_deg && trial.vision_m[i][0])
-          line.points.emplace_back(trial.distance_m * mm,
-                                   std::abs(*trial.vision_m[i][0] - trial.true_m[0]) * mm);
+          line.points.emplace_back(trial.distance_m * mm_per_m,
+                                   std::abs(*trial.vision_m[i][0] - trial.true_m[0]) * mm_per_m);
       panels[2].lines.push_back(line);
     }
   for (PlotPanel& panel : panels) {
@@ -266,7 +269,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
     panel.key_left = true;
   }
   const std::string heading = fmt::format("A marker of {} mm before the rig {}, {} frames a place",
-                                          millimetres(options.side_m), options.sensor, options.frames);
+                                          millimetres_text(options.side_m), options.sensor, options.frames);
   draw_svg(svg, panels_width_px(panels.size()), panels_height_px, panels_script(heading, panels));
 }
 
@@ -280,13 +283,14 @@ void print_summary(const std::vector<Trial>& trials, std::size_t refinement, std
     all.insert(all.end(), percents.begin(), percents.end());
     const std::optional<double>& vision_m = trial.vision_m[refinement][place];
     missed += vision_m ? 0 : 1;
-    if (vision_m) errors_mm.push_back(std::abs(*vision_m - trial.true_m[place]) * mm);
+    if (vision_m) errors_mm.push_back(std::abs(*vision_m - trial.true_m[place]) * mm_per_m);
     const bool papers = trial.distance_m == paper_distance_m && trial.angle_deg == 0;
     if (papers && vision_m && !percents.empty())
       fmt::print("{} at {} mm, frontal: vision {:.1f} mm, time of flight {:.1f} mm ({:.1f} to {:.1f})\n",
-                 what, millimetres(trial.distance_m), *vision_m * mm, median(trial.flight_m[place]) * mm,
-                 percentile(trial.flight_m[place], 0.025) * mm,
-                 percentile(trial.flight_m[place], 0.975) * mm);
+                 what, millimetres_text(trial.distance_m), *vision_m * mm_per_m,
+                 median(trial.flight_m[place]) * mm_per_m,
+                 percentile(trial.flight_m[place], 0.025) * mm_per_m,
+                 percentile(trial.flight_m[place], 0.975) * mm_per_m);
   }
   if (all.empty()) {
     fmt::print("{} the marker was found nowhere\n", what);
@@ -314,7 +318,7 @@ void run_marker(const MarkerOptions& options) {
   for (const double distance_m : distances_m)
     for (const double angle_deg : angles_deg) {
       trials.push_back(laboratory.measure(distance_m, angle_deg));
-      progress.advance(1, fmt::format("{} mm, {:.0f} degrees", millimetres(distance_m), angle_deg));
+      progress.advance(1, fmt::format("{} mm, {:.0f} degrees", millimetres_text(distance_m), angle_deg));
     }
   const CsvTable table = table_of(trials);
   write_file_atomically(folder / "deviations.csv", csv_text(table));

@@ -20,10 +20,6 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-Eigen::Vector3d vector(const Triple& v) {
-  return {v[0], v[1], v[2]};
-}
-
 struct CaptureOptions {
   std::string scene, out;
   int width_px = 2048;
@@ -42,7 +38,8 @@ void run_capture(const CaptureOptions& options) {
   if (!options.at_given && !file.camera)
     throw input_error(
         {.file = path.string(), .wanted = "a camera in the scene, or --at X Y Z", .found = "neither"});
-  const Eigen::Vector3d centre_m = options.at_given ? vector(options.at) : file.camera->position_m;
+  const Eigen::Vector3d centre_m =
+      options.at_given ? Eigen::Vector3d(options.at.data()) : file.camera->position_m;
   const Geometry geometry(place_meshes(file, Eigen::Affine3d::Identity(), centre_m, 0.5, 0));
   const DepthMap map = capture_depth(geometry, options.width_px, options.yaw_texels, default_thread_count());
   write_depth_map(options.out, map);

@@ -30,6 +30,9 @@ class Sampler {
   std::uint32_t sample_;
 };
 
+/// From the seed of a picture to that of its reference, which shares no sample with it.
+inline constexpr std::uint64_t reference_seed_offset = 1000;
+
 /// One sample of one pixel.
 struct SampleId {
   int x = 0, y = 0;

@@ -13,7 +13,6 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double down_to = 0.1, largest_radius_deg = 5, least_share = 0.05;
 
 double brightness(const Rgb& radiance) {
@@ -26,9 +25,9 @@ struct Texel {
 
 /// Texels of an equirectangular picture, connected through sides and corners and over its left and right
 /// edge.
-class Region {
+class TexelRegion {
  public:
-  Region(int width, int height)
+  TexelRegion(int width, int height)
       : width_(width),
         height_(height),
         inside_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
@@ -52,7 +51,7 @@ class Region {
   }
   /// Texels that touch it.
   [[nodiscard]] std::vector<Texel> border(int reach) const {
-    Region known = *this;
+    TexelRegion known = *this;
     std::vector<Texel> around;
     for (const Texel& at : texels)
       for (int dy = -reach; dy <= reach; ++dy)
@@ -95,7 +94,7 @@ std::optional<SplitSun> split_sun(Image& panorama,
           here > peak && is_sky(direction_of(panorama, {x, y}).cast<float>()))
         peak = here, brightest = {x, y};
   if (!(peak > 0)) return std::nullopt;
-  Region region(width, height);
+  TexelRegion region(width, height);
   region.grow(brightest, [&](Texel t) { return brightness(panorama.rgb(t.x, t.y)) >= down_to * peak; });
   Rgb around = Rgb::Zero();
   const std::vector<Texel> border = region.border(2);
@@ -112,14 +111,15 @@ std::optional<SplitSun> split_sun(Image& panorama,
   }
   if (!(towards.norm() > 0)) return std::nullopt;
   towards.normalize();
-  const double radius_rad = std::acos(std::max(-1.0, 1 - split.solid_angle_sr / (2 * pi)));
+  const double radius_rad = std::acos(std::max(-1.0, 1 - split.solid_angle_sr / (2 * std::numbers::pi)));
   double facing = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       facing += brightness(panorama.rgb(x, y)) * texel_solid_angle_sr(y, width, height) *
                 std::max(0.0, direction_of(panorama, {x, y}).dot(towards));
   split.share = brightness(irradiance.cast<float>()) / facing;
-  if (radius_rad > largest_radius_deg * pi / 180 || split.share < least_share) return std::nullopt;
+  if (radius_rad > largest_radius_deg * std::numbers::pi / 180 || split.share < least_share)
+    return std::nullopt;
   split.sun = {towards.cast<float>(), irradiance.cast<float>(), static_cast<float>(radius_rad)};
   for (const Texel& t : region.texels) panorama.set_rgb(t.x, t.y, around.min(panorama.rgb(t.x, t.y)));
   return split;
@@ -132,8 +132,8 @@ std::string sun_text(const SplitSun& split) {
       "--to-sun {:.4f} {:.4f} {:.4f} --sun-irradiance {:.4g} {:.4g} {:.4g} --sun-radius {:.3g} (solid angle "
       "{:.3g} sr; "
       "{:.0f} % of the irradiance of a surface that faces it)",
-      to.x(), to.y(), to.z(), light[0], light[1], light[2], double{split.sun.angular_radius_rad} * 180 / pi,
-      split.solid_angle_sr, 100 * split.share);
+      to.x(), to.y(), to.z(), light[0], light[1], light[2],
+      double{split.sun.angular_radius_rad} * 180 / std::numbers::pi, split.solid_angle_sr, 100 * split.share);
 }
 
 double open_share(const Geometry& depth) {
@@ -144,7 +144,7 @@ double open_share(const Geometry& depth) {
       if (!depth.occluded(
               {Eigen::Vector3f::Zero(), panorama_direction(x + 0.5, y + 0.5, width, height).cast<float>()}))
         open += texel_solid_angle_sr(y, width, height);
-  return open / (4 * pi);
+  return open / (4 * std::numbers::pi);
 }
 
 }  // namespace seamline::renderer

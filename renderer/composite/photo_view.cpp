@@ -13,7 +13,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr double usual_fov_deg = 60;
+constexpr double usual_photograph_fov_deg = 60;
 
 void require_view(const CompositeRequest& request) {
   if (!request.look_at_m) return;
@@ -31,7 +31,7 @@ Camera pinhole_camera(const CompositeRequest& request, SeenPhoto& seen, int widt
   if (request.scene_file.empty())
     scene.camera = CameraDefinition{Eigen::Vector3d::Zero(),
                                     request.look_at_m.value_or(Eigen::Vector3d(-Eigen::Vector3d::UnitZ())),
-                                    request.fov_deg.value_or(usual_fov_deg)};
+                                    request.fov_deg.value_or(usual_photograph_fov_deg)};
   const Camera camera = scene_camera(scene, seen.scene, width_px, height_px, seen.centre_m);
   seen.fov_deg = 2 * std::atan(double{camera.tan_half_horizontal}) * 180 / std::numbers::pi;
   return camera;

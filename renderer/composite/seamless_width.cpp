@@ -14,8 +14,6 @@
 namespace seamline::renderer {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double least_hidden_share = 0.005;  // less is the objects' own foot on the floor
 constexpr int smallest_width_px = 64;         // of the paper's panoramas
 
@@ -25,7 +23,7 @@ InputError no_thresholds(const std::filesystem::path& path, const std::string& f
 }
 
 /// A width, the smallest tested where every one suffices, or none.
-std::optional<double> threshold_at(const Json& artifact, const char* key) {
+std::optional<double> threshold_at(const nlohmann::json& artifact, const char* key) {
   const auto found = artifact.find(key);
   if (found == artifact.end() || !found->is_object()) return std::nullopt;
   if (const auto estimate = found->find("estimate"); estimate != found->end() && estimate->is_number())
@@ -40,10 +38,11 @@ std::optional<double> threshold_at(const Json& artifact, const char* key) {
                                                              : std::nullopt;
 }
 
-void require_condition(const Json& json, const std::filesystem::path& path, const std::string& condition) {
+void require_condition(const nlohmann::json& json, const std::filesystem::path& path,
+                       const std::string& condition) {
   std::string names;
   if (const auto found = json.find("conditions"); found != json.end() && found->is_array())
-    for (const Json& name : *found) {
+    for (const nlohmann::json& name : *found) {
       if (!name.is_string()) continue;
       if (name.get<std::string>() == condition) return;
       names += (names.empty() ? "" : ", ") + name.get<std::string>();
@@ -94,7 +93,7 @@ std::vector<SeamThresholds> read_thresholds(const std::filesystem::path& path, c
     throw no_thresholds(path, "", "the thresholds.json of a report", "no such file");
   const std::string text = read_file(path);
   require_bounded_json(text, path.string());
-  const Json json = Json::parse(text, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("format", "") != "seamline thresholds" || !json.contains("artifacts") ||
       !json["artifacts"].is_array())
     throw no_thresholds(path, "", "the thresholds.json of a report", "another kind of file");
@@ -102,7 +101,7 @@ std::vector<SeamThresholds> read_thresholds(const std::filesystem::path& path, c
     throw no_thresholds(path, "level", "a study of depth widths", "one of another quantity");
   require_condition(json, path, condition);
   std::vector<SeamThresholds> thresholds;
-  for (const Json& artifact : json["artifacts"]) {
+  for (const nlohmann::json& artifact : json["artifacts"]) {
     if (!artifact.is_object() || artifact.value("condition", condition) != condition) continue;
     const auto which = artifact_named(artifact.value("artifact", ""));
     if (which)

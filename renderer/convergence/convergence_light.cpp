@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "renderer/common/parallel.h"
+#include "renderer/common/sampler.h"
 #include "renderer/light/light_sample.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr std::array<int, 3> rays_of_a_sample = {1, 2, 4};
 constexpr std::array<int, 4> sample_counts = {1, 4, 16, 64};
 constexpr int reference_spp = 1024;
-constexpr std::uint64_t reference_seed_offset = 1000, ray_seed_step = 1000003;
+constexpr std::uint64_t ray_seed_step = 1000003;
 
 /// Light that is to arrive at a surface, in the pixel that shows it.
 struct Asked {
@@ -30,7 +31,7 @@ struct Asked {
 };
 
 /// Questions of one row of pixels, answered together.
-struct Questions {
+struct RowQuestions {
   std::vector<Asked> past_everything;  ///< whether anything is in the way
   struct Found {
     Asked asked;
@@ -40,7 +41,7 @@ struct Questions {
 };
 
 using Strategy = std::function<void(const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                                    Questions& questions)>;
+                                    RowQuestions& questions)>;
 struct NamedStrategy {
   std::string light, name;
   Strategy ask;
@@ -55,7 +56,7 @@ Rgb sent_on(const SurfacePoint& point, const Eigen::Vector3f& direction) {
 /// By the renderer's own light sampler, which weighs it against what surfaces find.
 Strategy by_light_sample(const Light& light, GlowHits hits) {
   return [&light, hits](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                        Questions& questions) {
+                        RowQuestions& questions) {
     if (const auto sample = light_sample(light, 0, point, Rgb::Ones(), sampler, 0, hits))
       questions.past_everything.push_back(
           {pixel, leaving_ray(point, sample->direction, sample->far_m), sample->total()});
@@ -64,7 +65,7 @@ Strategy by_light_sample(const Light& light, GlowHits hits) {
 
 Strategy both(Strategy one, Strategy other) {
   return [one = std::move(one), other = std::move(other)](const SurfacePoint& point, const Sampler& sampler,
-                                                          std::size_t pixel, Questions& questions) {
+                                                          std::size_t pixel, RowQuestions& questions) {
     one(point, sampler, pixel, questions);
     other(point, sampler, pixel, questions);
   };
@@ -74,7 +75,7 @@ Strategy both(Strategy one, Strategy other) {
 
 Strategy map_by_importance(const Light& light) {
   return [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                  Questions& questions) {
+                  RowQuestions& questions) {
     const auto chosen = light.environment->sample(sampler.point(dimension::environment(0)));
     if (!(chosen.density_sr > 0.0F)) return;
     const Rgb radiance = sent_on(point, chosen.direction) * light.sky(chosen.direction) / chosen.density_sr;
@@ -88,7 +89,7 @@ Strategy map_by_importance(const Light& light) {
 Strategy sky_by_surface(const Light& light,
                         std::function<Rgb(const SurfacePoint&, const Eigen::Vector3f&)> radiance_from) {
   return [&light, radiance_from = std::move(radiance_from)](const SurfacePoint& point, const Sampler& sampler,
-                                                            std::size_t pixel, Questions& questions) {
+                                                            std::size_t pixel, RowQuestions& questions) {
     const auto next = scatter(point, sampler.point(dimension::direction(0)));
     if (!next) return;
     questions.past_everything.push_back({pixel, leaving_ray(point, next->direction, light.sky_distance_m),
@@ -98,7 +99,7 @@ Strategy sky_by_surface(const Light& light,
 
 Strategy sky_by_cosine(const Light& light) {
   return [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                  Questions& questions) {
+                  RowQuestions& questions) {
     const Eigen::Vector3f direction = cosine_weighted(point.normal, sampler.point(dimension::direction(0)));
     const float density_sr = inverse_pi * point.normal.dot(direction);
     if (!(density_sr > 0.0F)) return;
@@ -113,7 +114,7 @@ Strategy sky_by_cosine(const Light& light) {
 
 Strategy glow_by_area(const Light& light) {
   return [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                  Questions& questions) {
+                  RowQuestions& questions) {
     const auto place =
         light.glowing->sample(sampler.point(dimension::glow_choice(0))[0], sampler.point(dimension::glow(0)));
     const Eigen::Vector3f to_place = place.position_m - point.position_m;
@@ -133,7 +134,7 @@ Strategy glow_by_area(const Light& light) {
 /// `weighted`: less what light samples count of it.
 Strategy glow_by_surface(const Light& light, bool weighted) {
   return [&light, weighted](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
-                            Questions& questions) {
+                            RowQuestions& questions) {
     const auto next = scatter(point, sampler.point(dimension::direction(0)));
     if (!next) return;
     const Eigen::Vector3f direction = next->direction;
@@ -148,7 +149,7 @@ Strategy glow_by_surface(const Light& light, bool weighted) {
 // Lamps without size.
 
 void ask_lamp(const Lamp& lamp, float probability, const SurfacePoint& point, std::size_t pixel,
-              Questions& questions) {
+              RowQuestions& questions) {
   const Eigen::Vector3f to_lamp = lamp.position_m - point.position_m;
   const float distance_m = to_lamp.norm();
   if (!(distance_m > 0.0F)) return;
@@ -161,17 +162,17 @@ void ask_lamp(const Lamp& lamp, float probability, const SurfacePoint& point, st
 }
 
 Strategy lamp_chosen_evenly(const Light& light) {
-  return
-      [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel, Questions& questions) {
-        const auto count = static_cast<float>(light.lamps.size());
-        const auto chosen = std::min(light.lamps.size() - 1,
-                                     static_cast<std::size_t>(sampler.point(dimension::lamp(0))[0] * count));
-        ask_lamp(light.lamps[chosen], 1.0F / count, point, pixel, questions);
-      };
+  return [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
+                  RowQuestions& questions) {
+    const auto count = static_cast<float>(light.lamps.size());
+    const auto chosen = std::min(light.lamps.size() - 1,
+                                 static_cast<std::size_t>(sampler.point(dimension::lamp(0))[0] * count));
+    ask_lamp(light.lamps[chosen], 1.0F / count, point, pixel, questions);
+  };
 }
 
 Strategy every_lamp(const Light& light) {
-  return [&light](const SurfacePoint& point, const Sampler&, std::size_t pixel, Questions& questions) {
+  return [&light](const SurfacePoint& point, const Sampler&, std::size_t pixel, RowQuestions& questions) {
     for (const Lamp& lamp : light.lamps) ask_lamp(lamp, 1.0F, point, pixel, questions);
   };
 }
@@ -272,7 +273,7 @@ class Sampling {
                                   Sampler(seed, static_cast<int>(x), first.y, first.number));
     std::vector<std::optional<SurfacePoint>> hits(width);
     truth_.nearest(camera_rays, hits, Coherence::together, &counts);
-    Questions questions;
+    RowQuestions questions;
     for (std::size_t x = 0; x < width; ++x) {
       if (!hits[x]) continue;
       const std::size_t pixel = static_cast<std::size_t>(first.y) * width + x;
@@ -286,7 +287,7 @@ class Sampling {
     answer(questions, out, counts);
   }
 
-  void answer(const Questions& questions, Picture& out, RayCounts& counts) const {
+  void answer(const RowQuestions& questions, Picture& out, RayCounts& counts) const {
     std::vector<Ray> rays;
     for (const Asked& asked : questions.past_everything) rays.push_back(asked.ray);
     std::vector<std::uint8_t> blocked(rays.size());

@@ -51,11 +51,11 @@ namespace {
 
 constexpr int lanes = 4;
 
-struct Box {
+struct GridBox {
   int top, bottom, left, right;
 };
 
-Box box_of(const GridTriangle& t) {
+GridBox box_of(const GridTriangle& t) {
   const auto [top, bottom] = std::minmax({t[0].row, t[1].row, t[2].row});
   const auto [left, right] = std::minmax({t[0].column, t[1].column, t[2].column});
   return {top, bottom, left, right};
@@ -63,7 +63,7 @@ Box box_of(const GridTriangle& t) {
 
 /// How far, in cells, the straight edges stray from the lines of the grid: to second order n^2 h / 8 (2 cot
 /// theta + 1/2) for n cells of h radians at theta from the pole.
-double straying_cells(const Box& box, const DenseSphere& sphere) {
+double straying_cells(const GridBox& box, const DenseSphere& sphere) {
   const bool zenith_is_nearer = box.top < sphere.height - 1 - box.bottom;
   const auto row = static_cast<std::size_t>(zenith_is_nearer ? box.top : box.bottom);
   const double cot_from_pole = std::abs(sphere.sin_elevation[row]) / sphere.cos_elevation[row];
@@ -123,7 +123,7 @@ double TriangleBound::largest_error(const GridTriangle& t) const {
 }
 
 bool TriangleBound::is_one_hole(const GridTriangle& t) const {
-  const Box box = box_of(t);
+  const GridBox box = box_of(t);
   bool all = true;
   for (int row = box.top; row <= box.bottom && all; ++row)
     for_each_run(box.left, box.right, sphere_.width, [&](std::size_t start, int count) {
@@ -147,7 +147,7 @@ TriangleBound::Spread TriangleBound::spread_under(const GridTriangle& t) const {
   scan(plane, middle.row, middle.column, middle.column, spread);
   if (!within(spread)) return spread;
 
-  const Box box = box_of(t);
+  const GridBox box = box_of(t);
   if (straying_cells(box, sphere_) < 0.5) {
     for_each_row(t, [&](int row, int first, int last) {
       scan(plane, row, first, last, spread);

@@ -11,7 +11,7 @@ namespace seamline::renderer {
 namespace {
 
 /// Rays go to the tracer in blocks of neighbouring texels, which see the same surfaces.
-constexpr int block_px = 4;
+constexpr int ray_block_px = 4;
 
 struct SineAndCosine {
   double sine, cosine;
@@ -44,12 +44,12 @@ TexelDirections texel_directions(int width_px, int height_px, double yaw_texels)
 
 /// The texels of one band of rows, block by block.
 void capture_band(const Geometry& geometry, const TexelDirections& directions, int top, DepthMap& map) {
-  const int rows = std::min(block_px, map.height_px - top);
-  std::array<Ray, block_px * block_px> rays;
-  std::array<float, block_px * block_px> distance_m;
+  const int rows = std::min(ray_block_px, map.height_px - top);
+  std::array<Ray, ray_block_px * ray_block_px> rays;
+  std::array<float, ray_block_px * ray_block_px> distance_m;
   for (Ray& ray : rays) ray.origin_m.setZero();
-  for (int left = 0; left < map.width_px; left += block_px) {
-    const int columns = std::min(block_px, map.width_px - left);
+  for (int left = 0; left < map.width_px; left += ray_block_px) {
+    const int columns = std::min(ray_block_px, map.width_px - left);
     const auto count = static_cast<std::size_t>(rows * columns);
     Ray* ray = rays.data();
     for (int row = 0; row < rows; ++row)
@@ -70,8 +70,9 @@ DepthMap capture_depth(const Geometry& geometry, int width_px, double yaw_texels
   DepthMap map{.width_px = width_px, .height_px = width_px / 2, .distance_m = {}};
   map.distance_m.resize(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(map.height_px));
   const TexelDirections directions = texel_directions(width_px, map.height_px, yaw_texels);
-  const int bands = (map.height_px + block_px - 1) / block_px;
-  parallel_for(bands, threads, [&](int band) { capture_band(geometry, directions, band * block_px, map); });
+  const int bands = (map.height_px + ray_block_px - 1) / ray_block_px;
+  parallel_for(bands, threads,
+               [&](int band) { capture_band(geometry, directions, band * ray_block_px, map); });
   return map;
 }
 

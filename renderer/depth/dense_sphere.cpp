@@ -10,7 +10,7 @@ namespace seamline::renderer {
 namespace {
 
 /// Where one coordinate of a vertex falls between two texels.
-struct Between {
+struct BetweenTexels {
   int first = 0, second = 0;
   double weight = 0;  ///< of the second
   [[nodiscard]] int nearest() const { return weight < 0.5 ? first : second; }
@@ -18,13 +18,13 @@ struct Between {
 
 /// Vertex i of `dense` lies at (i + 0.5) / dense of an axis with `texels` texels; its two texels are not yet
 /// brought into range.
-Between between_texels(int i, int dense, int texels) {
+BetweenTexels between_texels(int i, int dense, int texels) {
   const double at = (i + 0.5) * texels / dense - 0.5;
   const double floor = std::floor(at);
   return {static_cast<int>(floor), static_cast<int>(floor) + 1, at - floor};
 }
 
-float interpolate(const DepthMap& map, const Between& column, const Between& row) {
+float interpolate(const DepthMap& map, const BetweenTexels& column, const BetweenTexels& row) {
   if (is_hole(map.at(column.nearest(), row.nearest()))) return std::numeric_limits<float>::infinity();
   double sum = 0, weights = 0;
   const auto add = [&](int c, int r, double weight) {
@@ -41,20 +41,20 @@ float interpolate(const DepthMap& map, const Between& column, const Between& row
 }
 
 void resample(DenseSphere& sphere, const DepthMap& map, int threads) {
-  std::vector<Between> columns(static_cast<std::size_t>(sphere.width));
+  std::vector<BetweenTexels> columns(static_cast<std::size_t>(sphere.width));
   for (int c = 0; c < sphere.width; ++c) {
-    Between& column = columns[static_cast<std::size_t>(c)];
+    BetweenTexels& column = columns[static_cast<std::size_t>(c)];
     column = between_texels(c, sphere.width, map.width_px);
     column.first = (column.first + map.width_px) % map.width_px;
     column.second %= map.width_px;
   }
   sphere.resampled_m.resize(static_cast<std::size_t>(sphere.width) * static_cast<std::size_t>(sphere.height));
   run_parallel(sphere.height, threads, [&](int r) {
-    Between row = between_texels(r, sphere.height, map.height_px);
+    BetweenTexels row = between_texels(r, sphere.height, map.height_px);
     row.first = std::clamp(row.first, 0, map.height_px - 1);
     row.second = std::clamp(row.second, 0, map.height_px - 1);
     float* out = &sphere.resampled_m[static_cast<std::size_t>(r) * static_cast<std::size_t>(sphere.width)];
-    for (const Between& column : columns) *out++ = interpolate(map, column, row);
+    for (const BetweenTexels& column : columns) *out++ = interpolate(map, column, row);
   });
   sphere.distance_m = sphere.resampled_m;
 }

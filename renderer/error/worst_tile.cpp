@@ -7,9 +7,9 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int enlarged = 8, gap_px = 4, caption_px = 24, text_px = 13;
+constexpr int enlarged = 8, tile_gap_px = 4, caption_px = 24, text_px = 13;
 constexpr int difference_times = 8, mid_grey = 128;
-constexpr std::uint8_t gap_code = 128, paper_code = 255, ink_code = 20;
+constexpr std::uint8_t gap_code = 128;
 
 std::size_t index_of(const ByteImage& image, int x, int y) {
   return (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width_px) +
@@ -24,7 +24,7 @@ void draw_tile(const ByteImage& from, const TileGrid::Rectangle& tile, const Cod
   for (int y = 0; y < (tile.bottom - tile.top) * enlarged; ++y)
     for (int x = 0; x < (tile.right - tile.left) * enlarged; ++x) {
       const std::size_t source = index_of(from, tile.left + x / enlarged, tile.top + y / enlarged);
-      const std::size_t target = index_of(sheet, left + x, gap_px + y);
+      const std::size_t target = index_of(sheet, left + x, tile_gap_px + y);
       for (std::size_t c = 0; c < 3; ++c) sheet.values[target + c] = code(source + c);
     }
 }
@@ -41,12 +41,12 @@ ByteImage worst_tile_picture(const ByteImage& shown, const ByteImage& reference,
   const TileGrid::Rectangle r = TileGrid{shown.width_px, shown.height_px}.rectangle(tile);
   // Tiles at the border may be smaller; the sheet keeps its size, so that the caption has room.
   constexpr int cell_px = TileGrid::side_px * enlarged;
-  ByteImage sheet{3 * cell_px + 4 * gap_px, cell_px + 2 * gap_px + caption_px, 3, {}};
+  ByteImage sheet{3 * cell_px + 4 * tile_gap_px, cell_px + 2 * tile_gap_px + caption_px, 3, {}};
   sheet.values.resize(static_cast<std::size_t>(sheet.width_px) * static_cast<std::size_t>(sheet.height_px) *
                       3);
-  fill_rows(sheet, 0, cell_px + 2 * gap_px, gap_code);
-  fill_rows(sheet, cell_px + 2 * gap_px, sheet.height_px, paper_code);
-  const auto left_of = [](int cell) { return gap_px + cell * (cell_px + gap_px); };
+  fill_rows(sheet, 0, cell_px + 2 * tile_gap_px, gap_code);
+  fill_rows(sheet, cell_px + 2 * tile_gap_px, sheet.height_px, paper_code);
+  const auto left_of = [](int cell) { return tile_gap_px + cell * (cell_px + tile_gap_px); };
   draw_tile(
       shown, r, [&](std::size_t i) { return shown.values[i]; }, sheet, left_of(0));
   draw_tile(
@@ -58,7 +58,7 @@ ByteImage worst_tile_picture(const ByteImage& shown, const ByteImage& reference,
         return static_cast<std::uint8_t>(std::clamp(mid_grey + difference_times * difference, 0, 255));
       },
       sheet, left_of(2));
-  draw_text(sheet, gap_px, sheet.height_px - 7, caption, text_px, ink_code);
+  draw_text(sheet, tile_gap_px, sheet.height_px - 7, caption, text_px, ink_code);
   return sheet;
 }
 

@@ -12,8 +12,6 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 float luminance(const Rgb& radiance) {
   return 0.2126F * radiance[0] + 0.7152F * radiance[1] + 0.0722F * radiance[2];
 }
@@ -42,7 +40,7 @@ std::pair<int, double> find_cell(const Sums* sums, int cells, double value) {
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(Image radiance, float rotation_rad, const Rgb& strength)
-    : map_(std::move(radiance)), turn_(rotation_rad / (2 * pi)) {
+    : map_(std::move(radiance)), turn_(rotation_rad / (2 * std::numbers::pi_v<float>)) {
   const int width = map_.width_px, height = map_.height_px;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) map_.set_rgb(x, y, map_.rgb(x, y) * strength);
@@ -72,6 +70,7 @@ EnvironmentMap::EnvironmentMap(Image radiance, float rotation_rad, const Rgb& st
 
 /// Where a direction meets the map, in texels from its left upper corner.
 Eigen::Array2f EnvironmentMap::place(const Eigen::Vector3f& direction) const {
+  constexpr float pi = std::numbers::pi_v<float>;
   const float azimuth = std::atan2(direction.x(), -direction.z()) / (2 * pi) + turn_ + 0.5F;
   const float column = (azimuth - std::floor(azimuth)) * static_cast<float>(map_.width_px);
   const float row =

@@ -116,12 +116,12 @@ void set_averages(Table& table, std::size_t at) {
 }
 
 /// A place between entries of a row.
-struct Place {
+struct TablePlace {
   std::size_t entry;  ///< and the next
   float part;         ///< of the next
 };
 
-Place place(float at, int entries) {
+TablePlace place(float at, int entries) {
   const float scaled = std::clamp(at, 0.0F, 1.0F) * static_cast<float>(entries - 1);
   const auto entry = std::min(static_cast<std::size_t>(scaled), static_cast<std::size_t>(entries - 2));
   return {entry, scaled - static_cast<float>(entry)};
@@ -155,8 +155,8 @@ const ReflectanceTable& reflectance_table() {
 ReflectanceRow reflectance_row(const ReflectanceTable& table, float alpha) {
   constexpr auto least = static_cast<float>(least_roughness);
   const float along = (std::sqrt(alpha) - least) / (1.0F - least);
-  const Place row = place(along, Table::rows);
-  const Place average = place(along, Table::averages + 1);
+  const TablePlace row = place(along, Table::rows);
+  const TablePlace average = place(along, Table::averages + 1);
   const auto of_averages = [&](const auto& values) {
     return mixed(values[average.entry], values[average.entry + 1], average.part);
   };
@@ -170,7 +170,7 @@ ReflectanceRow reflectance_row(const ReflectanceTable& table, float alpha) {
 
 float ReflectanceRow::between(const ReflectanceTable::Rows<ReflectanceTable::angles>& values,
                               float mu) const {
-  const Place at = place(angle_of(mu, alpha), Table::angles);
+  const TablePlace at = place(angle_of(mu, alpha), Table::angles);
   const auto along = [&](std::size_t r) {
     return mixed(values[r][at.entry], values[r][at.entry + 1], at.part);
   };

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/arithmetic/units.h"
 #include "support/files/gltf_writing.h"
 
 namespace seamline::renderer {
@@ -20,7 +21,6 @@ using sensors::Skeleton;
 
 constexpr int limb_corners = 28, rings = 8;  ///< of a limb, and of each of its round ends
 constexpr const char* light_extension = "KHR_lights_punctual";
-constexpr double lux_per_w_m2 = 683;
 
 /// Triangles of one colour.
 struct Part {

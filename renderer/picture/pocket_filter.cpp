@@ -15,12 +15,12 @@ constexpr float depth_tolerance = 0.05F;  // relative
 
 /// Light and number of samples are filtered apart, so that pixels with few uncovered samples count for what
 /// they saw.
-struct Texel {
+struct PocketLight {
   Rgb without_object = Rgb::Zero();
   Rgb with_object = Rgb::Zero();
   float samples = 0;
 
-  void add(const Texel& other, float weight) {
+  void add(const PocketLight& other, float weight) {
     without_object += weight * other.without_object;
     with_object += weight * other.with_object;
     samples += weight * other.samples;
@@ -58,7 +58,7 @@ std::vector<bool> beside(const std::vector<bool>& pockets, int width_px, int hei
   return out;
 }
 
-void add_lit_by_chance(const std::vector<float>& light_of, const std::vector<StimulusPixel>& sums,
+void add_lit_by_chance(const std::vector<float>& lit, const std::vector<StimulusPixel>& sums,
                        const std::vector<Guide>& guides, int width_px, int height_px, float poorly_lit,
                        int threads, std::vector<bool>& pockets) {
   if (std::find(pockets.begin(), pockets.end(), true) == pockets.end()) return;
@@ -76,7 +76,7 @@ void add_lit_by_chance(const std::vector<float>& light_of, const std::vector<Sti
         const std::size_t i = index(column, row);
         if (i == centre || sums[i].uncovered_surfaces <= 0) continue;
         const float weight = likeness(guides[centre], guides[i]);
-        light += weight * light_of[i];
+        light += weight * lit[i];
         samples += weight * sums[i].uncovered_surfaces;
       }
     return samples > 0 && light < poorly_lit * samples;
@@ -94,9 +94,9 @@ void add_lit_by_chance(const std::vector<float>& light_of, const std::vector<Sti
 }
 
 /// Texels of the pockets, each the mean of its like neighbours in the end.
-void smooth(std::vector<Texel>& from, const std::vector<bool>& pockets, const std::vector<Guide>& guides,
-            int width_px, int height_px, int threads) {
-  std::vector<Texel> to(from.size());
+void smooth(std::vector<PocketLight>& from, const std::vector<bool>& pockets,
+            const std::vector<Guide>& guides, int width_px, int height_px, int threads) {
+  std::vector<PocketLight> to(from.size());
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   };
@@ -138,7 +138,7 @@ std::vector<bool> find_pockets(const std::vector<float>& light, const std::vecto
 std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
                                           int width_px, int height_px, int threads) {
-  std::vector<Texel> texels(sums.size());
+  std::vector<PocketLight> texels(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) texels[i] = {sums[i].without_object, sums[i].with_object, sums[i].uncovered_surfaces};
   smooth(texels, pockets, guides, width_px, height_px, threads);
@@ -152,7 +152,7 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums
 std::vector<float> filter_pockets(const std::vector<float>& light, const std::vector<StimulusPixel>& sums,
                                   const std::vector<bool>& pockets, const std::vector<Guide>& guides,
                                   int width_px, int height_px, int threads) {
-  std::vector<Texel> texels(sums.size());
+  std::vector<PocketLight> texels(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) texels[i] = {Rgb::Constant(light[i]), Rgb::Zero(), sums[i].uncovered_surfaces};
   smooth(texels, pockets, guides, width_px, height_px, threads);

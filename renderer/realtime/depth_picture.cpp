@@ -20,9 +20,9 @@ struct Corner {
 };
 
 /// From points of the world to corners.
-class Projection {
+class CornerProjection {
  public:
-  Projection(const DrawView& view, const DepthPicture& picture)
+  CornerProjection(const DrawView& view, const DepthPicture& picture)
       : view_(view),
         to_px_(static_cast<float>(picture.width_px) / view.size[0],
                static_cast<float>(picture.height_px) / view.size[1]) {}
@@ -125,7 +125,7 @@ struct ProjectedMesh {
   std::vector<Corner> corners;
 };
 
-ProjectedMesh project(const Projection& projection, std::span<const Eigen::Vector3f> positions_m,
+ProjectedMesh project(const CornerProjection& projection, std::span<const Eigen::Vector3f> positions_m,
                       int threads) {
   ProjectedMesh out;
   out.corners.resize(positions_m.size());
@@ -143,8 +143,8 @@ ProjectedMesh project(const Projection& projection, std::span<const Eigen::Vecto
   return out;
 }
 
-void draw_mesh(const Projection& projection, const ProjectedMesh& mesh, std::span<const Triangle> triangles,
-               Band& band) {
+void draw_mesh(const CornerProjection& projection, const ProjectedMesh& mesh,
+               std::span<const Triangle> triangles, Band& band) {
   for (const Triangle& triangle : triangles) {
     if (projection.from_point()) {
       const std::array<Eigen::Vector3f, 3> seen = {mesh.seen_m[triangle[0]], mesh.seen_m[triangle[1]],
@@ -167,7 +167,7 @@ void draw_mesh(const Projection& projection, const ProjectedMesh& mesh, std::spa
 }  // namespace
 
 ViewedPoint view_point(const DrawView& view, const DepthPicture& picture, const Eigen::Vector3f& point_m) {
-  const Projection projection(view, picture);
+  const CornerProjection projection(view, picture);
   const Eigen::Vector3f seen_m = projection.seen(point_m);
   const Corner corner = projection.corner(seen_m);
   return {corner.x, corner.y, seen_m.z()};
@@ -176,7 +176,7 @@ ViewedPoint view_point(const DrawView& view, const DepthPicture& picture, const 
 void draw_depth(const DrawView& view, std::span<const TriangleSpan> meshes, int threads,
                 DepthPicture& picture) {
   std::fill(picture.depth_m.begin(), picture.depth_m.end(), no_depth_m);
-  const Projection projection(view, picture);
+  const CornerProjection projection(view, picture);
   std::vector<ProjectedMesh> projected;
   projected.reserve(meshes.size());
   for (const TriangleSpan& mesh : meshes) projected.push_back(project(projection, mesh.positions_m, threads));

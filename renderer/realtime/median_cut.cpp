@@ -8,7 +8,7 @@ namespace seamline::renderer {
 namespace {
 
 /// Columns and rows of a map; right and bottom are outside.
-struct Region {
+struct LightRegion {
   int left, top, right, bottom;
 
   [[nodiscard]] bool can_be_cut() const { return right - left > 1 || bottom - top > 1; }
@@ -33,7 +33,7 @@ class PowerTable {
     }
   }
 
-  [[nodiscard]] double of(const Region& region) const {
+  [[nodiscard]] double of(const LightRegion& region) const {
     return sums_[place(region.right, region.bottom)] - sums_[place(region.left, region.bottom)] -
            sums_[place(region.right, region.top)] + sums_[place(region.left, region.top)];
   }
@@ -54,13 +54,13 @@ class PowerTable {
 };
 
 /// Cuts a region of more than one texel; `other` is the second part.
-Region cut(const EnvironmentMap& map, const PowerTable& power, Region region, Region& other) {
+LightRegion cut(const EnvironmentMap& map, const PowerTable& power, LightRegion region, LightRegion& other) {
   const double middle_row = 0.5 * (region.top + region.bottom) / map.height_px() * std::numbers::pi;
   const double across = (region.right - region.left) * std::sin(middle_row);
   const bool by_columns = region.bottom - region.top < 2 ||
                           (region.right - region.left > 1 && across >= region.bottom - region.top);
   const auto parts = [&](int at) {
-    Region first = region, second = region;
+    LightRegion first = region, second = region;
     (by_columns ? first.right : first.bottom) = at;
     (by_columns ? second.left : second.top) = at;
     return std::pair(first, second);
@@ -82,7 +82,7 @@ Region cut(const EnvironmentMap& map, const PowerTable& power, Region region, Re
   return first;
 }
 
-CutLight light_of(const EnvironmentMap& map, const Region& region) {
+CutLight light_of(const EnvironmentMap& map, const LightRegion& region) {
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero(), even = Eigen::Vector3d::Zero();
   Eigen::Array3d irradiance = Eigen::Array3d::Zero();
   double solid_angle_sr = 0;
@@ -107,15 +107,15 @@ CutLight light_of(const EnvironmentMap& map, const Region& region) {
 
 std::vector<CutLight> median_cut(const EnvironmentMap& map, int count) {
   const PowerTable power(map);
-  std::vector<Region> regions = {{0, 0, map.width_px(), map.height_px()}};
+  std::vector<LightRegion> regions = {{0, 0, map.width_px(), map.height_px()}};
   while (static_cast<int>(regions.size()) < count) {
-    std::vector<Region> parts;
-    for (const Region& region : regions) {
+    std::vector<LightRegion> parts;
+    for (const LightRegion& region : regions) {
       if (!region.can_be_cut()) {
         parts.push_back(region);
         continue;
       }
-      Region second{};
+      LightRegion second{};
       parts.push_back(cut(map, power, region, second));
       parts.push_back(second);
     }
@@ -124,7 +124,7 @@ std::vector<CutLight> median_cut(const EnvironmentMap& map, int count) {
   }
   std::vector<CutLight> lights;
   lights.reserve(regions.size());
-  for (const Region& region : regions) lights.push_back(light_of(map, region));
+  for (const LightRegion& region : regions) lights.push_back(light_of(map, region));
   return lights;
 }
 

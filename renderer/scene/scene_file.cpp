@@ -11,13 +11,13 @@
 #include "renderer/scene/gltf_load.h"
 #include "renderer/scene/gltf_material.h"
 #include "renderer/scene/tangents.h"
+#include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 
 namespace seamline::renderer {
 namespace {
 
-constexpr double lux_per_w_m2 = 683.0;
 constexpr int most_suns = 100;  ///< each is a ray a sample, and their light is added up
 constexpr std::size_t most_lamps = 10'000;
 

@@ -3,18 +3,16 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "renderer/scene/eyes.h"
 #include "renderer/scene/resting_object.h"
+#include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 void set_material(const FileMesh& from, const Eigen::Matrix3f& rotation, SurfaceMesh& mesh) {
   const MaterialValues values = largest_values(*from.material);

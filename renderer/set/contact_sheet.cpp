@@ -16,10 +16,9 @@ namespace seamline::renderer {
 namespace {
 
 constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26, condition_label_px = 110;
-constexpr std::uint8_t paper_code = 255, ink_code = 20;
 
 /// A rectangle of pixels, ends excluded.
-struct Box {
+struct PixelBox {
   int left = 1 << 30, top = 1 << 30, right = 0, bottom = 0;
   [[nodiscard]] bool empty() const { return right <= left; }
   void include(int x, int y) {
@@ -43,7 +42,7 @@ int difference_at(const ByteImage& a, const ByteImage& b, int x, int y) {
 }
 
 /// The window moved so that the difference inside it lies in its middle, as far as the picture goes.
-Box centred(const Box& window, const ByteImage& stimulus, const ByteImage& reference) {
+PixelBox centred(const PixelBox& window, const ByteImage& stimulus, const ByteImage& reference) {
   double weight = 0, sum_x = 0, sum_y = 0;
   for (int y = window.top; y < window.bottom; ++y)
     for (int x = window.left; x < window.right; ++x) {
@@ -61,7 +60,7 @@ Box centred(const Box& window, const ByteImage& stimulus, const ByteImage& refer
 }
 
 /// Where a stimulus differs most from its reference: the densest window of the cell's shape, widened by half.
-Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
+PixelBox artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
   const int width = stimulus.width_px, height = stimulus.height_px;
   const int window_width = std::max(8, width / 3),
             window_height = std::min(height, window_width * cell_height_px / cell_width_px);
@@ -79,7 +78,7 @@ Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
   const auto sum_to = [&](int x, int y) {
     return integral[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
   };
-  Box best{0, 0, window_width, window_height};
+  PixelBox best{0, 0, window_width, window_height};
   double most = -1;
   for (int y = 0; y + window_height <= height; y += 2)
     for (int x = 0; x + window_width <= width; x += 2) {
@@ -94,7 +93,7 @@ Box artifact_window(const ByteImage& stimulus, const ByteImage& reference) {
 }
 
 /// Copies a window into a cell of the sheet, each cell pixel the mean of what it covers.
-void place(const ByteImage& from, const Box& window, ByteImage& sheet, int left, int top) {
+void place(const ByteImage& from, const PixelBox& window, ByteImage& sheet, int left, int top) {
   const double step_x = static_cast<double>(window.right - window.left) / cell_width_px;
   const double step_y = static_cast<double>(window.bottom - window.top) / cell_height_px;
   for (int y = 0; y < cell_height_px; ++y)
@@ -167,7 +166,7 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
     };
     const ByteImage reference = read_manifest_picture(
         set_folder, reference_picture(manifest, reference_of(set_folder, manifest, coarsest.stimulus)));
-    const Box window = artifact_window(picture_of(coarsest), reference);
+    const PixelBox window = artifact_window(picture_of(coarsest), reference);
     column = 0;
     for (const auto& [order, label] : labels) {
       if (const auto found = row.by_level.find(order); found != row.by_level.end())

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/common/parallel.h"
+#include "renderer/common/sampler.h"
 #include "renderer/error/true_error.h"
 #include "renderer/error/worst_tile.h"
 #include "renderer/estimators/estimator.h"
@@ -19,8 +20,6 @@
 
 namespace seamline::renderer {
 namespace {
-
-constexpr std::uint64_t reference_seed_offset = 1000;  // the reference shares no sample with the picture
 
 /// What shares a scene, a truth pass and a depth mesh comes together.
 using Key = std::tuple<std::string, int, DepthSettings>;  // truth, object, mesh

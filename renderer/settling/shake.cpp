@@ -8,13 +8,14 @@
 
 #include "renderer/physics/settle.h"
 #include "renderer/settling/frame_ground.h"
+#include "support/arithmetic/units.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {
 
-constexpr double mm = 1000, lost_below_m = 1;
+constexpr double lost_below_m = 1;
 
 double root_mean(double sum, std::size_t count) {
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
@@ -28,7 +29,7 @@ void measure(const std::vector<Eigen::Vector3d>& middles_m, Fall& fall) {
   const std::size_t first = fall.poses.size() - middles_m.size();
   for (std::size_t i = 0; i < middles_m.size(); ++i) {
     const Eigen::Vector3d away_m = middles_m[i] - mean_m;
-    fall.away_mm.push_back(mm * away_m.norm());
+    fall.away_mm.push_back(mm_per_m * away_m.norm());
     squares += away_m.squaredNorm();
     upright += away_m.y() * away_m.y();
     if (i == 0) continue;
@@ -37,9 +38,9 @@ void measure(const std::vector<Eigen::Vector3d>& middles_m, Fall& fall) {
     const double turn_deg = before.angularDistance(now) * 180 / std::numbers::pi;
     turns += turn_deg * turn_deg;
   }
-  fall.shake_mm = mm * root_mean(squares, middles_m.size());
-  fall.height_mm = mm * root_mean(upright, middles_m.size());
-  fall.jump_mm = mm * root_mean(jumps, middles_m.size() - 1);
+  fall.shake_mm = mm_per_m * root_mean(squares, middles_m.size());
+  fall.height_mm = mm_per_m * root_mean(upright, middles_m.size());
+  fall.jump_mm = mm_per_m * root_mean(jumps, middles_m.size() - 1);
   fall.turn_deg = root_mean(turns, middles_m.size() - 1);
 }
 

@@ -48,11 +48,11 @@ std::vector<int> lit_columns(const SheetScreen& screen, int width_px, int y, int
 }
 
 /// `position` between two of rising places, and how far on the way; beyond the outermost that one alone.
-struct Between {
+struct BetweenPlaces {
   int first = 0, second = 0;
   float share = 0;
 };
-Between between(const std::vector<int>& places, int position) {
+BetweenPlaces between(const std::vector<int>& places, int position) {
   const auto after = std::lower_bound(places.begin(), places.end(), position);
   const int second = after == places.end() ? places.back() : *after;
   const int first = after == places.begin() || second <= position ? second : *(after - 1);
@@ -71,14 +71,14 @@ Image through_lenses(const SheetScreen& screen, const Image& interleaved, int ey
       if (lit.empty()) continue;
       lit_rows.push_back(y);
       for (int x = 0; x < seen.width_px; ++x) {
-        const Between at = between(lit, x);
+        const BetweenPlaces at = between(lit, x);
         seen.at(x, y, channel) = (1.0F - at.share) * interleaved.at(at.first, y, channel) +
                                  at.share * interleaved.at(at.second, y, channel);
       }
     }
     if (lit_rows.empty()) continue;
     for (int y = 0; y < seen.height_px; ++y) {
-      const Between at = between(lit_rows, y);
+      const BetweenPlaces at = between(lit_rows, y);
       if (at.second == y) continue;
       for (int x = 0; x < seen.width_px; ++x)
         seen.at(x, y, channel) =

@@ -10,7 +10,6 @@ namespace seamline::renderer {
 namespace {
 
 constexpr double largest_stretch_px = 1.5;  // of one surface between two neighbours
-constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 /// One row of a view in the making.
 class ViewRow {
@@ -78,7 +77,8 @@ class ViewRow {
   void fill(int hole, int beside) {
     if (beside < 0 || beside >= from_.colour.width_px) return;  // nothing in the whole row
     if (from_.background) {
-      const float beside_m = nearness_[place(beside)] > 0 ? 1.0F / nearness_[place(beside)] : nowhere;
+      const float beside_m = nearness_[place(beside)] > 0 ? 1.0F / nearness_[place(beside)]
+                                                          : std::numeric_limits<float>::infinity();
       const int x = static_cast<int>(std::floor(hole + 0.5 - shift_px(eye_, static_cast<double>(beside_m))));
       if (x >= 0 && x < from_.colour.width_px && (!from_.foreground || from_.foreground->at(x, y_) > 0.5F)) {
         out_.picture.set_rgb(hole, y_, from_.background->rgb(x, y_));

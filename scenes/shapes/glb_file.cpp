@@ -9,6 +9,7 @@
 #include <span>
 
 #include "scenes/shapes/pattern.h"
+#include "support/arithmetic/units.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gltf_writing.h"
 #include "support/files/temporary_folder.h"

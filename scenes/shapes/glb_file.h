@@ -57,9 +57,6 @@ struct SceneContents {
   std::optional<SceneLamp> lamp = {};
 };
 
-/// Lux of KHR_lights_punctual for 1 W/m2, and candela for 1 W/sr.
-inline constexpr double lux_per_w_m2 = 683.0;
-
 /// The aspect of every camera: stimuli are 960 x 540.
 inline constexpr double camera_aspect = 960.0 / 540.0;
 

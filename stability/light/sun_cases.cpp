@@ -14,8 +14,6 @@
 namespace seamline::stability {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// A floor with a box on it; the sun stands in the upper right.
 SmallScene box_on_floor(const Light& light) {
   return {.background = {plane_shape({.half_size_m = 12})},
@@ -33,7 +31,7 @@ Finding try_strong_sun(float irradiance_w_m2, bool in_shadow) {
   const Geometry scene(parts);
   const SurfacePoint point =
       scene.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -1, -1).normalized()}).value();
-  const double lit = 0.5 * static_cast<double>(irradiance_w_m2) * std::sqrt(0.5) / pi;
+  const double lit = 0.5 * static_cast<double>(irradiance_w_m2) * std::sqrt(0.5) / std::numbers::pi;
   double error = 0, last = 0;
   for (int i = 0; i < 400; ++i) {
     last = static_cast<double>(
@@ -52,7 +50,7 @@ Finding try_black_shadow(int threads, const ComposeRule& rule) {
     const SmallPicture picture = render_small(
         scene, {.artifact = artifact, .depth_width_px = 128, .threads = threads, .compose = rule});
     // 4 times the photograph's brightest floor is what the clamp of the ratio allows.
-    wrong += pixels_out_of_range(picture.composite.picture, 4 * 0.5 * 5 / pi);
+    wrong += pixels_out_of_range(picture.composite.picture, 4 * 0.5 * 5 / std::numbers::pi);
     if (artifact != Artifact::none) continue;
     for (std::size_t i = 0; i < picture.reference.values.size(); ++i) {
       const bool shadow = picture.reference.values[i] == 0.0F && picture.background.values[i] > 0.0F;
@@ -79,9 +77,10 @@ Finding try_strong_sun_composite(int threads) {
 }
 
 Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
-  const double elevation = elevation_deg * pi / 180;
+  const double elevation = elevation_deg * std::numbers::pi / 180;
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(turn_deg * pi / 180, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+      Eigen::AngleAxisd(turn_deg * std::numbers::pi / 180, Eigen::Vector3d(1, 2, 3).normalized())
+          .toRotationMatrix();
   const Eigen::Vector3d normal = turn * Eigen::Vector3d::UnitY();
   const PlaneSquare square{.centre_m = -1.5 * normal,
                            .u = turn * Eigen::Vector3d::UnitX(),
@@ -91,7 +90,7 @@ Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
   const Geometry plane(std::vector{plane_shape(square)});
   const Eigen::Vector3d to_sun = turn * Eigen::Vector3d(std::cos(elevation), std::sin(elevation), 0);
   const Light light = sun_and_sky(to_sun.cast<float>(), 100, 0, 0);
-  const double expected = 0.5 * 100 * std::sin(elevation) / pi;
+  const double expected = 0.5 * 100 * std::sin(elevation) / std::numbers::pi;
   Random random(5);
   double error = 0;
   int dark = 0;

@@ -45,7 +45,7 @@ std::string text(const SensorPose& pose) {
   return fmt::format(" pose {} {}", text(pose.position_m), text(pose.rotation_deg));
 }
 
-const char* word(sensors::DepthConvention convention) {
+const char* convention_word(sensors::DepthConvention convention) {
   return convention == sensors::DepthConvention::radial ? "radial" : "planar";
 }
 
@@ -79,13 +79,14 @@ std::string text(const DepthSource& source) {
               return out + (panorama.noise ? text(*panorama.noise) : "");
             },
             [](const PinholeSource& pinhole) {
-              std::string out = "pinhole " + text(pinhole.camera) + " " + word(pinhole.convention) +
-                                text(pinhole.range) + text(pinhole.pose);
+              std::string out = "pinhole " + text(pinhole.camera) + " " +
+                                convention_word(pinhole.convention) + text(pinhole.range) +
+                                text(pinhole.pose);
               if (pinhole.projector_m) out += " projector " + text(*pinhole.projector_m);
               return out + (pinhole.noise ? text(*pinhole.noise) : "");
             },
             [](const FileSource& file) {
-              return "file " + file.file + " " + text(file.camera) + " " + word(file.convention) +
+              return "file " + file.file + " " + text(file.camera) + " " + convention_word(file.convention) +
                      text(file.range) + text(file.pose) +
                      fmt::format(" step {} {}", file.metres_per_step.value_or(0),
                                  file.packing == sensors::DepthPacking::whole ? "whole" : "red_green");

@@ -33,12 +33,12 @@ std::string state(const ParticipantRecord& participant, int answered) {
 }
 
 /// What a participant has answered.
-struct Done {
+struct AnswerCounts {
   int answered = 0;  ///< stimuli
   int attention = 0, attention_right = 0, references = 0;
 };
 
-void count(Done& done, const CatchTrialAnswer& answer) {
+void count(AnswerCounts& done, const CatchTrialAnswer& answer) {
   if (answer.kind == TrialKind::reference) ++done.references;
   if (answer.kind != TrialKind::attention) return;
   ++done.attention;
@@ -55,7 +55,7 @@ std::string minute_text(std::int64_t unix_s) {
 }
 
 /// What is said only where there is something to say.
-std::string more(const ParticipantRecord& participant, const Done& done) {
+std::string more(const ParticipantRecord& participant, const AnswerCounts& done) {
   std::string text;
   if (done.attention > 0) text += fmt::format("  attention {} of {}", done.attention_right, done.attention);
   if (done.references > 0) text += fmt::format("  references {}", done.references);
@@ -90,7 +90,7 @@ void erase_free_pages(SQLite::Database& database) {
 }  // namespace
 
 std::string status_text(const LogContents& log) {
-  std::map<std::string, Done> done;
+  std::map<std::string, AnswerCounts> done;
   for (const Answer& answer : log.answers) ++done[answer.participant].answered;
   for (const CatchTrialAnswer& answer : log.catches) count(done[answer.participant], answer);
   std::size_t width = 4;
@@ -100,7 +100,7 @@ std::string status_text(const LogContents& log) {
                                  log.file.string(), log.study_name, log.participants.size(),
                                  log.answers.size(), log.forgotten_participants, log.declined_visits);
   for (const ParticipantRecord& participant : log.participants) {
-    const Done& own = done[participant.code];
+    const AnswerCounts& own = done[participant.code];
     text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {:<10}{}\n", participant.code, width,
                         who(participant), own.answered, participant.stimulus_trials,
                         state(participant, own.answered), more(participant, own));

@@ -120,6 +120,9 @@ struct PictureLayer {
 /// pictures always give the same bytes. The values are not looked at.
 void write_layers_exr(const std::filesystem::path& path, const std::vector<PictureLayer>& layers);
 
+/// Grey codes of sheets that are made to be read.
+inline constexpr std::uint8_t paper_code = 255, ink_code = 20;
+
 /// Draws one line of text, its baseline starting at (x, y), in a grey code. Without the font (Debian:
 /// fonts-dejavu-core) nothing is drawn.
 void draw_text(ByteImage& image, int x, int y, const std::string& text, int height_px, std::uint8_t code);

@@ -13,11 +13,11 @@ namespace seamline::analysis {
 using namespace study;
 namespace {
 
-const std::vector<double> widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
+const std::vector<double> tested_widths_px = {64, 128, 256, 512, 1024, 2048, 4096};
 
 std::vector<LevelCounts> simulate(const PsychometricFunction& function, std::int64_t trials, Random& random) {
   std::vector<LevelCounts> counts;
-  for (double px : widths_px)
+  for (double px : tested_widths_px)
     counts.push_back({.level = px,
                       .correct = sample_binomial(trials, response_probability(function, px), random),
                       .trials = trials});
@@ -165,7 +165,7 @@ TEST(PsychometricRecovery, OverdispersionOfRowsIsFoundAndWidensIntervals) {
   Random random(4);
   std::vector<LevelCounts> counts;
   for (int block = 0; block < 12; ++block)
-    for (double px : widths_px) {
+    for (double px : tested_widths_px) {
       const double p = response_probability(falling(Sigmoid::normal), px);
       const double spread = eta * std::sqrt(p * (1 - p));
       const double drawn = std::clamp(random.uniform() < 0.5 ? p - spread : p + spread, 0.0, 1.0);

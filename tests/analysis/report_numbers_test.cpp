@@ -16,12 +16,12 @@ using namespace study;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Analysis analysed(LogContents log, int threads = 1) {
+Analysis analysed_people(LogContents log, int threads = 1) {
   return analyze(std::move(log), false, {.replicates = 200, .seed = 3, .threads = threads});
 }
 
 TEST(ReportNumbers, FitOfRightChoicesIsThePooledFit) {
-  const Analysis analysis = analysed(test::people_log(10, 1));
+  const Analysis analysis = analysed_people(test::people_log(10, 1));
   const ReportNumbers numbers = report_numbers(analysis);
   ASSERT_EQ(numbers.choices.size(), 4U);
   std::vector<std::string> codes;
@@ -39,8 +39,8 @@ TEST(ReportNumbers, FitOfRightChoicesIsThePooledFit) {
 }
 
 TEST(ReportNumbers, BandHoldsTheCurveWithinZeroAndOneAndIsTheSameForAnyThreads) {
-  const ReportNumbers one = report_numbers(analysed(test::people_log(12, 2), 1)),
-                      two = report_numbers(analysed(test::people_log(12, 2), 2));
+  const ReportNumbers one = report_numbers(analysed_people(test::people_log(12, 2), 1)),
+                      two = report_numbers(analysed_people(test::people_log(12, 2), 2));
   for (std::size_t a = 0; a < one.choices.size(); ++a) {
     const ChoiceCurve& curve = one.choices[a];
     EXPECT_EQ(curve.band_replicates, 200);
@@ -72,7 +72,7 @@ TEST(ReportNumbers, TimesCountEveryAnswerOfPeopleOnceAndLeaveSimulatedObserversO
   LogContents log = test::people_log(6, 3);
   log.participants[2].simulated = true;
   log.participants[4].excluded = true;
-  const ResponseTimes times = response_times(analysed(std::move(log)));
+  const ResponseTimes times = response_times(analysed_people(std::move(log)));
   int all = 0, by_choice = 0, by_artifact = 0;
   for (const ResponseTime& row : times.rows) {
     EXPECT_LE(row.people, 4);
@@ -89,7 +89,7 @@ TEST(ReportNumbers, TimesCountEveryAnswerOfPeopleOnceAndLeaveSimulatedObserversO
 }
 
 TEST(ReportNumbers, SimulatedObserversHaveNoTimes) {
-  const ResponseTimes times = response_times(analysed(test::simulate_log(4, 1)));
+  const ResponseTimes times = response_times(analysed_people(test::simulate_log(4, 1)));
   EXPECT_THAT(times.rows, IsEmpty());
   EXPECT_THAT(times.missing, HasSubstr("simulated"));
 }
@@ -102,7 +102,7 @@ TEST(ReportNumbers, EveryParticipantHasALineThatSaysWhyTheyAreNotUsed) {
   int ratings = 0;
   for (const Answer& answer : log.answers)
     if (answer.participant == "sim-0") ratings += answer.rating;
-  const std::vector<ParticipantRow> rows = participant_rows(analysed(std::move(log)));
+  const std::vector<ParticipantRow> rows = participant_rows(analysed_people(std::move(log)));
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[0].why, "");
   EXPECT_TRUE(rows[0].screened);
@@ -114,7 +114,7 @@ TEST(ReportNumbers, EveryParticipantHasALineThatSaysWhyTheyAreNotUsed) {
 }
 
 TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
-  const ReportNumbers numbers = report_numbers(analysed(test::people_log(1, 3)));
+  const ReportNumbers numbers = report_numbers(analysed_people(test::people_log(1, 3)));
   for (const ChoiceCurve& curve : numbers.choices) {
     EXPECT_FALSE(curve.pooled);
     EXPECT_THAT(curve.missing, HasSubstr("at least two"));
@@ -126,7 +126,7 @@ TEST(ReportNumbers, OfOnePersonSayWhatIsMissing) {
 }
 
 TEST(ReportNumbers, OfAnAdaptiveLogAreItsTracks) {
-  const Analysis analysis = analysed(test::adaptive_log());
+  const Analysis analysis = analysed_people(test::adaptive_log());
   const ReportNumbers numbers = report_numbers(analysis);
   EXPECT_TRUE(analysis.adaptive);
   EXPECT_FALSE(numbers.comparisons);

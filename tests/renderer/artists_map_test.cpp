@@ -7,15 +7,15 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int width_px = 40, height_px = 10;
+constexpr int map_width_px = 40, map_height_px = 10;
 
 PixelSet nothing() {
-  return {width_px, height_px, std::vector<std::uint8_t>(width_px * height_px, 0)};
+  return {map_width_px, map_height_px, std::vector<std::uint8_t>(map_width_px * map_height_px, 0)};
 }
 
 PixelSet with_pixel(int x, int y) {
   PixelSet set = nothing();
-  set.values[static_cast<std::size_t>(y * width_px + x)] = 1;
+  set.values[static_cast<std::size_t>(y * map_width_px + x)] = 1;
   return set;
 }
 
@@ -29,7 +29,7 @@ std::vector<SeamAtWidth> seams(const Has& has) {
 }
 
 GeometryNeed need_at(const std::vector<GeometryNeed>& needs, int x, int y) {
-  return needs[static_cast<std::size_t>(y * width_px + x)];
+  return needs[static_cast<std::size_t>(y * map_width_px + x)];
 }
 
 TEST(GeometryNeeds, IsTheSmallestWidthFromWhichOnNoMapHasASeam) {
@@ -49,8 +49,8 @@ TEST(GeometryNeeds, IsTheSmallestWidthFromWhichOnNoMapHasASeam) {
 
 TEST(GeometryNeeds, ASeamIsARegionAndAnObjectIsCoarseWhereItHasNone) {
   const auto needs = geometry_needs(seams([](int map_px) { return map_px <= 512; }), with_pixel(2, 2), {}, 3);
-  for (int y = 0; y < height_px; ++y)
-    for (int x = 0; x < width_px; ++x) {
+  for (int y = 0; y < map_height_px; ++y)
+    for (int x = 0; x < map_width_px; ++x) {
       const int square = (x - 20) * (x - 20) + (y - 5) * (y - 5);
       const GeometryNeed expected = square <= 9        ? GeometryNeed::fine
                                     : x == 2 && y == 2 ? GeometryNeed::coarse
@@ -61,12 +61,13 @@ TEST(GeometryNeeds, ASeamIsARegionAndAnObjectIsCoarseWhereItHasNone) {
 
 TEST(GeometryNeeds, SpecksAreNoSeamsAndThinLinesAre) {
   PixelSet set = with_pixel(35, 2);
-  set.values[3 * width_px + 36] = 1;  // two pixels that touch by a corner
-  for (int x = 0; x < 8; ++x) set.values[static_cast<std::size_t>(5 * width_px + x)] = 1;  // a line of eight
+  set.values[3 * map_width_px + 36] = 1;  // two pixels that touch by a corner
+  for (int x = 0; x < 8; ++x)
+    set.values[static_cast<std::size_t>(5 * map_width_px + x)] = 1;  // a line of eight
   const PixelSet left = without_specks(set, 8);
-  for (int y = 0; y < height_px; ++y)
-    for (int x = 0; x < width_px; ++x)
-      EXPECT_EQ(left.values[static_cast<std::size_t>(y * width_px + x)], y == 5 && x < 8 ? 1 : 0);
+  for (int y = 0; y < map_height_px; ++y)
+    for (int x = 0; x < map_width_px; ++x)
+      EXPECT_EQ(left.values[static_cast<std::size_t>(y * map_width_px + x)], y == 5 && x < 8 ? 1 : 0);
 }
 
 TEST(GeometryNeeds, TheWorstOfAllStimuliCounts) {

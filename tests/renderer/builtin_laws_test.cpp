@@ -18,7 +18,8 @@ namespace {
 using test::paper_study;
 using test::picture_height_px;
 using test::picture_width_px;
-constexpr int threads = 2;
+using test::scene_named;
+using test::threads;
 
 /// One virtual object of a built-in scene, with what its stimuli share.
 class Bench {
@@ -72,12 +73,6 @@ Image region(Artifact artifact, const TruthSums& truth) {
 
 std::vector<std::string> scene_names() {
   return {"bedroom", "gazebo", "atrium"};
-}
-
-SceneDefinition scene_named(const std::string& name) {
-  for (const SceneDefinition& scene : paper_study().scenes)
-    if (scene.name == name) return scene;
-  throw std::runtime_error("no scene " + name);
 }
 
 class BuiltinScene : public testing::TestWithParam<std::string> {};

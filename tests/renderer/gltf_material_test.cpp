@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 
 #include "renderer/scene/scene_file.h"
@@ -14,21 +13,16 @@
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"
 #include "tests/complaint.h"
+#include "tests/renderer/gltf_bytes.h"
 
 namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template <class T>
-std::string bytes_of(std::initializer_list<T> values) {
-  std::string bytes(values.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), values.begin(), bytes.size());
-  return bytes;
-}
 
 /// A square from (0, 0) to (1, 1) at z = 0 that looks to +Z, its picture upright on it; colours are red green
 /// above blue white.

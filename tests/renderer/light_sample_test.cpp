@@ -10,26 +10,15 @@
 
 #include "renderer/transport/transport.h"
 #include "shapes.h"
+#include "tests/renderer/sample_mean.h"
 
 namespace seamline::renderer {
 namespace {
 
+using test::sample_mean;
+using test::SampleMean;
+
 constexpr double pi = std::numbers::pi;
-
-struct Estimate {
-  double mean = 0, standard_error = 0;
-};
-
-template <class Sample>
-Estimate estimate(int count, const Sample& sample) {
-  double sum = 0, squares = 0;
-  for (int i = 0; i < count; ++i) {
-    const double value = sample(i);
-    sum += value, squares += value * value;
-  }
-  const double mean = sum / count;
-  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1))};
-}
 
 SurfacePoint floor_point(float albedo = 0.5F) {
   SurfacePoint point;
@@ -163,7 +152,7 @@ TEST(EnvironmentMap, LightsAPlaneAsBruteForceDoesByEachStrategyAloneAndByBoth) {
   for (const auto& strategy :
        {std::function<double(const Sampler&)>(by_light), std::function<double(const Sampler&)>(by_surface),
         std::function<double(const Sampler&)>(by_both)}) {
-    const Estimate found = estimate(40000, [&](int i) { return strategy(Sampler(2, i, 1, 0)); });
+    const SampleMean found = sample_mean(40000, [&](int i) { return strategy(Sampler(2, i, 1, 0)); });
     EXPECT_NEAR(found.mean, wanted[1], 4 * found.standard_error + 2e-3 * wanted[1]);
     errors.push_back(found.standard_error);
   }
@@ -175,7 +164,7 @@ TEST(EnvironmentMap, ConstantMapGivesWhatTheConstantEnvironmentGives) {
   Light light;
   light.environment = std::make_shared<EnvironmentMap>(Image(16, 8, 3, 2.5F), 0.0F);
   const auto hit = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0.05F, 0.05F, -1).normalized()});
-  const Estimate found = estimate(20000, [&](int i) {
+  const SampleMean found = sample_mean(20000, [&](int i) {
     return double{leaving_pair(ball, nullptr, *hit, light, Sampler(7, i, 0, 0)).without_object.total()[1]};
   });
   EXPECT_NEAR(found.mean, 1.0, 4 * found.standard_error + 1e-3);
@@ -226,7 +215,7 @@ TEST(Lamps, SeveralGiveTheSumOfEach) {
       wanted += one ? double{one->radiance[0]} : 0;
     }
     light.lamps = lamps;
-    const Estimate found = estimate(20000, [&](int i) {
+    const SampleMean found = sample_mean(20000, [&](int i) {
       const auto one = light_sample(light, 0, point, Rgb::Ones(), Sampler(5, i, 0, 0), 0, GlowHits::found);
       return one ? double{one->radiance[0]} : 0.0;
     });
@@ -266,7 +255,7 @@ TEST(GlowingSurfaces, LightAFloorAsTheFormFactorSays) {
   hits_only.glowing.reset();
   std::vector<double> errors;
   for (const Light* light : {&room.light, const_cast<const Light*>(&hits_only)}) {
-    const Estimate found = estimate(30000, [&](int i) {
+    const SampleMean found = sample_mean(30000, [&](int i) {
       return double{
           leaving_pair(geometry, nullptr, point, *light, Sampler(3, i, 0, 0)).without_object.total()[0]};
     });
@@ -274,7 +263,7 @@ TEST(GlowingSurfaces, LightAFloorAsTheFormFactorSays) {
     errors.push_back(found.standard_error);
   }
   EXPECT_LT(errors[0], errors[1]);
-  const Estimate light_alone = estimate(30000, [&](int i) {
+  const SampleMean light_alone = sample_mean(30000, [&](int i) {
     const auto sample =
         light_sample(room.light, 0, point, Rgb::Ones(), Sampler(4, i, 0, 0), 0, GlowHits::unknown);
     return sample ? double{sample->radiance[0]} : 0.0;

@@ -9,6 +9,7 @@
 #include "renderer/composite/objects_file.h"
 #include "renderer/composite/seamless_width.h"
 #include "renderer/depth/depth_map.h"
+#include "sensors/frame/depth_frame.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
@@ -22,15 +23,13 @@ using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr float hole = std::numeric_limits<float>::infinity();
-
 /// A room 3 m around the camera, closed or open above, photographed as a panorama and as a view.
 class MakeComposite : public testing::Test {
  protected:
   MakeComposite() : folder_(fs::path(SEAMLINE_TEST_OUTPUT) / "make-composite") {
     fs::create_directories(folder_);
     write_depth("closed.exr", 3.0F, 3.0F);
-    write_depth("open.exr", 3.0F, hole);
+    write_depth("open.exr", 3.0F, sensors::hole);
     write_exr(folder_ / "panorama.exr", Image(64, 32, 3, 0.5F));
     write_exr(folder_ / "view.exr", Image(40, 30, 3, 0.5F));
   }
@@ -155,7 +154,7 @@ TEST_F(MakeComposite, AnObjectThatChangesNothingIsRefusedAndNoPictureIsWritten) 
 
 TEST_F(MakeComposite, DepthThatIsNoneOrOfAnotherShapeIsRefused) {
   CompositeRequest request = view();
-  write_exr(folder_ / "holes.exr", Image(64, 32, 1, hole));
+  write_exr(folder_ / "holes.exr", Image(64, 32, 1, sensors::hole));
   request.depth.file = in("holes.exr");
   EXPECT_THAT(said(request), HasSubstr("nothing but holes"));
   write_exr(folder_ / "square.exr", Image(64, 64, 1, 2.0F));

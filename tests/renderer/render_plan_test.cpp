@@ -10,21 +10,21 @@
 #include "renderer/estimators/estimator.h"
 #include "stimuli/pictures/difference.h"
 #include "stimuli/study_file/study_file.h"
+#include "tests/renderer/small_pictures.h"
 
 namespace seamline::renderer {
 namespace {
 
-constexpr int small_width_px = 96, small_height_px = 54, depth_width_px = 128, threads = 2;
+using test::threads;
+constexpr int small_width_px = 96, small_height_px = 54, depth_width_px = 128;
 
 StudyDefinition isolated_study() {
   return read_study(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli" /
                     "depth_resolution_isolated.toml");
 }
 
-SceneDefinition scene_named(const std::string& name) {
-  for (const SceneDefinition& scene : isolated_study().scenes)
-    if (scene.name == name) return scene;
-  throw std::runtime_error("no scene " + name);
+SceneDefinition isolated_scene(const std::string& name) {
+  return test::scene_named(name, isolated_study());
 }
 
 struct Rendered {
@@ -34,9 +34,9 @@ struct Rendered {
 };
 
 /// One stimulus of a scene's second object.
-class Bench {
+class SecondObject {
  public:
-  explicit Bench(const SceneDefinition& definition)
+  explicit SecondObject(const SceneDefinition& definition)
       : scene_(load_truth_scene(definition, small_width_px, small_height_px)) {}
 
   [[nodiscard]] Rendered render(Artifact artifact, EstimateOptions options) const {
@@ -63,20 +63,20 @@ class Bench {
 struct Pair {
   Rendered with, without;
 };
-Pair render_pair(const Bench& bench, Artifact artifact, EstimateOptions options, const char* name) {
+Pair render_pair(const SecondObject& bench, Artifact artifact, EstimateOptions options, const char* name) {
   const Rendered with = bench.render(artifact, options);
   options.omit = omissions_without({name});
   return {with, bench.render(artifact, options)};
 }
 
-void expect_within_errors(const Bench& bench, const Pair& pair) {
+void expect_within_errors(const SecondObject& bench, const Pair& pair) {
   const double difference = bench.difference(pair.with, pair.without);
   EXPECT_GT(difference, 0.0);
   EXPECT_LT(difference, 3 * std::hypot(pair.with.rmse, pair.without.rmse));
 }
 
 TEST(RenderPlan, PathTailsChangeNoMoreThanTheEstimatedErrors) {
-  const Bench bench(scene_named("bedroom"));
+  const SecondObject bench(isolated_scene("bedroom"));
   for (const Artifact artifact : {Artifact::receiver, Artifact::bounce}) {
     const Pair pair = render_pair(bench, artifact, {.spp = 16}, "path_tails");
     expect_within_errors(bench, pair);
@@ -86,13 +86,13 @@ TEST(RenderPlan, PathTailsChangeNoMoreThanTheEstimatedErrors) {
 }
 
 TEST(RenderPlan, TheBounceFilterChangesNoMoreThanTheEstimatedErrors) {
-  const Bench bench(scene_named("bedroom"));
+  const SecondObject bench(isolated_scene("bedroom"));
   for (const Artifact artifact : {Artifact::receiver, Artifact::bounce})
     expect_within_errors(bench, render_pair(bench, artifact, {.spp = 16}, "bounce_filter"));
 }
 
 TEST(RenderPlan, RatioSamplesChangeNoMoreThanTheEstimatedErrors) {
-  const Bench bench(scene_named("bedroom"));
+  const SecondObject bench(isolated_scene("bedroom"));
   const Pair pair = render_pair(bench, Artifact::receiver, {.error = 0.02}, "ratio_samples");
   expect_within_errors(bench, pair);
   EXPECT_GT(pair.with.savings.ratio_samples, 0);
@@ -100,7 +100,7 @@ TEST(RenderPlan, RatioSamplesChangeNoMoreThanTheEstimatedErrors) {
 }
 
 TEST(RenderPlan, UntouchedTilesChangeNothing) {
-  const Bench bench(scene_named("gazebo"));
+  const SecondObject bench(isolated_scene("gazebo"));
   for (const EstimateOptions& options : {EstimateOptions{.spp = 8}, EstimateOptions{.error = 0.03}}) {
     const Pair pair = render_pair(bench, Artifact::shadow, options, "untouched_tiles");
     EXPECT_EQ(pair.with.picture.values, pair.without.picture.values);
@@ -110,7 +110,7 @@ TEST(RenderPlan, UntouchedTilesChangeNothing) {
 }
 
 TEST(RenderPlan, WhoIsInFrontChangesNothingForOtherArtifacts) {
-  const Bench bench(scene_named("gazebo"));
+  const SecondObject bench(isolated_scene("gazebo"));
   for (const EstimateOptions& options : {EstimateOptions{.spp = 8}, EstimateOptions{.error = 0.03}})
     for (const Artifact artifact : {Artifact::shadow, Artifact::overlap}) {
       const Pair pair = render_pair(bench, artifact, options, "who_is_in_front");
@@ -120,10 +120,10 @@ TEST(RenderPlan, WhoIsInFrontChangesNothingForOtherArtifacts) {
 }
 
 TEST(RenderPlan, LateBouncesChangeNoMoreThanTheirBound) {
-  SceneDefinition definition = scene_named("bedroom");
+  SceneDefinition definition = isolated_scene("bedroom");
   definition.bounces = 64;
   definition.exposure_ev = -3;
-  const Bench bench(definition);
+  const SecondObject bench(definition);
   const BounceLimit limit = needed_bounces(light_facts(bench.scene()), definition.exposure_ev, std::nullopt);
   EXPECT_LT(limit.bounces, 64);
   EXPECT_GT(limit.bounces, 4);
@@ -151,11 +151,11 @@ TEST(RenderPlan, LateBouncesFollowAlbedoErrorAndEmission) {
 }
 
 TEST(RenderPlan, ADarkSkyChangesNothing) {
-  SceneDefinition definition = scene_named("bedroom");
+  SceneDefinition definition = isolated_scene("bedroom");
   definition.environment_radiance = {0, 0, 0};
   for (const int bounces : {0, 2}) {
     definition.bounces = bounces;
-    const Bench bench(definition);
+    const SecondObject bench(definition);
     for (const Artifact artifact : {Artifact::receiver, Artifact::shadow, Artifact::bounce}) {
       const Pair pair = render_pair(bench, artifact, {.spp = 4}, "dark_sky");
       EXPECT_EQ(pair.with.picture.values, pair.without.picture.values) << word(artifact) << bounces;

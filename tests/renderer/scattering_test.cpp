@@ -16,8 +16,6 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 /// No axis of the world, so that frames are used.
 Eigen::Vector3f a_normal() {
   return Eigen::Vector3f(0.3F, -0.5F, 0.7F).normalized();
@@ -71,7 +69,8 @@ Integral integrate(const Scatterer& surface, const Eigen::Vector3f& to_viewer, i
     if (!(mu_i > 0) || !(c > 0)) return;
     const float cosine = mirror.dot(n);
     const float squared_sine = (mirror - cosine * n).squaredNorm();
-    const double both = mirror_density(squared_sine, alpha) * cosine / (4 * c) + mu_i / pi;
+    const double both =
+        mirror_density(squared_sine, alpha) * cosine / (4 * c) + mu_i / std::numbers::pi_v<float>;
     const ScatteredLight light = scattered_light(surface, n, to_viewer, to_light);
     sum.share += double{light.share[0]} / both / points;
     sum.density += light.density / both / points;

@@ -10,11 +10,13 @@
 #include "renderer/scene/truth_scene.h"
 #include "support/text/error.h"
 #include "tests/complaint.h"
+#include "tests/renderer/gltf_bytes.h"
 
 namespace seamline::renderer {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes_of;
 using testing::HasSubstr;
 
 std::string base64(const std::string& bytes) {
@@ -28,13 +30,6 @@ std::string base64(const std::string& bytes) {
       text += i + j > bytes.size() ? '=' : digits[word >> (18 - 6 * j) & 63];
   }
   return text;
-}
-
-template <class T>
-std::string bytes_of(std::initializer_list<T> values) {
-  std::string bytes(values.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), values.begin(), bytes.size());
-  return bytes;
 }
 
 /// A .gltf with four corners of a square, 16-bit indices 0 1 2 0 2 3, and whatever else a test says.

@@ -5,33 +5,20 @@
 
 #include "renderer/transport/uncovered_light.h"
 #include "shapes.h"
+#include "tests/renderer/sample_mean.h"
 
 namespace seamline::renderer {
 namespace {
 
-struct Estimate {
-  double mean = 0;
-  double standard_error = 0;
-};
-
-template <class Sample>
-Estimate estimate(int count, const Sample& sample) {
-  double sum = 0, squares = 0;
-  for (int i = 0; i < count; ++i) {
-    const double value = sample(i);
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / count;
-  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1))};
-}
+using test::sample_mean;
+using test::SampleMean;
 
 TEST(Transport, ConvexBodyUnderAConstantEnvironmentReflectsAlbedoTimesRadiance) {
   const float albedo = 0.37F, radiance = 2.5F;
   const Geometry ball(std::vector{test::sphere({0, 0, -5}, 1.0F, 96, albedo)});
   Light light;
   light.environment_radiance = Rgb::Constant(radiance);
-  const Estimate found = estimate(20000, [&](int i) {
+  const SampleMean found = sample_mean(20000, [&](int i) {
     const Sampler sampler(7, i, 0, 0);
     const Eigen::Array2f p = sampler.point(dimension::pixel) * 0.3F - 0.15F;
     const auto hit = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(p[0], p[1], -1).normalized()});
@@ -52,7 +39,7 @@ TEST_P(EmissiveSphere, GivesEmissionTimesTheSumOfAlbedoPowers) {
   // Emission seen directly is power 0, light scattered once power 1, and each bounce adds one scattering.
   double expected = 0;
   for (int power = 0; power <= bounces + 1; ++power) expected += emission * std::pow(albedo, power);
-  const Estimate found = estimate(4000, [&](int i) {
+  const SampleMean found = sample_mean(4000, [&](int i) {
     const Sampler sampler(3, i, 0, 0);
     const auto hit = furnace.nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 1, 0}, sampler.point(0))});
     return double{leaving_pair(furnace, nullptr, *hit, light, sampler).without_object.total()[0]};
@@ -78,7 +65,7 @@ TEST(Transport, SoftSunHasTheHardSunsMeanOnAPlane) {
   Light soft;
   soft.suns.push_back({Eigen::Vector3f(1, 1, 0).normalized(), Rgb::Constant(8.0F), 0.02F});
   const auto hit = plane.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.3F, -1).normalized()});
-  const Estimate found = estimate(4000, [&](int i) {
+  const SampleMean found = sample_mean(4000, [&](int i) {
     return double{leaving_pair(plane, nullptr, *hit, soft, Sampler(1, i, 0, 0)).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, 8 * std::sqrt(0.5) * 0.5 / std::numbers::pi, 3 * found.standard_error + 2e-4);
@@ -98,7 +85,7 @@ TEST(Transport, AmbientOcclusionSeesOnlyWhatIsNear) {
     point.normal = point.geometric_normal = {0, 1, 0};
     point.distance_m = 4;
     point.albedo = Rgb::Constant(0.5F);
-    const Estimate found = estimate(4000, [&](int i) {
+    const SampleMean found = sample_mean(4000, [&](int i) {
       return double{
           leaving_pair(geometry, nullptr, point, light, Sampler(5, i, 0, 0)).without_object.total()[0]};
     });
@@ -136,10 +123,10 @@ TEST(Transport, CoupledPairHasTheMeanOfIndependentPaths) {
   light.bounces = 3;
   const auto hit = truth.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(-0.35F, -0.45F, -1).normalized()});
   ASSERT_TRUE(hit);
-  const Estimate coupled = estimate(40000, [&](int i) {
+  const SampleMean coupled = sample_mean(40000, [&](int i) {
     return double{leaving_pair(truth, &object, *hit, light, Sampler(1, i, 0, 0)).with_object.total()[0]};
   });
-  const Estimate plain = estimate(40000, [&](int i) {
+  const SampleMean plain = sample_mean(40000, [&](int i) {
     return double{
         leaving_pair(everything, nullptr, *hit, light, Sampler(2, i, 0, 0)).without_object.total()[0]};
   });

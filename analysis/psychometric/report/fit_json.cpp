@@ -12,17 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
+Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json interval(const Interval& ci95) {
-  return Json::array({number(ci95.low), number(ci95.high)});
+  return Json::array({number_or_null(ci95.low), number_or_null(ci95.high)});
 }
 
 Json quantity_json(const FitQuantity& quantity) {
   Json json;
-  json["estimate"] = quantity.estimate ? number(*quantity.estimate) : Json(nullptr);
+  json["estimate"] = quantity.estimate ? number_or_null(*quantity.estimate) : Json(nullptr);
   json["ci95"] = interval(quantity.ci95);
   if (quantity.bootstrap_ci95) json["bootstrap_ci95"] = interval(*quantity.bootstrap_ci95);
   if (!quantity.unit.empty()) json["unit"] = quantity.unit;
@@ -70,8 +70,8 @@ Json levels_json(const Goodness& goodness) {
     levels.push_back({{"level", level.counts.level},
                       {"correct", level.counts.correct},
                       {"trials", level.counts.trials},
-                      {"fitted", number(level.fitted)},
-                      {"deviance_residual", number(level.deviance_residual)}});
+                      {"fitted", number_or_null(level.fitted)},
+                      {"deviance_residual", number_or_null(level.deviance_residual)}});
   return levels;
 }
 
@@ -96,11 +96,11 @@ std::string fit_json(const JudgedFit& report) {
     }
   }
   const bool empty = report.fit.levels.empty();
-  json["log_likelihood"] = empty ? Json(nullptr) : number(report.fit.log_likelihood);
-  json["deviance"] = empty ? Json(nullptr) : number(report.goodness.deviance);
-  json["deviance_p"] = number(report.deviance_p);
+  json["log_likelihood"] = empty ? Json(nullptr) : number_or_null(report.fit.log_likelihood);
+  json["deviance"] = empty ? Json(nullptr) : number_or_null(report.goodness.deviance);
+  json["deviance_p"] = number_or_null(report.deviance_p);
   json["degrees_of_freedom"] = report.goodness.degrees_of_freedom;
-  json["aic"] = empty ? Json(nullptr) : number(report.goodness.aic);
+  json["aic"] = empty ? Json(nullptr) : number_or_null(report.goodness.aic);
   json["levels"] = levels_json(report.goodness);
   json["warnings"] = report.warnings;
   json["converged"] = report.fit.converged;

@@ -12,7 +12,7 @@ struct Field {
   std::string path, unit, meaning;
 };
 
-constexpr std::pair<const char*, const char*> quantities[] = {
+constexpr std::pair<const char*, const char*> threshold_meanings[] = {
     {"perceptual_threshold", "PT, the width where mean noticeability is 0.5"},
     {"slightly_noticeable", "SN, the width where it is 1.0"},
     {"inflection", "IP, the centre of the logistic"}};
@@ -39,13 +39,14 @@ void add_width(std::vector<Field>& fields, const std::string& path, const std::s
 }
 
 void add_widths(std::vector<Field>& fields, const std::string& prefix, const std::string& more) {
-  for (const auto& [key, meaning] : quantities) add_width(fields, prefix + key + "_px", "px", meaning + more);
+  for (const auto& [key, meaning] : threshold_meanings)
+    add_width(fields, prefix + key + "_px", "px", meaning + more);
 }
 
 /// A number a quantity.
 void add_numbers(std::vector<Field>& fields, const std::string& prefix, const char* brackets,
                  const std::string& more) {
-  for (const auto& [key, meaning] : quantities)
+  for (const auto& [key, meaning] : threshold_meanings)
     fields.push_back({prefix + key + "_px" + brackets, "px", meaning + more});
 }
 
@@ -97,7 +98,7 @@ void add_artifact_checks(std::vector<Field>& fields, const std::string& artifact
   add_object(fields, objects + "without[].");
   add_numbers(fields, objects + "without[].", "", ", without that object");
   fields.push_back({artifact + "field_of_view.degrees", "degree", "horizontal field of view"});
-  for (const auto& [key, meaning] : quantities) {
+  for (const auto& [key, meaning] : threshold_meanings) {
     const std::string view = artifact + "field_of_view." + key;
     fields.push_back({view + ".equirectangular_px", "px", "width of a cut of that field of view"});
     fields.push_back({view + ".pinhole_px", "px", "width of a pinhole depth map as fine at its centre"});
@@ -108,7 +109,7 @@ void add_artifacts(std::vector<Field>& fields) {
   const std::string artifact = "artifacts[].";
   fields.push_back({artifact + "artifact", "word", "receiver, shadow, occlusion or overlap"});
   fields.push_back({artifact + "participants", "count", "participants on the curve"});
-  for (const auto& [key, meaning] : quantities)
+  for (const auto& [key, meaning] : threshold_meanings)
     for (const auto& [suffix, unit] : {std::pair{"_px", "px"}, {"_texels_per_degree", "1/degree"}}) {
       add_width(fields, artifact + key + suffix, unit, meaning);
       fields.push_back({artifact + key + suffix + ".ci95_text", "text", "the interval in words"});

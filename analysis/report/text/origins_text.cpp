@@ -8,7 +8,7 @@ namespace seamline::analysis {
 
 namespace {
 
-std::string p_text(const std::optional<double>& p) {
+std::string p_or_empty(const std::optional<double>& p) {
   if (!p) return "";
   return *p < 0.001 ? "< 0.001" : fmt::format("{:.3f}", *p);
 }
@@ -47,7 +47,7 @@ std::vector<std::vector<std::string>> origin_lines(const Analysis& analysis) {
                      found.quantity, threshold_text(analysis.thresholds, found, analysis),
                      threshold_text(analysis.origins->lab.thresholds, found, analysis),
                      threshold_text(analysis.origins->web.thresholds, found, analysis),
-                     difference_text(found.difference), p_text(found.p), p_text(found.p_holm)});
+                     difference_text(found.difference), p_or_empty(found.p), p_or_empty(found.p_holm)});
   return lines;
 }
 

@@ -31,13 +31,13 @@ struct FlipOptions {
 };
 
 /// A named rectangle of a picture.
-struct Region {
+struct NamedRegion {
   std::string name;
   int left_px = 0, top_px = 0, width_px = 0, height_px = 0;
 };
 
 /// "NAME=LEFT,TOP,WIDTH,HEIGHT".
-Region region_of(const std::string& text, const Image& flip) {
+NamedRegion region_of(const std::string& text, const Image& flip) {
   const auto wrong = [&](const std::string& wanted) {
     return input_error({.field = "--region", .wanted = wanted, .found = printable(text)});
   };
@@ -69,7 +69,7 @@ ByteImage seen_picture(const std::string& file, double exposure_ev) {
 }
 
 /// Mean and largest FLIP of a rectangle, in one line.
-void print_flip(const Image& flip, const Region& region) {
+void print_flip(const Image& flip, const NamedRegion& region) {
   double sum = 0, most = 0;
   for (int y = region.top_px; y < region.top_px + region.height_px; ++y)
     for (int x = region.left_px; x < region.left_px + region.width_px; ++x) {
@@ -102,9 +102,9 @@ void run_flip(const FlipOptions& options) {
   stop_if_interrupted();
   const Image flip = flip_difference(first, second);
   stop_if_interrupted();
-  std::vector<Region> regions = {{"picture", 0, 0, flip.width_px, flip.height_px}};
+  std::vector<NamedRegion> regions = {{"picture", 0, 0, flip.width_px, flip.height_px}};
   for (const std::string& text : options.regions) regions.push_back(region_of(text, flip));
-  for (const Region& region : regions) print_flip(flip, region);
+  for (const NamedRegion& region : regions) print_flip(flip, region);
   if (!options.map.empty()) write_png(options.map, flip_map(flip));
 }
 

@@ -35,7 +35,7 @@ namespace {
 
 using Three = std::array<double, 3>;
 
-constexpr double usual_fov_deg = 50;
+constexpr double usual_picture_fov_deg = 50;
 
 struct PictureOptions {
   std::string scene, out, materials = "gltf", environment_map, objects;
@@ -56,7 +56,7 @@ CameraDefinition framing_camera(const SceneFile& file, const PictureOptions& opt
   Eigen::AlignedBox3d box;
   for (const FileMesh& mesh : file.meshes)
     for (const Eigen::Vector3d& place_m : mesh.positions_m) box.extend(place_m);
-  const double fov_deg = options.fov_deg.value_or(usual_fov_deg);
+  const double fov_deg = options.fov_deg.value_or(usual_picture_fov_deg);
   const double tangent = std::tan(0.5 * fov_deg * std::numbers::pi / 180);
   const double smaller = std::min(1.0, static_cast<double>(options.height_px) / options.width_px) * tangent;
   const double radius_m = std::max(0.5 * box.diagonal().norm(), 1e-6);
@@ -73,7 +73,7 @@ std::optional<CameraDefinition> camera_of(const SceneFile& file, const PictureOp
     return framing_camera(file, options);
   }
   const CameraDefinition camera{vector_of(options.at_m), vector_of(options.look_at_m),
-                                options.fov_deg.value_or(usual_fov_deg)};
+                                options.fov_deg.value_or(usual_picture_fov_deg)};
   const Eigen::Vector3d view = camera.look_at_m - camera.position_m;
   if (!(view.cross(Eigen::Vector3d::UnitY()).norm() > 1e-9 * view.norm()))
     throw input_error({.field = "--look-at",

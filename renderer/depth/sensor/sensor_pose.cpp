@@ -2,20 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "registration/pose/pose.h"
+#include "support/arithmetic/units.h"
 
 namespace seamline::renderer {
-namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180;
-
-Eigen::Vector3d vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-}  // namespace
 
 Eigen::Isometry3d world_from_photograph(const Camera& camera) {
   // Columns right, up, back become right, down, forward; through a quaternion, so that floats end as a
@@ -43,7 +34,7 @@ sensors::PinholeCamera pinhole_of(const Camera& camera, double largest_focal_px)
 
 Eigen::Isometry3d photograph_from_sensor(const SensorPose& given) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translate(vector(given.position_m));
+  pose.translate(Eigen::Vector3d(given.position_m.data()));
   pose.rotate(Eigen::AngleAxisd(given.rotation_deg[1] * radians_per_degree, Eigen::Vector3d::UnitY()));
   pose.rotate(Eigen::AngleAxisd(given.rotation_deg[0] * radians_per_degree, Eigen::Vector3d::UnitX()));
   pose.rotate(Eigen::AngleAxisd(given.rotation_deg[2] * radians_per_degree, Eigen::Vector3d::UnitZ()));
@@ -52,7 +43,7 @@ Eigen::Isometry3d photograph_from_sensor(const SensorPose& given) {
 
 Eigen::Isometry3d believed_photograph_from_sensor(const SensorPose& given, const DepthChain& chain) {
   Eigen::Isometry3d pose = photograph_from_sensor(given);
-  pose.pretranslate(vector(chain.velocity_m_s) * (chain.delay_ms * 1e-3));
+  pose.pretranslate(Eigen::Vector3d(chain.velocity_m_s.data()) * (chain.delay_ms * 1e-3));
   return registration::with_calibration_error(pose, {.rotation_deg = chain.calibration_error_deg,
                                                      .displacement_m = chain.calibration_error_m,
                                                      .seed = chain.seed});

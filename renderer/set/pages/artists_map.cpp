@@ -19,12 +19,12 @@
 namespace seamline::renderer {
 namespace {
 
-struct Colour {
+struct NeedColour {
   std::array<std::uint8_t, 3> codes;
 };
 /// Okabe and Ito's sky blue, yellow and vermilion ("Color Universal Design", 2008): they differ in lightness,
 /// too.
-constexpr Colour colour_of(GeometryNeed need) {
+constexpr NeedColour colour_of(GeometryNeed need) {
   switch (need) {
     case GeometryNeed::nothing:
       return {{255, 255, 255}};
@@ -178,7 +178,6 @@ std::vector<GeometryNeed> geometry_needs(const std::vector<SeamAtWidth>& seams, 
 ByteImage artists_picture(const ByteImage& reference, const std::vector<GeometryNeed>& needs,
                           const ArtistsRule& rule) {
   constexpr int row_px = 22, swatch_px = 14, text_px = 13;
-  constexpr std::uint8_t paper_code = 255, ink_code = 20;
   ByteImage out{
       reference.width_px, reference.height_px + row_px * static_cast<int>(needs_shown.size()) + 6, 3, {}};
   out.values.assign(static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px) * 3,
@@ -198,7 +197,7 @@ ByteImage artists_picture(const ByteImage& reference, const std::vector<Geometry
                           0.11 * reference.values[3 * i + 2];
       const GeometryNeed need = needs[i];
       ++counts[static_cast<std::size_t>(need)];
-      const Colour colour = colour_of(need);
+      const NeedColour colour = colour_of(need);
       std::array<double, 3> codes{};
       for (std::size_t c = 0; c < 3; ++c)
         codes[c] = need == GeometryNeed::nothing ? 110 + 0.5 * grey

@@ -13,10 +13,10 @@ namespace {
 constexpr int width_px = 900, height_px = 520;
 
 /// Point types of gnuplot: circle, square, triangle, diamond, each hollow and filled.
-struct Points {
+struct PointType {
   int hollow, filled;
 };
-constexpr std::array<Points, 4> points = {{{6, 7}, {4, 5}, {8, 9}, {12, 13}}};
+constexpr std::array<PointType, 4> point_types = {{{6, 7}, {4, 5}, {8, 9}, {12, 13}}};
 
 std::string block_name(Artifact artifact, const char* what) {
   return fmt::format("${}_{}", word(artifact), what);
@@ -77,7 +77,7 @@ std::string script(const SetErrors& errors) {
           return row.measured ? std::optional(row.measured->rmse) : std::nullopt;
         });
     if (estimated.empty() && measured.empty()) continue;
-    const Points type = points[index % points.size()];
+    const PointType type = point_types[index % point_types.size()];
     const auto plot = [&](const char* what, int point) {
       plots += fmt::format("{} with points pointtype {} pointsize 0.9 linecolor '{}' title '{}, {}', \\\n",
                            block_name(artifact, what), point, plot_style(index).colour, word(artifact), what);
