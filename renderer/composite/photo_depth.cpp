@@ -130,8 +130,11 @@ PhotoDepth read_photo_depth(const PhotoDepthRequest& request, const Photograph& 
                  ? std::string("a panoramic depth map, twice as wide as high")
                  : fmt::format(
                        "a panoramic depth map, twice as wide as high, or one of the photograph's shape, "
-                       "{} x {}",
-                       picture.width_px, picture.height_px),
+                       "{} x {}{}",
+                       picture.width_px, picture.height_px,
+                       photograph.orientation == 1
+                           ? ""
+                           : " since it was turned upright, as its EXIF orientation says"),
          .found = fmt::format("{} x {}", shape.width_px, shape.height_px)});
   PhotoDepth depth =
       is_panorama

@@ -71,6 +71,7 @@ Photograph read_photograph(const std::filesystem::path& path, const std::optiona
   Image& picture = photograph.radiance;
   require_colours(picture, path);
   picture = upright(three_channels(picture), found.orientation);
+  photograph.orientation = found.orientation;
   photograph.was_codes = !found.floating_point;
   photograph.clipped_share = share_at_white(picture, photograph.was_codes);
   const bool twice_as_wide = picture.width_px == 2 * picture.height_px;

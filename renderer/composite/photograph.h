@@ -17,6 +17,7 @@ enum class Projection {
 struct Photograph {
   Image radiance;  ///< three channels, linear; whatever unit the file has
   Projection projection = Projection::perspective;
+  int orientation = 1;     ///< that EXIF gave (1 to 8; 1: upright); it is turned already
   bool was_codes = false;  ///< whole numbers, taken as sRGB: light above white is lost
   /// Of the pixels: white in some channel (1 of whole numbers, else the largest value of all).
   double clipped_share = 0;
