@@ -68,6 +68,28 @@ bool is_below(const Eigen::Vector3d& place_m, const Eigen::Vector3d& a, const Ei
 
 }  // namespace
 
+float quiet_depth_m(const std::vector<float>& depth_m, int width_px, int x, int y) {
+  constexpr int reach_px = 2;
+  constexpr float same = 0.1F;
+  const auto width = static_cast<std::ptrdiff_t>(width_px);
+  const std::ptrdiff_t pixel = y * width + x, height = std::ssize(depth_m) / width;
+  const float* const here = &depth_m[static_cast<std::size_t>(pixel)];
+  const float least = *here * (1 - same), most = *here * (1 + same);
+  if (!is_measured(*here)) return no_depth;
+  const auto right = std::min<std::ptrdiff_t>({reach_px, x, width - 1 - x});
+  const auto down = std::min<std::ptrdiff_t>({reach_px, y, height - 1 - y});
+  float sum = 1 / *here, count = 1;
+  for (std::ptrdiff_t dy = 0; dy <= down; ++dy)
+    for (std::ptrdiff_t dx = dy == 0 ? 1 : -right; dx <= right; ++dx) {
+      const float one = here[dy * width + dx], other = here[-dy * width - dx];
+      if (!(one > least && one < most && other > least && other < most)) continue;
+      sum += 1 / one + 1 / other;
+      count += 2;
+    }
+  const bool has_pairs = right > 0 || down > 0;  // all but the picture's four corners
+  return count > 1 || !has_pairs ? count / sum : no_depth;
+}
+
 bool bridge_holes(std::size_t width, std::vector<float>& depth_m) {
   const std::size_t height = depth_m.size() / width;
   bool has_any = false, lacks_rows = false;
@@ -97,16 +119,18 @@ DepthGround::DepthGround(const DepthPoints& points, const LocalMeshOptions& opti
       has_ray_.push_back(points.has_ray(grid_.pixel(column, row, points.width_px())) ? 1 : 0);
 }
 
-bool DepthGround::read_corners(const std::vector<float>& depth_m, int width_px) {
+bool DepthGround::read_corners(const DepthPoints& points, const std::vector<float>& depth_m) {
   const std::size_t width = grid_.columns.size();
   for (std::size_t i = 0; i < depth_m_.size(); ++i)
-    depth_m_[i] = has_ray_[i] != 0 ? depth_m[grid_.pixel(i % width, i / width, width_px)] : no_depth;
+    depth_m_[i] = has_ray_[i] != 0 ? quiet_depth_m(depth_m, points.width_px(), grid_.columns[i % width],
+                                                   grid_.rows[i / width])
+                                   : no_depth;
   return bridge_holes(width, depth_m_);
 }
 
 DepthGround::Change DepthGround::take(const DepthPoints& points, const std::vector<float>& depth_m,
                                       const Eigen::Isometry3d& world_from_colour) {
-  if (!read_corners(depth_m, points.width_px())) return Change::none;
+  if (!read_corners(points, depth_m)) return Change::none;
   const std::size_t width = grid_.columns.size();
   Change change = Change::none;
   ground_.vertices_m.resize(depth_m_.size(), world_from_colour.translation());

@@ -7,8 +7,13 @@
 namespace seamline::live {
 
 /// What virtual things fall on: a frame's local scene (paper 000, section 4.1), in the world, in double
-/// precision. Its corners are those of `LocalMesh`. Two things differ, so that the triangles stay the same
-/// from frame to frame and only their corners move:
+/// precision. Its corners are those of `LocalMesh`, with less noise: 1 / depth is the mean of the corner's
+/// own pixel and of pairs of pixels that lie opposite to each other about it, in 5 x 5, and differ from it by
+/// less than a tenth (on a flat surface that mean is the surface). A pixel that no pair agrees with is a
+/// hole.
+///
+/// Two more things differ, so that the triangles stay the same from frame to frame and only their corners
+/// move:
 /// - holes are bridged, 1 / depth being linear along a row between the corners that were measured (on a flat
 ///   surface that is the surface); beyond the last one its depth goes on; a row without any is bridged from
 ///   the rows above and below;
@@ -28,7 +33,7 @@ class DepthGround {
   [[nodiscard]] const renderer::Ground& ground() const { return ground_; }
 
  private:
-  [[nodiscard]] bool read_corners(const std::vector<float>& depth_m, int width_px);
+  [[nodiscard]] bool read_corners(const DepthPoints& points, const std::vector<float>& depth_m);
   [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> joined() const;
 
   std::optional<float> cut_ratio_;
@@ -37,6 +42,10 @@ class DepthGround {
   std::vector<float> depth_m_;         ///< likewise, bridged
   renderer::Ground ground_;
 };
+
+/// The depth of a pixel by the mean of 1 / depth over 5 x 5 pixels, as `DepthGround` has it; infinite: a
+/// hole. Pixels beside the picture are none.
+[[nodiscard]] float quiet_depth_m(const std::vector<float>& depth_m, int width_px, int x, int y);
 
 /// Bridges the holes (infinite) of a grid of depths with `width` columns, row by row; false where all are
 /// holes.
