@@ -29,7 +29,7 @@ std::vector<FallingBody> falling_bodies(const std::vector<renderer::PlacedModel>
     for (const auto& mesh : placed.meshes)
       for (const Eigen::Vector3f& place_m : mesh->positions_m)
         vertices_m.emplace_back(body.world_from_placed.linear().transpose() * place_m.cast<double>());
-    body.shape = renderer::body_shape_of(vertices_m, "--physics of " + model.file);
+    body.shape = renderer::coarser(renderer::body_shape_of(vertices_m, "--physics of " + model.file));
     bodies.push_back(std::move(body));
   }
   return bodies;

@@ -148,6 +148,7 @@ struct TouchSearch : btTriangleCallback {
   std::vector<Touch> touches;
   Eigen::Isometry3d principal_from_world;
   std::vector<Eigen::Vector3d> corners_m;  ///< in the world
+  std::size_t last_face = 0;               ///< that had a triangle before it
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
 
@@ -188,16 +189,20 @@ struct TouchSearch : btTriangleCallback {
                        .is_corner = is_corner});
   }
 
-  /// Whether a face of the hull has the whole triangle before it.
-  bool is_far(const std::array<Eigen::Vector3d, 3>& at_m) const {
+  /// Whether a face of the hull has the whole triangle before it. Most often that of the triangle before.
+  bool is_far(const std::array<Eigen::Vector3d, 3>& at_m) {
     std::array<Eigen::Vector3d, 3> here_m;
     for (std::size_t i = 0; i < 3; ++i) here_m[i] = principal_from_world * at_m[i];
     const double away_m = near_m + 2 * margin_m;
-    return std::any_of(shape.faces.begin(), shape.faces.end(), [&](const auto& face) {
+    const auto is_before = [&](const auto& face) {
       return std::all_of(here_m.begin(), here_m.end(), [&](const Eigen::Vector3d& corner_m) {
         return face.first.dot(corner_m) > face.second + away_m;
       });
-    });
+    };
+    if (last_face < shape.faces.size() && is_before(shape.faces[last_face])) return true;
+    const auto found = std::find_if(shape.faces.begin(), shape.faces.end(), is_before);
+    last_face = static_cast<std::size_t>(found - shape.faces.begin());
+    return found != shape.faces.end();
   }
 
   void add_corners(const std::array<Eigen::Vector3d, 3>& at_m, std::size_t index,
