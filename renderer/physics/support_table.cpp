@@ -36,7 +36,7 @@ Eigen::Vector3d on_cube(int side, double u, double v) {
   return direction;
 }
 
-int cell_of(double from_minus_one_to_one, int cells) {
+int cell_on_side(double from_minus_one_to_one, int cells) {
   return std::clamp(static_cast<int>((from_minus_one_to_one + 1) * 0.5 * cells), 0, cells - 1);
 }
 
@@ -83,8 +83,8 @@ const Eigen::Vector3d& SupportTable::farthest(const Eigen::Vector3d& direction) 
   const double largest = direction.cwiseAbs().maxCoeff(&axis);
   if (!(largest > 0)) return points_m_.front();
   const int side = 2 * axis + (direction[axis] > 0 ? 0 : 1);
-  const int column = cell_of(direction[(axis + 1) % 3] / largest, cells_a_side);
-  const int row = cell_of(direction[(axis + 2) % 3] / largest, cells_a_side);
+  const int column = cell_on_side(direction[(axis + 1) % 3] / largest, cells_a_side);
+  const int row = cell_on_side(direction[(axis + 2) % 3] / largest, cells_a_side);
   const auto cell = static_cast<std::size_t>((side * cells_a_side + row) * cells_a_side + column);
   return points_m_[first_farthest(
       points_m_, std::span(listed_).subspan(first_[cell], first_[cell + 1] - first_[cell]), direction)];
