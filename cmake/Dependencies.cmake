@@ -93,7 +93,7 @@ if(SEAMLINE_ARUCO AND NOT SEAMLINE_ARUCO STREQUAL "AUTO" AND NOT SEAMLINE_HAS_AR
 endif()
 message(STATUS "Markers by OpenCV: ${SEAMLINE_HAS_ARUCO}")
 
-# Bullet in double precision, for bodies that fall: `seamline settle`, `rest = true`. AUTO: when it is found.
+# Bullet in double precision, for bodies that fall: `seamline settle`, `rest = true`, `live --physics`. AUTO: when it is found.
 set(SEAMLINE_BULLET AUTO CACHE STRING "build `seamline settle` and `rest = true`: AUTO, ON or OFF")
 set_property(CACHE SEAMLINE_BULLET PROPERTY STRINGS AUTO ON OFF)
 set(SEAMLINE_HAS_BULLET FALSE)

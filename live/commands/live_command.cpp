@@ -6,6 +6,7 @@
 
 #include "live/running/run_headless.h"
 #include "renderer/composite/objects_file.h"
+#include "renderer/physics/rigid_world.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -20,7 +21,7 @@ struct LiveOptions {
   std::string mapping = "mesh", occlusion = "depth_test", shadows = "pcf", track = "recorded",
               jumps = "stretch";
   bool headless = false, time = false, marker_given = false;
-  bool spacing_given = false, parallax_given = false;
+  bool spacing_given = false, parallax_given = false, drop_given = false;
   LiveRequest request;
 };
 
@@ -63,6 +64,9 @@ void check(const LiveOptions& options) {
   if ((options.spacing_given || options.parallax_given) && options.request.settings.views == 1)
     refuse(options.spacing_given ? "--eye-spacing" : "--zero-parallax", "--views of at least 2 beside it",
            "one view");
+  if (options.drop_given && !options.request.physics) refuse("--drop", "--physics beside it", "none");
+  if (options.request.physics && !renderer::has_physics())
+    refuse("--physics", "Seamline built with Bullet (Debian: libbullet-dev)", "a build without it");
 }
 
 LiveRequest request_of(const LiveOptions& options) {
@@ -138,6 +142,12 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
   command->add_option("--track", options->track, "where the camera's poses come from")
       ->check(CLI::IsMember({"recorded", "still", "marker", "features"}))
       ->capture_default_str();
+  command->add_flag("--physics", request.physics,
+                    "the objects fall, in the recording's time, and rest on the real surfaces that each "
+                    "frame shows (needs Bullet)");
+  CLI::Option* drop = add_number(*command, "--drop", request.drop_m, {0, 100, "m"},
+                                 "how high above its place each object is let go (with --physics)")
+                          ->capture_default_str();
   CLI::Option* marker = add_number(*command, "--marker-side", options->request.marker_side_m,
                                    {0.001, 100, "m"}, "of the marker that is tracked")
                             ->capture_default_str();
@@ -177,12 +187,15 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
       ->capture_default_str();
   command->add_flag("--headless", options->headless, "without a window");
   command->add_option("--out", options->out, "folder for pictures; made when missing (with --headless)");
-  command->add_option("--csv", options->csv, "file for the time of each stage of each frame");
+  command->add_option(
+      "--csv", options->csv,
+      "file for the time of each stage of each frame; with --physics also FILE_poses for the poses");
   command->add_flag("--time", options->time, "only print the times (with --headless)");
-  command->callback([options, show, marker, spacing, parallax] {
+  command->callback([options, show, marker, spacing, parallax, drop] {
     options->marker_given = marker->count() > 0;
     options->spacing_given = spacing->count() > 0;
     options->parallax_given = parallax->count() > 0;
+    options->drop_given = drop->count() > 0;
     run_live(*options, show);
   });
 }

@@ -5,6 +5,7 @@
 
 #include "live/frame/codes.h"
 #include "live/frame/eye_picture.h"
+#include "live/frame/moving_objects.h"
 #include "live/frame/pixel_rays.h"
 #include "renderer/common/parallel.h"
 #include "sensors/frame/depth_test.h"
@@ -64,7 +65,7 @@ class ObjectDrawing {
       for (int i = 0; i < count; ++i)
         rays[static_cast<std::size_t>(i)] = {rays_.eye_m(), rays_.direction(x + i, y).normalized()};
       const auto used = static_cast<std::size_t>(count);
-      pass_.scene.geometry.nearest(std::span(rays).first(used), std::span(hits).first(used));
+      nearest_objects(pass_.scene, std::span(rays).first(used), std::span(hits).first(used));
       if (pass_.occlusion == Occlusion::mesh)
         hide_behind_mesh(std::span(rays).first(used), std::span(hits).first(used));
       for (int i = 0; i < count; ++i)

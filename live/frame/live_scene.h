@@ -10,13 +10,22 @@
 
 namespace seamline::live {
 
+/// A virtual thing that moves: rays are taken back to where it was placed, where its tree is; what maps are
+/// drawn of is moved itself.
+struct MovingObject {
+  renderer::Geometry placed;                                   ///< where it was placed
+  std::vector<std::shared_ptr<renderer::SurfaceMesh>> meshes;  ///< where it is: those of `LiveScene::objects`
+  Eigen::Isometry3f scene_from_placed = Eigen::Isometry3f::Identity();
+};
+
 /// The virtual things and the light, in a frame with +Y up whose origin is where the camera was first.
 struct LiveScene {
   renderer::PhotoObjects objects;
-  renderer::Geometry geometry;  ///< of the objects
+  renderer::Geometry geometry;  ///< of the objects, where they were placed
   renderer::Light light;        ///< its suns and lamps; of the sky `ambient_radiance` stands for all
   Rgb ambient_radiance;         ///< the environment's, the mean over all directions
   float display_factor = 1;     ///< codes show this times the radiance
+  std::vector<MovingObject> moving = {};  ///< all objects, one for each model; or none, and nothing moves
 
   [[nodiscard]] std::size_t light_count() const { return light.suns.size() + light.lamps.size(); }
   [[nodiscard]] std::vector<renderer::TriangleSpan> spans() const;

@@ -30,24 +30,25 @@ int step_px(int width_px, int height_px, int most_triangles) {
 
 }  // namespace
 
+CornerGrid corner_grid(const DepthPoints& points, int most_triangles) {
+  const int step = step_px(points.width_px(), points.height_px(), most_triangles);
+  return {.columns = spread(points.width_px(), (points.width_px() - 1) / step + 1),
+          .rows = spread(points.height_px(), (points.height_px() - 1) / step + 1)};
+}
+
 LocalMesh::LocalMesh(const DepthPoints& points, const LocalMeshOptions& options)
-    : cut_ratio_(options.cut_ratio) {
-  const int step = step_px(points.width_px(), points.height_px(), options.most_triangles);
-  columns_ = spread(points.width_px(), (points.width_px() - 1) / step + 1);
-  rows_ = spread(points.height_px(), (points.height_px() - 1) / step + 1);
-  depth_m_.resize(columns_.size() * rows_.size());
+    : cut_ratio_(options.cut_ratio), grid_(corner_grid(points, options.most_triangles)) {
+  depth_m_.resize(grid_.columns.size() * grid_.rows.size());
   mesh_.vertices_m.resize(depth_m_.size());
   mesh_.triangles.reserve(2 * depth_m_.size());
 }
 
 void LocalMesh::build(const DepthPoints& points, const std::vector<float>& depth_m,
                       const Eigen::Isometry3d& world_from_colour, int threads) {
-  const std::size_t width = columns_.size();
+  const std::size_t width = grid_.columns.size();
   run_parallel(rows(), threads, [&](int row) {
     for (std::size_t column = 0; column < width; ++column) {
-      const std::size_t pixel = static_cast<std::size_t>(rows_[static_cast<std::size_t>(row)]) *
-                                    static_cast<std::size_t>(points.width_px()) +
-                                static_cast<std::size_t>(columns_[column]);
+      const std::size_t pixel = grid_.pixel(column, static_cast<std::size_t>(row), points.width_px());
       const std::size_t corner = static_cast<std::size_t>(row) * width + column;
       const bool is_there = depth_m[pixel] != no_depth_m && points.has_ray(pixel);
       depth_m_[corner] = is_there ? depth_m[pixel] : no_depth_m;
@@ -58,13 +59,13 @@ void LocalMesh::build(const DepthPoints& points, const std::vector<float>& depth
     }
   });
   mesh_.triangles.clear();
-  for (std::size_t row = 0; row + 1 < rows_.size(); ++row)
+  for (std::size_t row = 0; row + 1 < grid_.rows.size(); ++row)
     for (std::size_t column = 0; column + 1 < width; ++column)
       add_square(static_cast<std::uint32_t>(row * width + column));
 }
 
 void LocalMesh::add_square(std::uint32_t upper_left) {
-  const auto width = static_cast<std::uint32_t>(columns_.size());
+  const auto width = static_cast<std::uint32_t>(grid_.columns.size());
   const std::array<std::uint32_t, 4> corners = {upper_left, upper_left + 1, upper_left + 1 + width,
                                                 upper_left + width};
   int holes = 0;

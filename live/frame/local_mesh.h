@@ -14,6 +14,20 @@ struct LocalMeshOptions {
   std::optional<float> cut_ratio = {};
 };
 
+/// The pixels of a depth camera that are corners of its local scene.
+struct CornerGrid {
+  std::vector<int> columns, rows;
+
+  /// The pixel of a corner, row by row from the top.
+  [[nodiscard]] std::size_t pixel(std::size_t column, std::size_t row, int width_px) const {
+    return static_cast<std::size_t>(rows[row]) * static_cast<std::size_t>(width_px) +
+           static_cast<std::size_t>(columns[column]);
+  }
+};
+
+/// As close to each other as so many triangles allow (`LocalMeshOptions::most_triangles`).
+[[nodiscard]] CornerGrid corner_grid(const DepthPoints& points, int most_triangles);
+
 /// The local scene of one frame, rebuilt in place for each: a grid over the depth camera's pixels, two
 /// triangles for each square of four neighbours, one where three have a depth. The diagonal joins the corners
 /// whose depths are nearer to each other, as in `registration/mesh`.
@@ -27,16 +41,16 @@ class LocalMesh {
 
   [[nodiscard]] const renderer::DepthMesh& mesh() const { return mesh_; }
   [[nodiscard]] renderer::TriangleSpan span() const { return {mesh_.vertices_m, mesh_.triangles}; }
-  [[nodiscard]] int columns() const { return static_cast<int>(columns_.size()); }
-  [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
+  [[nodiscard]] int columns() const { return static_cast<int>(grid_.columns.size()); }
+  [[nodiscard]] int rows() const { return static_cast<int>(grid_.rows.size()); }
 
  private:
   void add_square(std::uint32_t upper_left);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   std::optional<float> cut_ratio_;
-  std::vector<int> columns_, rows_;  ///< of the pixels that are corners
-  std::vector<float> depth_m_;       ///< of the corners; a hole is infinite
+  CornerGrid grid_;
+  std::vector<float> depth_m_;  ///< of the corners; a hole is infinite
   renderer::DepthMesh mesh_;
 };
 

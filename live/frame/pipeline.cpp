@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "live/frame/moving_objects.h"
 #include "live/frame/other_eye.h"
 #include "support/running/parallel.h"
 
@@ -30,6 +31,10 @@ LivePipeline::LivePipeline(const LoadedRecording& recording, LiveScene scene, co
     eye.codes = {.width_px = view_.width_px, .height_px = view_.height_px, .channels = 3, .values = {}};
     eye.codes.values.resize(3 * pixels);
   }
+}
+
+void LivePipeline::move(std::span<const Eigen::Isometry3d> moves) {
+  move_objects(moves, origin_m_, scene_);
 }
 
 LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry3d& world_from_colour,
@@ -91,7 +96,7 @@ ShadowAnswers LivePipeline::shadow_answers(const Methods& methods) {
       .depth_bias = static_cast<float>(settings_.depth_bias),
       .object = {},
       .real = {},
-      .object_geometry = &scene_.geometry,
+      .objects = &scene_,
       .real_geometry = tree_ ? &*tree_ : nullptr};
   if (!uses_maps(methods.shadows)) return shadows;
   const StageTimer timer(frame_.times, Stage::maps);

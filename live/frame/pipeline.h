@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "live/frame/eye_picture.h"
@@ -42,7 +43,12 @@ class LivePipeline {
   LiveFrame& compose(const LoadedFrame& frame, const Eigen::Isometry3d& world_from_colour,
                      const Methods& methods);
 
+  /// Moves the objects of a scene whose objects can be moved (`make_movable`): for each, from where it was
+  /// placed, in the world.
+  void move(std::span<const Eigen::Isometry3d> moves);
+
   [[nodiscard]] const LiveScene& scene() const { return scene_; }
+  [[nodiscard]] const DepthPoints& depth_points() const { return points_; }
   [[nodiscard]] const PipelineSettings& settings() const { return settings_; }
 
  private:

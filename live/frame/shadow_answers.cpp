@@ -3,6 +3,8 @@
 #include <array>
 #include <limits>
 
+#include "live/frame/moving_objects.h"
+
 namespace seamline::live {
 namespace {
 
@@ -16,10 +18,9 @@ const ShadowMap& map_of(const renderer::ShadowMaps& maps, std::size_t index) {
   return index < maps.suns.size() ? maps.suns[index] : maps.lamps[index - maps.suns.size()];
 }
 
-float traced(const renderer::Geometry& casters, const SeenLight& light, const LitPoint& point) {
+renderer::Ray ray_to(const SeenLight& light, const LitPoint& point) {
   const float leave_m = leave_share * point.from_eye_m;
-  const renderer::Ray ray{point.position_m + leave_m * point.normal, light.to_light, light.distance_m};
-  return casters.occluded(ray) ? 0.0F : 1.0F;
+  return {point.position_m + leave_m * point.normal, light.to_light, light.distance_m};
 }
 
 /// Where the objects are, and how far their soft shadows may fall: that far the window grows beside them.
@@ -61,7 +62,10 @@ float ShadowAnswers::arriving(Caster caster, std::size_t light_index, const Seen
     case Shadows::none:
       return 1.0F;
     case Shadows::traced:
-      return traced(caster == Caster::object ? *object_geometry : *real_geometry, light, point);
+      return (caster == Caster::object ? objects_block(*objects, ray_to(light, point))
+                                       : real_geometry->occluded(ray_to(light, point)))
+                 ? 0.0F
+                 : 1.0F;
     case Shadows::map:
     case Shadows::pcf:
     case Shadows::pcss:

@@ -35,7 +35,7 @@ struct ShadowAnswers {
   /// the eye, towards the light, is the point's own surface, measured or rebuilt wrongly.
   float depth_bias = 0.015F;
   std::optional<renderer::ShadowMaps> object, real;
-  const renderer::Geometry* object_geometry = nullptr;  ///< of traced shadows
+  const LiveScene* objects = nullptr;  ///< of traced shadows
   const renderer::Geometry* real_geometry = nullptr;
 
   /// The share of a light that a caster lets arrive. Rays begin 0.2 % of the distance above the surface.

@@ -8,6 +8,8 @@ std::string_view word(Stage stage) {
   switch (stage) {
     case Stage::tracking:
       return "tracking";
+    case Stage::physics:
+      return "physics";
     case Stage::local_scene:
       return "local_scene";
     case Stage::mapping:

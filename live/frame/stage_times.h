@@ -8,6 +8,7 @@ namespace seamline::live {
 /// What a frame's time goes into, in the order in which it is done.
 enum class Stage {
   tracking,     ///< where the camera stands, where the recording does not say it
+  physics,      ///< virtual things fall (only where that is asked for)
   local_scene,  ///< the mesh of the depth pixels
   mapping,      ///< depth brought into the picture's pixels
   tree,         ///< what rays into the local scene need
@@ -17,7 +18,7 @@ enum class Stage {
   shadow,       ///< their shadow on real surfaces
   show          ///< into the window
 };
-inline constexpr std::size_t stage_count = 9;
+inline constexpr std::size_t stage_count = 10;
 
 [[nodiscard]] std::string_view word(Stage stage);
 

@@ -45,6 +45,15 @@ bool LoadedRecording::has_poses() const {
                      [](const LoadedFrame& frame) { return frame.world_from_colour.has_value(); });
 }
 
+double interval_before_s(const LoadedRecording& recording, std::size_t frame_index) {
+  constexpr double usual_s = 1.0 / 30, longest_s = 1;
+  const std::vector<LoadedFrame>& frames = recording.frames;
+  const double whole_s = frames.back().time_s - frames.front().time_s;
+  const double mean_s = whole_s > 0 ? whole_s / static_cast<double>(frames.size() - 1) : usual_s;
+  return std::min(longest_s,
+                  frame_index > 0 ? frames[frame_index].time_s - frames[frame_index - 1].time_s : mean_s);
+}
+
 LoadedRecording load_recording(const Recording& recording, const LoadOptions& options) {
   LoadedRecording loaded{.rig = recording_rig(recording),
                          .view = {},

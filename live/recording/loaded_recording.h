@@ -29,6 +29,11 @@ struct LoadedRecording {
   [[nodiscard]] bool has_poses() const;  ///< of every frame
 };
 
+/// How long after the frame before it a frame came, as a recording plays that begins again after its last
+/// frame: the first comes after a mean interval (a thirtieth of a second, where there is none). At most a
+/// second: a longer gap is a break.
+[[nodiscard]] double interval_before_s(const LoadedRecording& recording, std::size_t frame_index);
+
 struct LoadOptions {
   int width_px = 0, height_px = 0;  ///< of the view; 0: the colour camera's own
   int most_frames = 0;              ///< from the first on; 0: all

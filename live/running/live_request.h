@@ -31,9 +31,12 @@ struct LiveRequest {
   double marker_side_m = 0.16;
   PipelineSettings settings = {};
   LoadOptions load = {};
+  bool physics = false;            ///< the objects fall
+  double drop_m = 0.3;             ///< from so high above their places
   int frames = 0;                  ///< 0: the recording once (headless), or until the person leaves
   std::filesystem::path out = {};  ///< folder of pictures; empty: none
-  std::filesystem::path csv = {};  ///< times of each frame; empty: none
+  std::filesystem::path csv =
+      {};  ///< times of each frame, and beside it the poses of what falls; empty: none
 };
 
 }  // namespace seamline::live

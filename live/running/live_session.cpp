@@ -3,10 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "live/frame/moving_objects.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -68,26 +69,53 @@ LiveSession::LiveSession(const LiveRequest& request)
   const Eigen::Isometry3d first = tracker_->track(0).world_from_colour;
   const SceneRequest scene{.models = placed_models(recording_, first, request),
                            .light = request.light ? &*request.light : nullptr};
-  pipeline_ = std::make_unique<LivePipeline>(recording_, live_scene(recording_, scene, first.translation()),
-                                             first.translation(), request.settings);
+  LiveScene placed = live_scene(recording_, scene, first.translation());
+  if (request.physics) make_movable(scene.models, first.translation(), placed);
+  pipeline_ =
+      std::make_unique<LivePipeline>(recording_, std::move(placed), first.translation(), request.settings);
+  if (!request.physics) return;
+  const DepthPoints& points = pipeline_->depth_points();
+  bodies_ = std::make_unique<FallingBodies>(falling_bodies(scene.models),
+                                            DepthGround(points, request.settings.local_mesh), request.drop_m);
+  bodies_->begin(points, recording_.frames.front().depth.depth_m, first);
 }
 
 LiveSession::Step LiveSession::next(const Methods& methods) {
-  const auto begun = std::chrono::steady_clock::now();
+  StageTimes times;
   current_ = next_;
   next_ = (next_ + 1) % recording_.frames.size();
-  pose_ = tracker_->track(current_);
-  return compose(methods,
-                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
+  {
+    const StageTimer timer(times, Stage::tracking);
+    pose_ = tracker_->track(current_);
+  }
+  if (bodies_ != nullptr) {
+    const StageTimer timer(times, Stage::physics);
+    let_fall();
+  }
+  has_shown_ = true;
+  return compose(methods, times);
+}
+
+void LiveSession::let_fall() {
+  if (pose_.is_found && !holds_bodies_)
+    bodies_->advance(pipeline_->depth_points(), recording_.frames[current_].depth.depth_m,
+                     pose_.world_from_colour, has_shown_ ? interval_before_s(recording_, current_) : 0);
+  pipeline_->move(bodies_->moves());
+}
+
+void LiveSession::let_go() {
+  if (bodies_ == nullptr) return;
+  bodies_->let_go();
+  pipeline_->move(bodies_->moves());
 }
 
 LiveSession::Step LiveSession::again(const Methods& methods) {
-  return compose(methods, 0);
+  return compose(methods, {});
 }
 
-LiveSession::Step LiveSession::compose(const Methods& methods, double tracking_ms) {
+LiveSession::Step LiveSession::compose(const Methods& methods, StageTimes before) {
   LiveFrame& frame = pipeline_->compose(recording_.frames[current_], pose_.world_from_colour, methods);
-  frame.times.add(Stage::tracking, tracking_ms);
+  for (const Stage stage : {Stage::tracking, Stage::physics}) frame.times.add(stage, before.of(stage));
   return {current_, frame, pose_};
 }
 

@@ -5,10 +5,12 @@
 #include <ctime>
 
 #include "live/running/live_session.h"
+#include "live/running/poses_table.h"
 #include "live/running/times_table.h"
 #include "support/files/atomic_file.h"
 #include "support/running/interrupt.h"
 #include "support/running/progress.h"
+#include "support/text/printable.h"
 
 namespace seamline::live {
 namespace {
@@ -20,6 +22,17 @@ void write_pictures(const std::filesystem::path& folder, int number, const LiveF
               frame.eyes[i].codes);
 }
 
+void print_bodies(const FallingBodies& bodies) {
+  for (std::size_t i = 0; i < bodies.poses().size(); ++i) {
+    const BodyPose& pose = bodies.poses()[i];
+    const Eigen::Vector3d at_m = pose.world_from_body.translation();
+    fmt::print("  {} after {:.2f} s of falling: at {:.4f} {:.4f} {:.4f}, {}\n",
+               printable(bodies.bodies()[i].name), bodies.simulated_s(), at_m.x(), at_m.y(), at_m.z(),
+               pose.is_held ? "held, because no surface is seen below it"
+                            : fmt::format("at {:.3g} m/s", pose.speed_m_s));
+  }
+}
+
 }  // namespace
 
 void run_headless(const LiveRequest& request) {
@@ -28,6 +41,7 @@ void run_headless(const LiveRequest& request) {
   const LoadedRecording& recording = session.recording();
   const int frames = request.frames > 0 ? request.frames : static_cast<int>(recording.frames.size());
   std::vector<TimedFrame> timed;
+  PosesTable poses;
   std::size_t triangles = 0;
   double processor_s = 0;
   int lost = 0;
@@ -42,12 +56,14 @@ void run_headless(const LiveRequest& request) {
                      .methods = request.methods,
                      .times = step.frame.times,
                      .is_tracked = step.pose.is_found});
+    if (session.bodies() != nullptr)
+      poses.add(step.frame_index, recording.frames[step.frame_index].time_s, *session.bodies());
     triangles = step.frame.triangles;
     lost += step.pose.is_found ? 0 : 1;
     if (!request.out.empty()) write_pictures(request.out, i, step.frame);
     progress.advance(1, "");
   }
-  if (!request.csv.empty()) write_file_atomically(request.csv, csv_text(times_table(timed)));
+  write_tables(request, timed, poses);
   fmt::print("{} x {}, {} view{}, local scene of {} triangles, virtual things of {}; {}, {}, {}\n{}",
              recording.view.width_px, recording.view.height_px, request.settings.views,
              request.settings.views == 1 ? "" : "s", triangles, session.virtual_triangles(),
@@ -55,6 +71,7 @@ void run_headless(const LiveRequest& request) {
              times_text(timed));
   fmt::print("  processor time of a frame, all cores together: {:.2f} ms (mean)\n",
              1000 * processor_s / frames);
+  if (session.bodies() != nullptr) print_bodies(*session.bodies());
   if (lost > 0) fmt::print("  the camera was not found in {} of {} frames\n", lost, frames);
 }
 

@@ -5,6 +5,16 @@
 #include <algorithm>
 
 namespace seamline::live {
+namespace {
+
+std::vector<Stage> listed_stages(bool has_physics) {
+  std::vector<Stage> stages;
+  for (std::size_t i = 0; i < stage_count; ++i)
+    if (has_physics || static_cast<Stage>(i) != Stage::physics) stages.push_back(static_cast<Stage>(i));
+  return stages;
+}
+
+}  // namespace
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -12,7 +22,7 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-CsvTable times_table(const std::vector<TimedFrame>& frames) {
+CsvTable times_table(const std::vector<TimedFrame>& frames, bool has_physics) {
   CsvTable table{.name = "times",
                  .columns = {{"frame", "", "number in the recording, from 0"},
                              {"time_s", "s", "of the recording"},
@@ -21,15 +31,16 @@ CsvTable times_table(const std::vector<TimedFrame>& frames) {
                              {"shadows_by", "", "how light is kept away"},
                              {"tracked", "", "1: the camera's pose was found in this frame"}},
                  .rows = {}};
-  for (std::size_t i = 0; i < stage_count; ++i)
-    table.columns.push_back({std::string(word(static_cast<Stage>(i))) + "_ms", "ms", "of this stage"});
+  const std::vector<Stage> stages = listed_stages(has_physics);
+  for (const Stage stage : stages)
+    table.columns.push_back({std::string(word(stage)) + "_ms", "ms", "of this stage"});
   table.columns.push_back({"total_ms", "ms", "of all stages"});
   for (const TimedFrame& frame : frames) {
     std::vector<CsvValue> row = {
         static_cast<std::int64_t>(frame.frame_index), frame.time_s,
         std::string(word(frame.methods.mapping)),     std::string(word(frame.methods.occlusion)),
         std::string(word(frame.methods.shadows)),     std::int64_t{frame.is_tracked ? 1 : 0}};
-    for (const double ms : frame.times.ms) row.emplace_back(ms);
+    for (const Stage stage : stages) row.emplace_back(frame.times.of(stage));
     row.emplace_back(frame.times.total_ms());
     table.rows.push_back(std::move(row));
   }

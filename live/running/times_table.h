@@ -17,8 +17,8 @@ struct TimedFrame {
   bool is_tracked = true;
 };
 
-/// A row for each frame.
-[[nodiscard]] CsvTable times_table(const std::vector<TimedFrame>& frames);
+/// A row for each frame. The stage `physics` has a column only where things fall.
+[[nodiscard]] CsvTable times_table(const std::vector<TimedFrame>& frames, bool has_physics);
 
 /// Medians over the frames for people: each stage's milliseconds and share, and frames per second.
 [[nodiscard]] std::string times_text(const std::vector<TimedFrame>& frames);

@@ -7,8 +7,7 @@
 #include <deque>
 
 #include "live/running/live_session.h"
-#include "live/running/times_table.h"
-#include "support/files/atomic_file.h"
+#include "live/running/poses_table.h"
 #include "support/running/interrupt.h"
 #include "window/canvas.h"
 #include "window/find_font.h"
@@ -55,7 +54,7 @@ class LiveWindow {
       if (leaves_) break;
       if (is_due()) show_frame();
     }
-    if (!request_.csv.empty()) write_file_atomically(request_.csv, csv_text(times_table(timed_)));
+    write_tables(request_, timed_, poses_);
   }
 
  private:
@@ -72,6 +71,9 @@ class LiveWindow {
       if (letter == 'm') go_on(methods_.mapping, mapping_count);
       if (letter == 'o') go_on(methods_.occlusion, occlusion_count);
       if (letter == 's') go_on(methods_.shadows, shadows_count);
+      if (request_.physics && letter == 'd') session_.let_go(), redraws_ = true;
+      if (request_.physics && letter == 'p')
+        holds_bodies_ = !holds_bodies_, session_.hold_bodies(holds_bodies_), redraws_ = true;
       if (letter == 'm' || letter == 'o' || letter == 's') redraws_ = true, recent_.clear();
     }
     if (input.pressed(Key::right)) waits_ = true, steps_ = true;
@@ -112,7 +114,10 @@ class LiveWindow {
                            .methods = methods_,
                            .times = step.frame.times,
                            .is_tracked = step.pose.is_found};
-    if (!request_.csv.empty()) timed_.push_back(timed);
+    if (!request_.csv.empty()) {
+      timed_.push_back(timed);
+      if (session_.bodies() != nullptr) poses_.add(timed.frame_index, timed.time_s, *session_.bodies());
+    }
     recent_.push_back(timed);
     if (recent_.size() > frames_in_mean) recent_.pop_front();
   }
@@ -147,6 +152,11 @@ class LiveWindow {
     line(panel, y_px, "m  mapping", std::string(word(methods_.mapping)), Font::body);
     line(panel, y_px, "o  occlusion", std::string(word(methods_.occlusion)), Font::body);
     line(panel, y_px, "s  shadows", std::string(word(methods_.shadows)), Font::body);
+    if (request_.physics) {
+      line(panel, y_px, "d  drop again", fmt::format("{:.1f} s", session_.bodies()->simulated_s()),
+           Font::body);
+      line(panel, y_px, "p  physics", holds_bodies_ ? "stopped" : "on", Font::body);
+    }
     y_px += 12;
     draw_times(panel, y_px);
     y_px += 12;
@@ -188,9 +198,10 @@ class LiveWindow {
   std::vector<Texture> textures_;
   std::deque<TimedFrame> recent_;
   std::vector<TimedFrame> timed_;
+  PosesTable poses_;
   std::int64_t due_ns_ = 0;
   int shown_ = 0;
-  bool leaves_ = false, waits_ = false, steps_ = false, redraws_ = false;
+  bool leaves_ = false, waits_ = false, steps_ = false, redraws_ = false, holds_bodies_ = false;
 };
 
 }  // namespace

@@ -14,23 +14,28 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr std::size_t direction_count = 210, ring_count = 24;
+/// In which a hull's points are looked for.
+struct DirectionCounts {
+  std::size_t all, of_ring;
+};
+constexpr DirectionCounts fine = {210, 24}, coarse = {64, 12};
 
 /// The six axes; a ring close around up and down, which finds the outline of a base; the others evenly over
 /// the sphere.
-std::vector<Eigen::Vector3d> directions() {
+std::vector<Eigen::Vector3d> directions(const DirectionCounts& counts) {
   std::vector<Eigen::Vector3d> out;
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) out.emplace_back(sign * Eigen::Vector3d::Unit(axis));
   constexpr double ring_rad = 0.05;
   for (const double sign : {-1.0, 1.0})
-    for (std::size_t i = 0; i < ring_count; ++i) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / ring_count;
+    for (std::size_t i = 0; i < counts.of_ring; ++i) {
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(counts.of_ring);
       out.emplace_back(std::sin(ring_rad) * std::cos(angle), sign * std::cos(ring_rad),
                        std::sin(ring_rad) * std::sin(angle));
     }
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  const std::size_t others = direction_count - out.size();
+  const std::size_t others = counts.all - out.size();
   for (std::size_t i = 0; i < others; ++i) {
     const double height = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(others);
     const double radius = std::sqrt(1 - height * height), angle = turn * static_cast<double>(i);
@@ -45,6 +50,17 @@ std::size_t farthest(std::span<const Eigen::Vector3d> vertices_m, const Eigen::V
   for (std::size_t i = 0; i < vertices_m.size(); ++i)
     if (const double along_m = vertices_m[i].dot(direction); along_m > best_m) best = i, best_m = along_m;
   return best;
+}
+
+std::vector<Eigen::Vector3d> farthest_points(std::span<const Eigen::Vector3d> vertices_m,
+                                             const DirectionCounts& counts) {
+  std::set<std::size_t> chosen;
+  if (!vertices_m.empty())
+    for (const Eigen::Vector3d& direction : directions(counts))
+      chosen.insert(farthest(vertices_m, direction));
+  std::vector<Eigen::Vector3d> points_m;
+  for (const std::size_t i : chosen) points_m.push_back(vertices_m[i]);
+  return points_m;
 }
 
 /// A ball whose surface the vertices cover on all sides.
@@ -79,16 +95,19 @@ bool has_volume(std::span<const Eigen::Vector3d> points_m) {
 }  // namespace
 
 BodyShape body_shape_of(std::span<const Eigen::Vector3d> vertices_m, const std::string& what) {
-  std::set<std::size_t> chosen;
-  if (!vertices_m.empty())
-    for (const Eigen::Vector3d& direction : directions()) chosen.insert(farthest(vertices_m, direction));
-  HullShape hull;
-  for (const std::size_t i : chosen) hull.points_m.push_back(vertices_m[i]);
+  HullShape hull{farthest_points(vertices_m, fine)};
   if (hull.points_m.size() < 4 || !has_volume(hull.points_m))
     throw input_error(
         {.field = what, .wanted = "an object with a volume, which can lie", .found = "a flat one"});
   if (const auto ball = ball_of(vertices_m, hull.points_m.size())) return *ball;
   return hull;
+}
+
+BodyShape coarser(const BodyShape& shape) {
+  const auto* hull = std::get_if<HullShape>(&shape);
+  if (hull == nullptr) return shape;
+  HullShape fewer{farthest_points(hull->points_m, coarse)};
+  return fewer.points_m.size() >= 4 && has_volume(fewer.points_m) ? fewer : shape;
 }
 
 }  // namespace seamline::renderer

@@ -12,4 +12,8 @@ namespace seamline::renderer {
 /// falls into a body's hollows. Throws InputError naming `what` where there is no volume.
 [[nodiscard]] BodyShape body_shape_of(std::span<const Eigen::Vector3d> vertices_m, const std::string& what);
 
+/// A hull of fewer points, those that reach farthest in 64 directions: asked in a third of the time, by 1 to
+/// 3 % of its width too small on round sides. A ball stays.
+[[nodiscard]] BodyShape coarser(const BodyShape& shape);
+
 }  // namespace seamline::renderer

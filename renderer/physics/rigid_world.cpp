@@ -1,23 +1,20 @@
-// The only file that includes Bullet.
+// This file and massed_shape.* are the only ones that include Bullet.
 #ifdef SEAMLINE_HAS_BULLET
 #include "renderer/physics/rigid_world.h"
 
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
-#include <LinearMath/btConvexHullComputer.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "renderer/physics/ground_edges.h"
-#include "renderer/physics/solid.h"
+#include "renderer/physics/massed_shape.h"
 #include "renderer/physics/touching.h"
-#include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {
@@ -25,104 +22,6 @@ namespace {
 constexpr int solver_iterations = 30;
 constexpr double nearest_m = 0.003;        ///< what is so near to a body at rest may touch it
 constexpr double cells_per_reach = 0.125;  ///< touches are so far from each other, in reaches of the body
-
-btVector3 to_bullet(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-Eigen::Vector3d from_bullet(const btVector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-btTransform to_bullet(const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix3d r = pose.linear();
-  return btTransform(
-      btMatrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)),
-      to_bullet(pose.translation()));
-}
-
-Eigen::Isometry3d from_bullet(const btTransform& pose) {
-  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) out.linear()(row, column) = pose.getBasis()[row][column];
-  out.translation() = from_bullet(pose.getOrigin());
-  return out;
-}
-
-/// A shape for Bullet, about the centre of mass and along the principal axes.
-struct MassedShape {
-  std::unique_ptr<btConvexInternalShape> shape;
-  Eigen::Isometry3d body_from_principal = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d inertia_m2 = Eigen::Vector3d::Ones();  ///< of a kilogram
-  double reach_m = 0;                                    ///< of its farthest point from the centre of mass
-  // Of a hull, in the principal frame: corners, the margin inside its surface, and planes of faces, outwards.
-  std::vector<Eigen::Vector3d> corners_m;
-  std::vector<std::pair<Eigen::Vector3d, double>> faces;
-};
-
-Solid solid_of(btConvexHullComputer& hull) {
-  Solid solid;
-  for (int i = 0; i < hull.vertices.size(); ++i) solid.corners_m.push_back(from_bullet(hull.vertices[i]));
-  for (int face = 0; face < hull.faces.size(); ++face) {
-    const btConvexHullComputer::Edge* first = &hull.edges[hull.faces[face]];
-    const int start = first->getSourceVertex();
-    for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != start;
-         edge = edge->getNextEdgeOfFace())
-      solid.triangles.push_back({start, edge->getSourceVertex(), edge->getTargetVertex()});
-  }
-  return solid;
-}
-
-InputError flat_shape() {
-  return input_error(
-      {.field = "a body that falls", .wanted = "an object with a volume", .found = "a flat one"});
-}
-
-/// The hull's faces are moved inwards by the margin, which Bullet adds again on every side.
-MassedShape massed(const HullShape& hull, double margin_m) {
-  btConvexHullComputer whole;
-  whole.compute(hull.points_m.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(hull.points_m.size()),
-                0, 0);
-  const Moments moments = moments_of(solid_of(whole));
-  if (!(std::abs(moments.volume_m3) > 1e-12)) throw flat_shape();
-  MassedShape out;
-  const Eigen::Vector3d middle = moments.first / moments.volume_m3;
-  const Eigen::Matrix3d second = moments.second / moments.volume_m3 - middle * middle.transpose();
-  const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
-  out.inertia_m2 = axes.eigenvalues();
-  Eigen::Matrix3d turn = axes.eigenvectors();
-  if (turn.determinant() < 0) turn.col(2) = -turn.col(2);
-  out.body_from_principal.linear() = turn;
-  out.body_from_principal.translation() = middle;
-  btConvexHullComputer shrunk;
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < whole.vertices.size(); ++i)
-    points.push_back(out.body_from_principal.inverse() * from_bullet(whole.vertices[i]));
-  shrunk.compute(points.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(points.size()), margin_m,
-                 0.25);
-  auto shape = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < shrunk.vertices.size(); ++i) {
-    shape->addPoint(shrunk.vertices[i], false);
-    out.corners_m.push_back(from_bullet(shrunk.vertices[i]));
-    out.reach_m = std::max(out.reach_m, out.corners_m.back().norm() + margin_m);
-  }
-  out.faces = faces_of(solid_of(shrunk));
-  shape->recalcLocalAabb();
-  shape->setMargin(margin_m);
-  out.shape = std::move(shape);
-  return out;
-}
-
-MassedShape massed(const BallShape& ball, double) {
-  if (!(ball.radius_m > 0)) throw flat_shape();
-  MassedShape out;
-  out.body_from_principal.translation() = ball.centre_m;
-  out.inertia_m2 = Eigen::Vector3d::Constant(0.4 * ball.radius_m * ball.radius_m);
-  out.shape = std::make_unique<btSphereShape>(ball.radius_m);
-  out.reach_m = ball.radius_m;
-  return out;
-}
 
 struct ClosestPoint : btDiscreteCollisionDetectorInterface::Result {
   bool is_found = false;
@@ -148,6 +47,7 @@ struct TouchSearch : btTriangleCallback {
   std::vector<Touch> touches;
   Eigen::Isometry3d principal_from_world;
   std::vector<Eigen::Vector3d> corners_m;  ///< in the world
+  std::size_t last_face = 0;               ///< that had a triangle before it
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
 
@@ -188,16 +88,20 @@ struct TouchSearch : btTriangleCallback {
                        .is_corner = is_corner});
   }
 
-  /// Whether a face of the hull has the whole triangle before it.
-  bool is_far(const std::array<Eigen::Vector3d, 3>& at_m) const {
+  /// Whether a face of the hull has the whole triangle before it. Most often that of the triangle before.
+  bool is_far(const std::array<Eigen::Vector3d, 3>& at_m) {
     std::array<Eigen::Vector3d, 3> here_m;
     for (std::size_t i = 0; i < 3; ++i) here_m[i] = principal_from_world * at_m[i];
     const double away_m = near_m + 2 * margin_m;
-    return std::any_of(shape.faces.begin(), shape.faces.end(), [&](const auto& face) {
+    const auto is_before = [&](const auto& face) {
       return std::all_of(here_m.begin(), here_m.end(), [&](const Eigen::Vector3d& corner_m) {
         return face.first.dot(corner_m) > face.second + away_m;
       });
-    });
+    };
+    if (last_face < shape.faces.size() && is_before(shape.faces[last_face])) return true;
+    const auto found = std::find_if(shape.faces.begin(), shape.faces.end(), is_before);
+    last_face = static_cast<std::size_t>(found - shape.faces.begin());
+    return found != shape.faces.end();
   }
 
   void add_corners(const std::array<Eigen::Vector3d, 3>& at_m, std::size_t index,
@@ -345,7 +249,8 @@ void RigidWorld::move_ground(std::span<const Eigen::Vector3d> vertices_m) {
   std::copy(vertices_m.begin(), vertices_m.end(), b.joined.ground.vertices_m.begin());
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex_m : b.joined.ground.vertices_m) box.extend(vertex_m);
-  b.ground_shape->refitTree(to_bullet(box.min()), to_bullet(box.max()));
+  // Not by `refitTree`, which then looks for the mesh's box, that nobody asks for, in as much time again.
+  b.ground_shape->getOptimizedBvh()->refit(b.triangles.get(), to_bullet(box.min()), to_bullet(box.max()));
 }
 
 void RigidWorld::set_ground(Ground ground) {

@@ -1,0 +1,59 @@
+// Things that fall in a recording, as people ask for it.
+#include "refusal.h"
+#include "renderer/physics/rigid_world.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_seamline;
+
+/// A floor and what stands on it, seen by a small sensor.
+fs::path recorded(const fs::path& folder) {
+  const test::Outcome outcome = run_seamline(
+      "record builtin:bedroom --preset tof_160x120 --frames 2 --spp 1 --bounces 0 --noise 0.1 --at 0.4 1.5 "
+      "-1.5 "
+      "--look-at 0.1 0.5 -4.2 --angle 2 --out " +
+      (folder / "recording").string());
+  if (outcome.status != 0) throw std::runtime_error(outcome.output);
+  return folder / "recording";
+}
+
+TEST(LivePhysics, HasTheSamePosesAndPicturesForOneAndTwoThreads) {
+  const fs::path folder = test::fresh_folder("live-physics");
+  const std::string live = "live " + recorded(folder).string() +
+                           " --object builtin:teapot --at 0.2 0 -4 --height 0.2 --size 400x300 "
+                           "--headless ";
+  const auto in = [&](const std::string& name) { return (folder / name).string(); };
+  ASSERT_EQ(run_seamline(live + "--frames 2 --csv " + in("off.csv") + " --out " + in("off")).status, 0);
+  EXPECT_EQ(test::read_text(folder / "off.csv").find("physics"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder / "off_poses.csv"));
+  test::expect_refused(live + "--time --drop 0.2", "--physics beside it");
+  if (!renderer::has_physics()) {
+    test::expect_refused(live + "--time --physics", "built with Bullet");
+    return;
+  }
+  const auto fall = [&](const std::string& name, const std::string& threads) {
+    const test::Outcome outcome = run_seamline(live + "--physics --frames 40 --csv " + in(name + ".csv") +
+                                               " --out " + in(name) + " --threads " + threads);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, testing::HasSubstr("physics"));
+    EXPECT_THAT(outcome.output, testing::HasSubstr("teapot after 1."));
+  };
+  fall("one", "1");
+  fall("two", "2");
+  EXPECT_NE(test::read_text(folder / "one.csv").find("physics_ms"), std::string::npos);
+  const std::string poses = test::read_text(folder / "one_poses.csv");
+  EXPECT_EQ(std::count(poses.begin(), poses.end(), '\n'), 41);
+  EXPECT_EQ(poses, test::read_text(folder / "two_poses.csv"));
+  for (const char* picture : {"000000.png", "000020.png", "000039.png"})
+    EXPECT_EQ(test::read_text(folder / "one" / picture), test::read_text(folder / "two" / picture));
+  const test::Outcome nowhere =
+      run_seamline("live " + in("recording") +
+                   " --object builtin:teapot --at 0.3 0 -30 --height 0.2 --headless --time --physics");
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_THAT(nowhere.output, testing::HasSubstr("seamline: --physics of builtin:teapot: wanted a surface"));
+}
+
+}  // namespace
+}  // namespace seamline
