@@ -105,8 +105,9 @@ std::vector<float> light_of(const std::vector<StimulusPixel>& pixels) {
 /// Light before a filter, a sample; where it is poor it is that of a pixel's like neighbours too.
 std::vector<float> unfiltered_light(const std::vector<StimulusPixel>& pixels, std::vector<float> light,
                                     const StimulusSums& sums, float median, int threads) {
-  const std::vector<bool> pockets = find_pockets(light, pixels, sums.guides, sums.width_px, sums.height_px,
-                                                 most_poorly_lit * median, threads);
+  const float poorly_lit = most_poorly_lit * median;
+  std::vector<bool> pockets = find_pockets(light, pixels, poorly_lit);
+  add_lit_by_chance(light, pixels, sums.guides, sums.width_px, sums.height_px, poorly_lit, threads, pockets);
   const std::vector<float> filtered =
       filter_pockets(light, pixels, pockets, sums.guides, sums.width_px, sums.height_px, threads);
   for (std::size_t i = 0; i < light.size(); ++i)
@@ -123,8 +124,7 @@ PictureLight picture_light(const std::vector<StimulusPixel>& pixels, std::vector
   light.darkness = usual_darkness(pixels);
   const float poorly_lit =
       std::clamp(4.0F / static_cast<float>(samples), least_poorly_lit, most_poorly_lit) * light.median;
-  light.pockets =
-      find_pockets(light_of(pixels), pixels, sums.guides, sums.width_px, sums.height_px, poorly_lit, threads);
+  light.pockets = find_pockets(light_of(pixels), pixels, poorly_lit);
   light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
   if (!as_sampled.empty())
     light.for_belief = unfiltered_light(pixels, std::move(as_sampled), sums, light.median, threads);

@@ -18,8 +18,7 @@ struct Composite {
 /// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under
 /// 1e-6 of the frame's median. Where the depth mesh decides the light (questions 2 and 5) and S_no is poorly
 /// lit (under 4 / N of the median, at least 2 % and at most 25 %: pockets that depth sheets seal, which only
-/// a few paths find; a pixel that such a path fell on is one of them) both sums are taken from a filter along
-/// depth and normals. Elsewhere nothing is
+/// a few paths find) both sums are taken from a filter along depth and normals. Elsewhere nothing is
 /// filtered: with and without share their noise there, and the division cancels it. And where the depth mesh
 /// is more than ten times darker than the photograph (against the frame's usual), the ratio is faded towards
 /// 1 in proportion: sheets have sealed that surface in. How dark it is there is asked of the light before any

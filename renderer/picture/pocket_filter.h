@@ -11,15 +11,16 @@ struct FilteredLight {
   Rgb with_object = Rgb::Zero();
 };
 
-/// Pixels of a picture of which less than `poorly_lit` a sample is known to light them, and, beside them,
-/// those that only chance has lit: whose neighbours of like normal and depth have less, themselves left out.
-/// In a well that one path in hundreds finds, the pixel that it fell on is bright: taken for itself it would
-/// be divided by its one path, and its neighbours would be filtered without the only light that was found.
-/// `light`: of each pixel, summed over its samples.
+/// Pixels that less than `poorly_lit` a sample lights. `light`: of each pixel, summed over its samples.
 [[nodiscard]] std::vector<bool> find_pockets(const std::vector<float>& light,
-                                             const std::vector<StimulusPixel>& sums,
-                                             const std::vector<Guide>& guides, int width_px, int height_px,
-                                             float poorly_lit, int threads);
+                                             const std::vector<StimulusPixel>& sums, float poorly_lit);
+
+/// Adds the pixels beside pockets that only chance has lit: whose neighbours of like normal and depth have
+/// less light than `poorly_lit`, themselves left out. In a well that one path in hundreds finds, the pixel
+/// that it fell on is bright, and its neighbours would be filtered without the only light that was found.
+void add_lit_by_chance(const std::vector<float>& light, const std::vector<StimulusPixel>& sums,
+                       const std::vector<Guide>& guides, int width_px, int height_px, float poorly_lit,
+                       int threads, std::vector<bool>& pockets);
 
 /// The light of the pixels in `pockets`, filtered among themselves by two a-trous levels (Dammertz et al.,
 /// HPG 2010) whose weights fall with the difference in normal and in depth, never with colour. Sums are
