@@ -241,7 +241,9 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
   if (!sources.depth.guides.empty())
     uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio, threads, out.guides);
   if (sources.recipe.keep == Keep::object_only) return out;
-  const bool sealed_in = out.depth_lights_uncovered && !uncovered.texels.empty();
+  // Sky alone, all that is filtered where the truth answers bounce light, does not gather in wells.
+  const bool sealed_in =
+      out.depth_lights_uncovered && !uncovered.texels.empty() && sources.recipe.answers.bounce == Who::depth;
   for (std::size_t half = 0; half < 2; ++half)
     if (sealed_in) out.light_as_sampled[half].resize(out.halves[half].size());
   each_pixel(false, [&](int x, int y, std::size_t half, bool is_filtered) {
