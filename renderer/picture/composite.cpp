@@ -102,21 +102,24 @@ std::vector<float> light_of(const std::vector<StimulusPixel>& pixels) {
   return light;
 }
 
-/// Light before a filter, a sample; where it is poor it is that of a pixel's like neighbours too.
-std::vector<float> unfiltered_light(const std::vector<StimulusPixel>& pixels, std::vector<float> light,
-                                    const StimulusSums& sums, float median, int threads) {
-  const float poorly_lit = most_poorly_lit * median;
-  std::vector<bool> pockets = find_pockets(light, pixels, poorly_lit);
-  add_lit_by_chance(light, pixels, sums.guides, sums.width_px, sums.height_px, poorly_lit, threads, pockets);
-  const std::vector<float> filtered =
-      filter_pockets(light, pixels, pockets, sums.guides, sums.width_px, sums.height_px, threads);
+/// Light before a filter, a sample, of the pixels that may be a well: eight times as bright as one by the
+/// filtered light, or less. Filtered among these by what is near. Others keep `no_well`.
+constexpr float no_well = 1e30F;
+std::vector<float> light_in_wells(const std::vector<StimulusPixel>& pixels,
+                                  const std::vector<float>& as_sampled, const StimulusSums& sums,
+                                  float darkness, int threads) {
+  std::vector<bool> wells(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    wells[i] = pixels[i].uncovered_surfaces > 0 &&
+               pixels[i].without_object.mean() < 8 * sealed_share * darkness * pixels[i].background.mean();
+  std::vector<float> light =
+      filter_pockets(as_sampled, pixels, wells, sums.guides, sums.width_px, sums.height_px, threads);
   for (std::size_t i = 0; i < light.size(); ++i)
-    if (pixels[i].uncovered_surfaces > 0)
-      light[i] = pockets[i] ? filtered[i] : light[i] / pixels[i].uncovered_surfaces;
+    if (!wells[i]) light[i] = no_well;
   return light;
 }
 
-PictureLight picture_light(const std::vector<StimulusPixel>& pixels, std::vector<float> as_sampled,
+PictureLight picture_light(const std::vector<StimulusPixel>& pixels, const std::vector<float>& as_sampled,
                            const StimulusSums& sums, int samples, int threads) {
   PictureLight light;
   light.median = median_denominator(pixels);
@@ -127,7 +130,7 @@ PictureLight picture_light(const std::vector<StimulusPixel>& pixels, std::vector
   light.pockets = find_pockets(light_of(pixels), pixels, poorly_lit);
   light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
   if (!as_sampled.empty())
-    light.for_belief = unfiltered_light(pixels, std::move(as_sampled), sums, light.median, threads);
+    light.for_belief = light_in_wells(pixels, as_sampled, sums, light.darkness, threads);
   return light;
 }
 
@@ -153,10 +156,10 @@ Rgb rest_of_pixel(const StimulusPixel& pixel, std::size_t i, const PictureLight&
   return pixel.background * outcome.ratio;
 }
 
-Composite compose_pixels(const std::vector<StimulusPixel>& pixels, std::vector<float> as_sampled,
+Composite compose_pixels(const std::vector<StimulusPixel>& pixels, const std::vector<float>& as_sampled,
                          const StimulusSums& sums, int samples, Compositing compositing, int threads) {
   Composite out{Image(sums.width_px, sums.height_px, 3), Image(sums.width_px, sums.height_px, 3, 1.0F), {}};
-  const PictureLight light = picture_light(pixels, std::move(as_sampled), sums, samples, threads);
+  const PictureLight light = picture_light(pixels, as_sampled, sums, samples, threads);
   std::vector<TinyDenominators> tiny(static_cast<std::size_t>(sums.height_px));
   parallel_for(sums.height_px, threads, [&](int y) {
     TinyDenominators& row = tiny[static_cast<std::size_t>(y)];
@@ -186,7 +189,7 @@ Composite compose_pixels(const std::vector<StimulusPixel>& pixels, std::vector<f
 Composite compose(const StimulusSums& sums, Compositing compositing, int threads) {
   std::vector<float> as_sampled = sums.light_as_sampled[0];
   for (std::size_t i = 0; i < as_sampled.size(); ++i) as_sampled[i] += sums.light_as_sampled[1][i];
-  return compose_pixels(sum_halves(sums), std::move(as_sampled), sums, sums.spp, compositing, threads);
+  return compose_pixels(sum_halves(sums), as_sampled, sums, sums.spp, compositing, threads);
 }
 
 Composite compose_half(const StimulusSums& sums, std::size_t half, int threads) {
