@@ -106,12 +106,9 @@ void take_light(const CompositeOptions& options, const Given& given, PhotoLightR
   SceneDefinition& scene = light.given;
   scene.environment_radiance = options.environment;
   if (given("--to-sun")) {
-    if (!(as_vector(options.to_sun).norm() > 0))
-      throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
-    if (options.irradiance == std::array<double, 3>{0, 0, 0})
+    scene.suns = {sun_of(options.sun)};
+    if (options.sun.irradiance == std::array<double, 3>{0, 0, 0})
       throw input_error({.field = "--sun-irradiance", .wanted = "a sun that shines", .found = "0 0 0"});
-    scene.suns = {
-        SunDefinition{as_vector(options.to_sun).normalized(), options.irradiance, options.sun_radius_deg}};
   }
   if (given("--environment-map"))
     scene.environment = EnvironmentDefinition{

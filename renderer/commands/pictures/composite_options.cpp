@@ -139,17 +139,10 @@ void add_object_options(CLI::App& command, CompositeOptions& options) {
 
 void add_light_options(CLI::App& command, CompositeOptions& options) {
   CompositeRequest& request = options.request;
-  CLI::Option* to_sun = add_number(command, "--to-sun", options.to_sun, {-1e9, 1e9},
-                                   "direction towards a sun, in the world's axes");
-  CLI::Option* irradiance =
-      add_number(command, "--sun-irradiance", options.irradiance, {0, limits::strongest_light, "W/m2"},
-                 "on a plane facing that sun, R G B, in the photograph's own unit of light");
-  to_sun->needs(irradiance);
-  irradiance->needs(to_sun);
-  add_number(command, "--sun-radius", options.sun_radius_deg, {0, 45, "degrees"},
-             "angular radius of that sun")
-      ->capture_default_str()
-      ->needs(to_sun);
+  CLI::Option* to_sun =
+      add_sun_options(command, options.sun, "direction towards a sun, in the world's axes",
+                      "on a plane facing that sun, R G B, in the photograph's own unit of light");
+  add_sun_radius_option(command, options.sun, to_sun);
   add_number(
       command, "--lamp", options.lamp, {-limits::strongest_light, limits::strongest_light},
       "a lamp without size: its place X Y Z in metres, as --position, and R G B in W/sr; several go into "

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "renderer/commands/pictures/mesh_options.h"
+#include "renderer/commands/pictures/sun_options.h"
 #include "renderer/composite/composite_request.h"
 
 namespace seamline::renderer {
@@ -14,12 +15,13 @@ struct CompositeOptions {
   std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
               occlusion = "mesh", estimator = "auto", seamless, asset_root;
   std::string object, objects, materials = "gltf", environment_map;
-  std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0},
-      irradiance{0, 0, 0}, environment{0, 0, 0};
+  std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1},
+      environment{0, 0, 0};
+  SunOptions sun;
   std::array<double, 6> lamp{0, 0, 0, 0, 0, 0};
   bool rest = false;
-  double scale = 1, height_m = 1, fov_deg = 60, sun_radius_deg = 0, object_albedo = 0.5, metallic = 0,
-         roughness = 0, rotation_of_map_deg = 0, jump_ratio = 1.1, metres_per_step = 1, error = 0.0039;
+  double scale = 1, height_m = 1, fov_deg = 60, object_albedo = 0.5, metallic = 0, roughness = 0,
+         rotation_of_map_deg = 0, jump_ratio = 1.1, metres_per_step = 1, error = 0.0039;
   int depth_width_px = 0;
   bool keeps_sun = false;
 };

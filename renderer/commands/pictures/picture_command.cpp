@@ -13,6 +13,7 @@
 #include <string>
 
 #include "renderer/commands/pictures/mesh_options.h"
+#include "renderer/commands/pictures/sun_options.h"
 #include "renderer/commands/pictures/view_options.h"
 #include "renderer/common/parallel.h"
 #include "renderer/composite/objects_file.h"
@@ -39,9 +40,10 @@ constexpr double usual_picture_fov_deg = 50;
 
 struct PictureOptions {
   std::string scene, out, materials = "gltf", environment_map, objects;
-  Three at_m{0, 0, 0}, look_at_m{0, 0, -1}, to_sun{0, 1, 0}, irradiance{0, 0, 0}, environment{0, 0, 0};
+  Three at_m{0, 0, 0}, look_at_m{0, 0, -1}, environment{0, 0, 0};
+  SunOptions sun;
   std::optional<double> fov_deg;
-  double sun_radius_deg = 0, rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
+  double rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
   int width_px = 960, height_px = 540, bounces = 4, spp = 64, seed = 1;
   bool has_place = false, has_sun = false, panorama = false;
   ViewOptions view;
@@ -90,12 +92,7 @@ SceneDefinition scene_of(const PictureOptions& options, const std::filesystem::p
   scene.environment_radiance = options.environment;
   scene.bounces = options.bounces;
   scene.albedo = options.albedo;
-  if (options.has_sun) {
-    const Eigen::Vector3d to_sun = vector_of(options.to_sun);
-    if (!(to_sun.norm() > 0))
-      throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
-    scene.sun = SunDefinition{to_sun.normalized(), options.irradiance, options.sun_radius_deg};
-  }
+  if (options.has_sun) scene.sun = sun_of(options.sun);
   if (!options.environment_map.empty())
     scene.environment = EnvironmentDefinition{
         .file = options.environment_map,
@@ -275,17 +272,10 @@ void add_light_options(CLI::App& command, PictureOptions& options) {
              "of the map about +Y, counter-clockwise seen from above")
       ->capture_default_str()
       ->needs(map);
-  CLI::Option* to_sun = add_number(command, "--to-sun", options.to_sun, {-1e9, 1e9},
-                                   "direction towards a sun, in place of the scene's own");
-  CLI::Option* irradiance =
-      add_number(command, "--sun-irradiance", options.irradiance, {0, limits::strongest_light, "W/m2"},
-                 "on a plane facing that sun, R G B");
-  to_sun->needs(irradiance);
-  irradiance->needs(to_sun);
-  add_number(command, "--sun-radius", options.sun_radius_deg, {0, 45, "degrees"},
-             "angular radius of that sun")
-      ->capture_default_str()
-      ->needs(to_sun);
+  add_sun_radius_option(
+      command, options.sun,
+      add_sun_options(command, options.sun, "direction towards a sun, in place of the scene's own",
+                      "on a plane facing that sun, R G B"));
 }
 
 }  // namespace

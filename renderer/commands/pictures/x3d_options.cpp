@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/commands/pictures/sun_options.h"
 #include "renderer/x3d/x3d_export.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
@@ -29,8 +30,8 @@ constexpr std::initializer_list<const char*> of_both = {"--user", "--spp", "--se
 struct X3dOptions {
   X3dRequest request;
   std::string folder, object, size = "640x360";
-  Three position_m{0, 0, 0}, rotation_deg{0, 0, 0}, at_m{0, 0, 0}, look_at_m{0, 0, -1}, environment{1, 1, 1},
-      to_sun{0, 1, 0}, irradiance{0, 0, 0};
+  Three position_m{0, 0, 0}, rotation_deg{0, 0, 0}, at_m{0, 0, 0}, look_at_m{0, 0, -1}, environment{1, 1, 1};
+  SunOptions sun;
   double scale = 1, height_m = 1, exposure_ev = 0, albedo = 0.5;
   int bounces = 4;
 };
@@ -81,11 +82,7 @@ void take_scene(const X3dOptions& options, const CLI::App& command, X3dRequest& 
                          .wanted = "a point that is not straight above, below or at --at",
                          .found = "one that is"});
   }
-  if (given("--to-sun")) {
-    if (!(option_vector(options.to_sun).norm() > 0))
-      throw input_error({.field = "--to-sun", .wanted = "a direction that is not zero", .found = "0 0 0"});
-    light.sun = SunDefinition{option_vector(options.to_sun).normalized(), options.irradiance, 0};
-  }
+  if (given("--to-sun")) light.sun = sun_of(options.sun);
 }
 
 void run_x3d(const X3dOptions& options, const CLI::App& command, const std::string& source) {
@@ -139,13 +136,8 @@ void add_scene_options(CLI::App& command, X3dOptions& options) {
   add_formed_text(command, "--size", options.size, "WxH", "pixels of the photograph (640x360)", check_size);
   add_number(command, "--environment", options.environment, {0, limits::strongest_light, "W/m2/sr"},
              "radiance R G B from every direction (1 1 1)");
-  CLI::Option* to_sun = add_number(command, "--to-sun", options.to_sun, {-1e9, 1e9},
-                                   "direction towards a sun, in place of the scene's own");
-  CLI::Option* irradiance =
-      add_number(command, "--sun-irradiance", options.irradiance, {0, limits::strongest_light, "W/m2"},
-                 "on a plane facing that sun, R G B");
-  to_sun->needs(irradiance);
-  irradiance->needs(to_sun);
+  add_sun_options(command, options.sun, "direction towards a sun, in place of the scene's own",
+                  "on a plane facing that sun, R G B");
   add_number(command, "--bounces", options.bounces, {0, 1024}, "further scatterings after the first (4)");
   add_number(command, "--albedo", options.albedo, {0, 1}, "of meshes without a material (0.5)");
   add_number(command, "--exposure", options.exposure_ev, {-60, 60, "stops"}, "of the photograph (0)");
