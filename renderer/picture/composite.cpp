@@ -12,7 +12,6 @@ namespace {
 constexpr float floor_share = 1e-6F;  // of the frame's median: below it the ratio is 1
 constexpr float sealed_share = 0.1F;  // of the usual S_no for what the photograph shows
 constexpr float largest_ratio = 4.0F;
-constexpr float least_poorly_lit = 0.02F, most_poorly_lit = 0.25F;  // of the frame's median
 
 std::vector<StimulusPixel> sum_halves(const StimulusSums& sums) {
   std::vector<StimulusPixel> pixels = sums.halves[0];
@@ -51,6 +50,16 @@ struct RatioOutcome {
   bool clamped = false;
   bool sealed = false;
 };
+
+/// Pixels whose S_no rests on too few paths for a ratio of their own.
+std::vector<bool> find_pockets(const std::vector<StimulusPixel>& pixels, float median, int samples) {
+  const float poorly_lit_share = std::clamp(4.0F / static_cast<float>(samples), 0.02F, 0.25F);
+  std::vector<bool> pockets(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pockets[i] = pixels[i].uncovered_surfaces > 0 &&
+                 pixels[i].without_object.mean() < poorly_lit_share * median * pixels[i].uncovered_surfaces;
+  return pockets;
+}
 
 /// How much of a pixel's ratio is believed: all of it, less where the depth mesh is more than ten times
 /// darker than the photograph there (both against what is usual in this picture): depth sheets have sealed
@@ -96,22 +105,17 @@ struct PictureLight {
   std::vector<float> for_belief;        ///< light a sample before a filter; empty: what the ratio is of
 };
 
-std::vector<float> light_of(const std::vector<StimulusPixel>& pixels) {
-  std::vector<float> light(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) light[i] = pixels[i].without_object.mean();
-  return light;
-}
-
-/// Light before a filter, a sample, of the pixels that may be a well: eight times as bright as one by the
-/// filtered light, or less. Filtered among these by what is near. Others keep `no_well`.
-constexpr float no_well = 1e30F;
+/// Light before a filter, a sample, of the pixels that may be a well: by the filtered light up to three times
+/// as bright as one. Filtered among these by what is near. Others keep `no_well`.
+constexpr float may_be_well = 3, no_well = 1e30F;
 std::vector<float> light_in_wells(const std::vector<StimulusPixel>& pixels,
                                   const std::vector<float>& as_sampled, const StimulusSums& sums,
                                   float darkness, int threads) {
   std::vector<bool> wells(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i)
-    wells[i] = pixels[i].uncovered_surfaces > 0 &&
-               pixels[i].without_object.mean() < 8 * sealed_share * darkness * pixels[i].background.mean();
+    wells[i] =
+        pixels[i].uncovered_surfaces > 0 &&
+        pixels[i].without_object.mean() < may_be_well * sealed_share * darkness * pixels[i].background.mean();
   std::vector<float> light =
       filter_pockets(as_sampled, pixels, wells, sums.guides, sums.width_px, sums.height_px, threads);
   for (std::size_t i = 0; i < light.size(); ++i)
@@ -125,9 +129,7 @@ PictureLight picture_light(const std::vector<StimulusPixel>& pixels, const std::
   light.median = median_denominator(pixels);
   if (!sums.depth_lights_uncovered) return light;
   light.darkness = usual_darkness(pixels);
-  const float poorly_lit =
-      std::clamp(4.0F / static_cast<float>(samples), least_poorly_lit, most_poorly_lit) * light.median;
-  light.pockets = find_pockets(light_of(pixels), pixels, poorly_lit);
+  light.pockets = find_pockets(pixels, light.median, samples);
   light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
   if (!as_sampled.empty())
     light.for_belief = light_in_wells(pixels, as_sampled, sums, light.darkness, threads);

@@ -66,14 +66,6 @@ void smooth(std::vector<PocketLight>& from, const std::vector<bool>& pockets,
 
 }  // namespace
 
-std::vector<bool> find_pockets(const std::vector<float>& light, const std::vector<StimulusPixel>& sums,
-                               float poorly_lit) {
-  std::vector<bool> pockets(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    pockets[i] = sums[i].uncovered_surfaces > 0 && light[i] < poorly_lit * sums[i].uncovered_surfaces;
-  return pockets;
-}
-
 std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
                                           int width_px, int height_px, int threads) {

@@ -11,10 +11,6 @@ struct FilteredLight {
   Rgb with_object = Rgb::Zero();
 };
 
-/// Pixels that less than `poorly_lit` a sample lights. `light`: of each pixel, summed over its samples.
-[[nodiscard]] std::vector<bool> find_pockets(const std::vector<float>& light,
-                                             const std::vector<StimulusPixel>& sums, float poorly_lit);
-
 /// The light of the pixels in `pockets`, filtered among themselves by two a-trous levels (Dammertz et al.,
 /// HPG 2010) whose weights fall with the difference in normal and in depth, never with colour. Sums are
 /// filtered, not ratios. Row by row; pixels outside the pockets keep zeros.
