@@ -4,6 +4,7 @@
 #include "scenes/objects/objects.h"
 
 namespace seamline::scenes {
+namespace beast_parts {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -134,8 +135,10 @@ void add_spines(Sculpture& s) {
 }
 
 }  // namespace
+}  // namespace beast_parts
 
 Sculpture sculpt_beast() {
+  using namespace beast_parts;
   Sculpture s;
   add_body(s);
   add_front_leg(s, 1.0, 0.02);

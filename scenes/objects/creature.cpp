@@ -5,6 +5,7 @@
 #include "scenes/objects/objects.h"
 
 namespace seamline::scenes {
+namespace creature_parts {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -158,8 +159,10 @@ double leather(const V& p) {
 }
 
 }  // namespace
+}  // namespace creature_parts
 
 Sculpture sculpt_creature() {
+  using namespace creature_parts;
   Sculpture s;
   add_trunk(s);
   add_legs(s);

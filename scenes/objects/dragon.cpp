@@ -4,6 +4,7 @@
 #include "scenes/objects/objects.h"
 
 namespace seamline::scenes {
+namespace dragon_parts {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -155,8 +156,10 @@ void add_head(Sculpture& s) {
 }
 
 }  // namespace
+}  // namespace dragon_parts
 
 Sculpture sculpt_dragon() {
+  using namespace dragon_parts;
   Sculpture s;
   add_body(s);
   add_legs(s);

@@ -4,6 +4,7 @@
 #include "scenes/objects/objects.h"
 
 namespace seamline::scenes {
+namespace lion_parts {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -173,8 +174,10 @@ void add_tail(Sculpture& s) {
 }
 
 }  // namespace
+}  // namespace lion_parts
 
 Sculpture sculpt_lion() {
+  using namespace lion_parts;
   Sculpture s;
   add_body(s);
   add_legs(s);

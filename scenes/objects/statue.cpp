@@ -4,6 +4,7 @@
 #include "scenes/objects/objects.h"
 
 namespace seamline::scenes {
+namespace statue_parts {
 namespace {
 
 using V = Eigen::Vector3d;
@@ -235,8 +236,10 @@ void add_wing(Sculpture& s, double side) {
 }
 
 }  // namespace
+}  // namespace statue_parts
 
 Sculpture sculpt_statue() {
+  using namespace statue_parts;
   Sculpture s;
   add_plinth(s);
   add_robe(s);

@@ -6,6 +6,7 @@
 #include "scenes/objects/teapot_patches.h"
 
 namespace seamline::scenes {
+namespace teapot_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -84,8 +85,10 @@ void add_patch(TriangleMesh& mesh, Weld& weld, const BezierPatch& patch, int ste
 }
 
 }  // namespace
+}  // namespace teapot_parts
 
 TriangleMesh make_teapot(int steps) {
+  using namespace teapot_parts;
   TriangleMesh mesh;
   Weld weld;
   for (const BezierPatch& patch : newell_teapot()) add_patch(mesh, weld, patch, steps);

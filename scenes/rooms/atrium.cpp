@@ -6,6 +6,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace atrium_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -241,8 +242,10 @@ void add_arcade(SceneContents& court, RoomVersion version) {
 }
 
 }  // namespace
+}  // namespace atrium_parts
 
 SceneContents make_atrium(RoomVersion version) {
+  using namespace atrium_parts;
   SceneContents court;
   const double low_x = first_x_m - 0.5;
   const double high_x = first_x_m + bays * bay_m + 0.5;

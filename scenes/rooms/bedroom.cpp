@@ -4,6 +4,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace bedroom_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -116,8 +117,10 @@ void add_first_furniture(SceneContents& room) {
 }
 
 }  // namespace
+}  // namespace bedroom_parts
 
 SceneContents make_bedroom(RoomVersion version) {
+  using namespace bedroom_parts;
   const bool first = version == RoomVersion::first;
   SceneContents room;
   add_shell(room, first ? 3.0 : 3.8);

@@ -8,6 +8,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace car_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -122,8 +123,10 @@ TriangleMesh headlights() {
 }
 
 }  // namespace
+}  // namespace car_parts
 
 std::vector<ScenePart> make_car() {
+  using namespace car_parts;
   const auto [glass, painted] = cabin();
   TriangleMesh paint = lower_body();
   append(paint, painted);

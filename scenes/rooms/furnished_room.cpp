@@ -7,6 +7,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace furnished_room_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -127,8 +128,10 @@ void add_odds_and_ends(Furnishing& f) {
 }
 
 }  // namespace
+}  // namespace furnished_room_parts
 
 SceneContents make_furnished_room() {
+  using namespace furnished_room_parts;
   Furnishing f;
   add_shell(f.room);
   add_dining_corner(f);

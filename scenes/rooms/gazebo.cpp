@@ -6,6 +6,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace gazebo_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -153,8 +154,10 @@ TriangleMesh make_crest() {
 }
 
 }  // namespace
+}  // namespace gazebo_parts
 
 SceneContents make_gazebo(RoomVersion version) {
+  using namespace gazebo_parts;
   SceneContents garden;
   const Eigen::Affine3d lawn_centre(Eigen::Translation3d(0, 0, -8));
   add(garden, "ground", transformed(turned({{40, -0.2}, {40, 0}}, 96), lawn_centre));

@@ -9,6 +9,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace loft_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -133,8 +134,10 @@ void add_car(Loft& loft) {
 }
 
 }  // namespace
+}  // namespace loft_parts
 
 SceneContents make_loft(LoftWindows windows) {
+  using namespace loft_parts;
   Loft loft;
   add_shell(loft);
   add_windows(loft, windows == LoftWindows::glowing);

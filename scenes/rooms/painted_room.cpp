@@ -6,6 +6,7 @@
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
+namespace painted_room_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -23,8 +24,10 @@ TriangleMesh block(double x_m, double z_m, const Vector3d& size_m) {
 }
 
 }  // namespace
+}  // namespace painted_room_parts
 
 SceneContents make_painted_room() {
+  using namespace painted_room_parts;
   SceneContents room;
   const auto add = [&](const char* name, TriangleMesh mesh, const Colour& albedo) {
     room.parts.push_back({.name = name, .mesh = std::move(mesh), .albedo = albedo});
