@@ -27,7 +27,8 @@ fs::path program_with_a_smaller_study(const fs::path& folder) {
   fs::create_directories(folder / "stimuli");
   fs::copy_file(SEAMLINE_PROGRAM, folder / "seamline");
   test::write_cube(folder / "stimuli");
-  test::write_text(folder / "stimuli" / "quick.toml", test::small_study_with({}));
+  test::write_text(folder / "stimuli" / "quick.toml",
+                   test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[32, 128, 512, 1024]"}}));
   return folder / "seamline";
 }
 

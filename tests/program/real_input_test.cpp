@@ -18,6 +18,7 @@ isolation = "query"
 width_px = 240
 height_px = 135
 samples_per_pixel = 8
+mesh_tolerance = 1e-3
 depth_width_px = [256]
 
 [[scene]]

@@ -15,12 +15,12 @@ namespace {
 
 using test::paper_study;
 /// Half of a picture's lengths elsewhere: a law of each pixel, for 14 recipes, needs no more.
-constexpr int picture_width_px = test::picture_width_px / 2, picture_height_px = test::picture_height_px / 2;
+constexpr int half_width_px = test::picture_width_px / 2, half_height_px = test::picture_height_px / 2;
 
 /// The truth and the depth mesh of one scene's middle object.
 struct Subject {
   explicit Subject(const SceneDefinition& definition)
-      : scene(load_truth_scene(definition, picture_width_px, picture_height_px)),
+      : scene(load_truth_scene(definition, half_width_px, half_height_px)),
         depth(build_depth_mesh(capture_depth(scene.geometry_without(2), 256, 0, 2), {}),
               Rgb::Constant(static_cast<float>(definition.albedo))) {}
 
@@ -37,14 +37,14 @@ struct Subject {
 };
 
 /// Made once for all laws of a scene.
-const Subject& subject_of(int scene) {
+const Subject& subject_of_scene(int scene) {
   static std::map<int, Subject> made;
   return made.try_emplace(scene, paper_study().scenes[static_cast<std::size_t>(scene)]).first->second;
 }
 
 class EveryScene : public testing::TestWithParam<int> {
  protected:
-  const Subject& subject = subject_of(GetParam());
+  const Subject& subject = subject_of_scene(GetParam());
 };
 
 constexpr std::array artifacts = {Artifact::receiver, Artifact::shadow, Artifact::occlusion,
