@@ -13,7 +13,7 @@
 namespace seamline::renderer {
 namespace {
 
-/// Of pictures whose pixels are counted; others are of two thirds of it.
+/// Of pictures whose pixels are counted or hold a penumbra; others are of two thirds of it.
 constexpr int counted_width_px = 96, counted_height_px = 54;
 
 /// Three balls on a floor, a bar before the first and a roof that shades its feet; one sun and a little sky.
@@ -114,7 +114,7 @@ TEST(RealtimeMethods, TheTracedPipelineIsNoneAtAll) {
 }
 
 TEST(RealtimeMethods, SoftShadowsAreNearerToASoftSunThanHardOnes) {
-  const Piped piped(Estimator::path, shaded_scene(0.06F), 64);
+  const Piped piped(Estimator::path, shaded_scene(0.06F, false, counted_width_px), 64);
   for (const Artifact artifact : {Artifact::receiver, Artifact::shadow}) {
     const double soft = piped.error(artifact, piped.local(maps(1024, ShadowFilter::pcss)));
     const double hard = piped.error(artifact, piped.local(maps(1024)));
