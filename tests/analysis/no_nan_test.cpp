@@ -108,7 +108,7 @@ TEST(NoNan, InAFit) {
     for (const FitOptions& options : every_way()) {
       const JudgedFit report = judge_fit(
           data.counts, options,
-          {.percents = {50, 75, 99.9}, .bootstrap_replicates = 20, .deviance_replicates = 20, .unit = "px"});
+          {.percents = {50, 75, 99.9}, .bootstrap_replicates = 10, .deviance_replicates = 10, .unit = "px"});
       expect_numbers("fit of " + data.name, fit_text(report));
       expect_numbers("fit of " + data.name + ", JSON", fit_json(report));
     }

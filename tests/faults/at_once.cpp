@@ -61,7 +61,7 @@ Arguments container() {
 }  // namespace
 
 Tally containers_at_once(Lab& lab) {
-  const int count = lab.quick ? 12 : 32;
+  const int count = lab.quick ? 4 : 32;
   Tally tally{.fault = fmt::format("{} shards, each process 1 of a container", count)};
   const Arguments in_container = container();
   if (in_container.empty()) {

@@ -1,4 +1,5 @@
-// A render as the pieces of a job: the same set, whatever a piece meets.
+// A render as the pieces of a job: the same set, whatever a piece meets. The pieces start the program that
+// made the job.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,8 +14,8 @@ namespace fs = std::filesystem;
 using test::fresh_folder;
 using test::Outcome;
 using test::read_text;
+using test::run_built;
 using test::run_program;
-using test::run_seamline;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -25,9 +26,9 @@ std::string small_study() {
   return text;
 }
 
-/// A job's folder, its set's, and the set of one process.
+/// A job's folder, its set's, and how the set is rendered.
 struct Job {
-  fs::path folder, set, one;
+  fs::path folder, set, study;
   std::string options;
 
   [[nodiscard]] Outcome piece(const std::string& name) const {
@@ -35,23 +36,33 @@ struct Job {
   }
 };
 
+std::string render_of(const Job& job) {
+  return "render " + job.study.string() + " --threads 1 " + job.options;
+}
+
 Job make_job(const fs::path& place, const std::string& options) {
-  Job job{place / "a job's", place / "many", place / "one", options};
+  Job job{place / "a job's", place / "many", place / "study.toml", options};
   test::write_small_study(place, small_study());
-  const std::string render = "render " + (place / "study.toml").string() + " --threads 1 " + options;
-  EXPECT_EQ(run_seamline(render + " --out " + job.one.string()).status, 0);
-  const Outcome made = run_seamline(render + " --out " + job.set.string() + " --elements 2 --parallel \"" +
-                                    job.folder.string() + "\"");
+  const Outcome made = run_built(render_of(job) + " --out " + job.set.string() +
+                                 " --elements 2 --parallel \"" + job.folder.string() + "\"");
   EXPECT_EQ(made.status, 0) << made.output;
   return job;
 }
 
+/// What one process makes of the same study.
+fs::path set_of_one_process(const Job& job) {
+  const fs::path one = job.set.parent_path() / "one";
+  EXPECT_EQ(run_built(render_of(job) + " --out " + one.string()).status, 0);
+  return one;
+}
+
 void expect_same_set(const Job& job) {
-  EXPECT_EQ(read_text(job.one / "manifest.json"), read_text(job.set / "manifest.json"));
+  const fs::path one = set_of_one_process(job);
+  EXPECT_EQ(read_text(one / "manifest.json"), read_text(job.set / "manifest.json"));
   for (const char* part : {"stimuli", "references"})
-    for (const auto& entry : fs::directory_iterator(job.one / part))
+    for (const auto& entry : fs::directory_iterator(one / part))
       EXPECT_EQ(read_text(entry.path()), read_text(job.set / part / entry.path().filename())) << entry.path();
-  EXPECT_EQ(run_seamline("verify " + job.set.string()).status, 0);
+  EXPECT_EQ(run_built("verify " + job.set.string()).status, 0);
 }
 
 TEST(Cluster, PiecesMakeTheSetOfOneProcessByBothEstimators) {
@@ -86,36 +97,33 @@ TEST(Cluster, ADamagedTruthPassIsMadeAgain) {
 TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const Job job = make_job(fresh_folder("cluster-status"), "--spp 2");
   const std::string status = "render --status " + job.set.string();
-  EXPECT_THAT(run_seamline(status).output,
-              HasSubstr("wanted a set that a job of `seamline render` has begun"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("wanted a set that a job of `seamline render` has begun"));
   ASSERT_EQ(job.piece("truth-1").status, 0);
-  EXPECT_THAT(run_seamline(status).output, HasSubstr("0 of 6 stimuli done"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("0 of 6 stimuli done"));
   ASSERT_EQ(job.piece("stimuli-1").status, 0);
   const Outcome early = job.piece("join");
   EXPECT_EQ(early.status, 1);
   EXPECT_THAT(early.output, HasSubstr("wanted a set whose stimuli are all rendered"));
   EXPECT_FALSE(fs::exists(job.set / "manifest.json"));
-  const std::string half = run_seamline(status).output;
+  const std::string half = run_built(status).output;
   EXPECT_THAT(half, Not(HasSubstr("0 of 6 stimuli done")));
   EXPECT_THAT(half, Not(HasSubstr("6 of 6 stimuli done")));
   EXPECT_THAT(half, HasSubstr("0 at work, 0 failed"));
   // A mark that nobody renews, and one with a complaint.
   const fs::path marks = job.set / "records" / "running";
   test::write_text(marks / "stimuli-2.json", R"({"element":"stimuli-2","host":"far","done":1,"of":4})");
-  EXPECT_THAT(run_seamline(status).output, HasSubstr("stimuli-2 on far: 1 of 4 done"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("stimuli-2 on far: 1 of 4 done"));
   fs::last_write_time(marks / "stimuli-2.json",
                       fs::file_time_type::clock::now() - std::chrono::seconds(1000));
-  EXPECT_THAT(run_seamline(status).output,
-              HasSubstr("stimuli-2 on far: died: silent for 1000 s, after 1 of 4"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("stimuli-2 on far: died: silent for 1000 s, after 1 of 4"));
   test::write_text(marks / "stimuli-2.json", R"({"host":"far","failed":"study.toml: wanted <light>"})");
-  EXPECT_THAT(run_seamline(status).output, HasSubstr("0 at work, 1 failed"));
-  ASSERT_EQ(run_seamline(status + " --html " + (job.set / "status.html").string()).status, 0);
+  EXPECT_THAT(run_built(status).output, HasSubstr("0 at work, 1 failed"));
+  ASSERT_EQ(run_built(status + " --html " + (job.set / "status.html").string()).status, 0);
   EXPECT_THAT(read_text(job.set / "status.html"), HasSubstr("failed: study.toml: wanted &lt;light&gt;"));
   ASSERT_EQ(job.piece("stimuli-2").status, 0);
   ASSERT_EQ(job.piece("join").status, 0);
-  EXPECT_THAT(run_seamline(status).output,
-              HasSubstr("6 of 6 stimuli done (100 %), 0 left; 0 at work, 0 failed; "
-                        "the manifest lists all"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("6 of 6 stimuli done (100 %), 0 left; 0 at work, 0 failed; "
+                                                  "the manifest lists all"));
 }
 
 TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
@@ -137,11 +145,10 @@ TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
   EXPECT_THAT(with("\"inputs\": \"", "\"inputs\": \"0"), HasSubstr("others: make the job again"));
   EXPECT_THAT(with("\"truths\"", "\"lies\""), HasSubstr("wanted a job that `seamline render --slurm`"));
   EXPECT_FALSE(fs::exists(job.set));
-  const std::string render = "render " + (job.one.parent_path() / "study.toml").string() + " --out " + job.set.string();
-  EXPECT_THAT(run_seamline(render + " --elements 3").output,
-              HasSubstr("wanted --slurm DIR or --parallel DIR"));
-  EXPECT_EQ(run_seamline(render + " --shard 1/2 --slurm x").status, 1);
-  EXPECT_THAT(run_seamline(render + " --spp 2 --slurm '" + (job.set / "a b").string() + "'").output,
+  const std::string render = "render " + job.study.string() + " --out " + job.set.string();
+  EXPECT_THAT(run_built(render + " --elements 3").output, HasSubstr("wanted --slurm DIR or --parallel DIR"));
+  EXPECT_EQ(run_built(render + " --shard 1/2 --slurm x").status, 1);
+  EXPECT_THAT(run_built(render + " --spp 2 --slurm '" + (job.set / "a b").string() + "'").output,
               HasSubstr("wanted a path without spaces"));
 }
 

@@ -21,9 +21,21 @@ std::vector<fs::path> files_in(const fs::path& part) {
   return files;
 }
 
+/// The program where a smaller quick study lies beside it, as beside one that was moved; demo_full_test.cpp
+/// runs the shipped one.
+fs::path program_with_a_smaller_study(const fs::path& folder) {
+  fs::create_directories(folder / "stimuli");
+  fs::copy_file(SEAMLINE_PROGRAM, folder / "seamline");
+  test::write_cube(folder / "stimuli");
+  test::write_text(folder / "stimuli" / "quick.toml",
+                   test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[32, 128, 512, 1024]"}}));
+  return folder / "seamline";
+}
+
 TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   const fs::path folder = test::fresh_folder("demo");
-  const test::Outcome outcome = test::run_seamline("demo --spp 2 --out " + (folder / "out").string());
+  const test::Outcome outcome = test::run_program(program_with_a_smaller_study(folder / "program").string(),
+                                                  "demo --spp 2 --out " + (folder / "out").string());
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const fs::path report = folder / "out" / "report" / "report.html";
   EXPECT_THAT(outcome.output, HasSubstr(report.string()));

@@ -22,7 +22,7 @@ fs::path recorded(const fs::path& folder) {
 TEST(LivePhysics, HasTheSamePosesAndPicturesForOneAndTwoThreads) {
   const fs::path folder = test::fresh_folder("live-physics");
   const std::string live = "live " + recorded(folder).string() +
-                           " --object builtin:teapot --at 0.2 0 -4 --height 0.2 --size 400x300 "
+                           " --object builtin:teapot --at 0.2 0 -4 --height 0.2 --size 200x150 "
                            "--headless ";
   const auto in = [&](const std::string& name) { return (folder / name).string(); };
   ASSERT_EQ(run_seamline(live + "--frames 2 --csv " + in("off.csv") + " --out " + in("off")).status, 0);

@@ -15,9 +15,10 @@ constexpr const char* study_of_each_artifact = R"(
 format = "seamline study 1"
 name = "real_input"
 isolation = "query"
-width_px = 480
-height_px = 270
+width_px = 240
+height_px = 135
 samples_per_pixel = 8
+mesh_tolerance = 1e-3
 depth_width_px = [256]
 
 [[scene]]
@@ -109,9 +110,9 @@ TEST(RealInput, OneStimulusOfEachArtifactFromScannedMeshes) {
       light += picture.values[i] > 40 ? 1 : 0;
     }
     const double share = static_cast<double>(visible) / static_cast<double>(picture.values.size());
-    EXPECT_GT(visible, 60) << stimulus.id << ": the artifact does not show";
+    EXPECT_GT(visible, 15) << stimulus.id << ": the artifact does not show";
     EXPECT_LT(share, 0.2) << stimulus.id << ": more than an artifact differs";
-    EXPECT_GT(light, 20000) << stimulus.id << ": the picture is dark";
+    EXPECT_GT(light, 5000) << stimulus.id << ": the picture is dark";
     EXPECT_LT(stimulus.clipped_share, 0.25) << stimulus.id;
   }
   EXPECT_EQ(test::run_seamline("verify " + set.string()).status, 0);

@@ -31,9 +31,14 @@ inline Outcome run_program(const std::string& program, const std::string& argume
   return outcome;
 }
 
-inline Outcome run_seamline(const std::string& arguments) {
+/// The program as it was built, started anew.
+inline Outcome run_built(const std::string& arguments) {
   return run_program(SEAMLINE_PROGRAM, arguments);
 }
+
+/// The program's own command line in a process that has loaded everything already (program_process.cpp): most
+/// of what is asked of the program takes less time than its start.
+Outcome run_seamline(const std::string& arguments);
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
@@ -69,7 +74,8 @@ inline std::string quick_study_with(std::initializer_list<std::pair<std::string,
   return text;
 }
 
-/// The quick study's scenes in a small picture, a cube for every object: a render takes a moment.
+/// The quick study's scenes in a small picture, with coarse meshes and a cube for every object: a render
+/// takes a moment.
 inline std::string small_study_with(std::initializer_list<std::pair<std::string, std::string>> replacements) {
   std::string text = quick_study_with(replacements);
   const auto replace = [&](const std::string& from, const std::string& to) {
@@ -78,6 +84,7 @@ inline std::string small_study_with(std::initializer_list<std::pair<std::string,
   };
   replace("width_px = 480", "width_px = 96");
   replace("height_px = 270", "height_px = 54");
+  replace("mesh_tolerance = 1e-4", "mesh_tolerance = 1e-2");
   for (const char* object : {"statue", "teapot", "creature", "beast", "lion", "dragon"})
     replace("builtin:" + std::string(object), "cube.gltf");
   return text;

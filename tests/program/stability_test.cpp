@@ -25,7 +25,7 @@ TEST(StabilityCommand, ListsItsCasesWithoutRunningThem) {
 }
 
 TEST(StabilityCommand, GivesData) {
-  const test::Outcome outcome = run_seamline("stability --only quest_plus --json 2>/dev/null");
+  const test::Outcome outcome = test::run_built("stability --only quest_plus --json 2>/dev/null");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const std::size_t begin = outcome.output.find('{');
   ASSERT_NE(begin, std::string::npos);

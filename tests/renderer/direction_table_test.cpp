@@ -37,7 +37,7 @@ std::vector<Ray> rays_from_centre(int count, std::mt19937_64& random) {
 TEST(DirectionTable, FindsTheNearestTriangleOnRandomMeshesWithJumpsAndHoles) {
   std::mt19937_64 random(77);
   int other_hit = 0, other_distance = 0, rays_traced = 0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 18; ++i) {
     const DepthMap map = test::random_map(std::array{16, 30, 64}[static_cast<std::size_t>(i % 3)], random);
     const DenseSphere sphere = make_dense_sphere(map, 0, 1, 64);
     const DepthMesh mesh = build_adaptive_mesh(sphere, 1e-3, 1);

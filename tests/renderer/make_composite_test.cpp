@@ -46,6 +46,7 @@ class MakeComposite : public testing::Test {
     CompositeRequest request;
     request.photograph = in("panorama.exr");
     request.depth.file = in("closed.exr");
+    request.depth.tolerance = 1e-2;
     PlacedModel statue;
     statue.file = "builtin:statue";
     statue.path = resolve_named_file("builtin:statue", "--object");

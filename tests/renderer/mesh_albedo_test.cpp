@@ -46,7 +46,8 @@ AlbedoMap constant_map(const Rgb& albedo) {
 }
 
 LocalScene local_scene_of(const Geometry& truth, int width_px) {
-  return make_local_scene(truth, {.width_px = width_px}, {.albedo = 0.5, .threads = 2});
+  return make_local_scene(truth, {.width_px = width_px, .mesh_tolerance = 1e-3},
+                          {.albedo = 0.5, .threads = 2});
 }
 
 /// Light that object 1 sends to the camera with bounce light from `depth`: its mean over the pixels it has.

@@ -39,7 +39,7 @@ struct Barred {
     estimator->take_object(1, {});
   }
   [[nodiscard]] LocalScene local(int width_px, Blockers blockers = Blockers::sheets) const {
-    DepthSettings settings{.width_px = width_px};
+    DepthSettings settings{.width_px = width_px, .mesh_tolerance = 1e-3};
     settings.mitigation.blockers = blockers;
     return make_local_scene(estimator->geometry().truth, settings, {.albedo = 0.5, .threads = 2});
   }

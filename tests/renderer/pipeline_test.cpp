@@ -13,8 +13,12 @@
 namespace seamline::renderer {
 namespace {
 
+/// Of pictures whose pixels are counted or hold a penumbra; others are of two thirds of it.
+constexpr int counted_width_px = 96, counted_height_px = 54;
+
 /// Three balls on a floor, a bar before the first and a roof that shades its feet; one sun and a little sky.
-TruthScene shaded_scene(float sun_radius_rad = 0, bool lamp = false) {
+TruthScene shaded_scene(float sun_radius_rad = 0, bool lamp = false,
+                        int width_px = 2 * counted_width_px / 3) {
   test::SceneParts parts;
   parts.background = {test::floor(-1, 8, 0.5F), test::box({-1.7F, -1, -3.1F}, {-1.5F, 0.6F, -2.9F}, 0.5F),
                       test::box({-4.3F, 0.4F, -5.2F}, {-2.6F, 0.5F, -3.4F}, 0.5F)};
@@ -29,7 +33,7 @@ TruthScene shaded_scene(float sun_radius_rad = 0, bool lamp = false) {
   else
     light.suns.push_back(
         {Eigen::Vector3f(-0.5F, 0.8F, 0.1F).normalized(), Rgb::Constant(3.0F), sun_radius_rad});
-  return test::scene_of(std::move(parts), std::move(light), 96, 54);
+  return test::scene_of(std::move(parts), std::move(light), width_px, width_px * 9 / 16);
 }
 
 struct Piped {
@@ -110,7 +114,7 @@ TEST(RealtimeMethods, TheTracedPipelineIsNoneAtAll) {
 }
 
 TEST(RealtimeMethods, SoftShadowsAreNearerToASoftSunThanHardOnes) {
-  const Piped piped(Estimator::path, shaded_scene(0.06F), 64);
+  const Piped piped(Estimator::path, shaded_scene(0.06F, false, counted_width_px), 64);
   for (const Artifact artifact : {Artifact::receiver, Artifact::shadow}) {
     const double soft = piped.error(artifact, piped.local(maps(1024, ShadowFilter::pcss)));
     const double hard = piped.error(artifact, piped.local(maps(1024)));
@@ -119,14 +123,14 @@ TEST(RealtimeMethods, SoftShadowsAreNearerToASoftSunThanHardOnes) {
 }
 
 TEST(RealtimeMethods, GhostsAndDepthTestsHideWhatTheMeshHidesButForPixelsOnEdges) {
-  const Piped piped;
+  const Piped piped(Estimator::path, shaded_scene(0, false, counted_width_px));
   const Image mesh = piped.picture(Artifact::occlusion, piped.local({}, 2048).world());
   for (const PipelineOcclusion method : {PipelineOcclusion::ghosts, PipelineOcclusion::depth_test}) {
     const LocalScene local = piped.local({.occlusion = method}, 2048);
     const Image shown = piped.picture(Artifact::occlusion, local.world());
     int differ = 0, large = 0;
-    for (int y = 0; y < 54; ++y)
-      for (int x = 0; x < 96; ++x) {
+    for (int y = 0; y < counted_height_px; ++y)
+      for (int x = 0; x < counted_width_px; ++x) {
         const float most = (shown.rgb(x, y) - mesh.rgb(x, y)).abs().maxCoeff();
         differ += most > 1e-4F ? 1 : 0;
         large += most > 0.3F ? 1 : 0;
@@ -160,14 +164,14 @@ TEST(RealtimeMethods, MoreLightsComeNearerToTheEnvironment) {
 }
 
 TEST(RealtimeMethods, ADarkLayerDarkensByItsOpacityAndNotWhereNothingIsShaded) {
-  const Piped piped;
+  const Piped piped(Estimator::path, shaded_scene(0, false, counted_width_px));
   const LocalScene local =
       piped.local({.compositing = PipelineCompositing::dark_layer, .shadow_opacity = 0.4});
   const Composite composite =
       compose(piped.estimator->stimulus(recipe(Artifact::all, Isolation::query), local.world(), {}).sums);
   int full = 0;
-  for (int y = 0; y < 54; ++y)
-    for (int x = 0; x < 96; ++x) {
+  for (int y = 0; y < counted_height_px; ++y)
+    for (int x = 0; x < counted_width_px; ++x) {
       const float ratio = composite.ratio.rgb(x, y)[0];
       EXPECT_GT(ratio, 0.6F - 1e-4F);
       EXPECT_LT(ratio, 1.0F + 1e-4F);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "renderer/depth/adaptive_mesh.h"
+#include "renderer/depth/full_mesh.h"
 #include "renderer/tracing/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
@@ -46,10 +48,11 @@ void expect_the_same_triangles(const DepthMesh& mesh) {
 
 TEST(Quads, AreTheSameTrianglesWithTheSameWinding) {
   expect_the_same_triangles(build_depth_mesh(test::room_map(256), {}));
-  expect_the_same_triangles(build_depth_mesh(test::room_map(64), {.density = MeshDensity::full}));
+  expect_the_same_triangles(build_full_mesh(make_dense_sphere(test::room_map(64), 0, 1, 64), 1));
   std::mt19937_64 random(9);
   for (int i = 0; i < 20; ++i)  // with holes, so that triangles are left alone
-    expect_the_same_triangles(build_depth_mesh(test::random_map(32, random), {}));
+    expect_the_same_triangles(
+        build_adaptive_mesh(make_dense_sphere(test::random_map(32, random), 0, 1, 256), 1e-4, 1));
 }
 
 TEST(Quads, PairNearlyAllTrianglesOfARoom) {

@@ -179,14 +179,15 @@ TEST_F(QuestPlusProcedureTest, ResumesBitForBitAtEveryTrial) {
     wanted.outcome = outcome;
     wanted.stop_interval = 1.5;
     wanted.max_trials = 18;
-    const Run all = run(begin(wanted), true);
+    const QuestPlusProcedure fresh = begin(wanted);
+    const Run all = run(fresh, true);
     for (std::size_t trial = 0; trial < all.before.size(); ++trial) {
       const std::vector<TrialAnswer> answers(all.answers.begin(),
                                              all.answers.begin() + static_cast<std::ptrdiff_t>(trial));
       std::vector<int> decided(all.shown.begin(), all.shown.begin() + static_cast<std::ptrdiff_t>(trial));
       for (const bool was_shown : {false, true}) {
         if (was_shown) decided.push_back(all.shown[trial]);
-        const QuestPlusProcedure again = resume_quest_plus(begin(wanted), decided, answers);
+        const QuestPlusProcedure again = resume_quest_plus(fresh, decided, answers);
         ASSERT_EQ(again.tracks, all.before[trial].tracks);  // the masses' every bit
         ASSERT_EQ(again.due, all.before[trial].due);
         ASSERT_EQ(again.shows, all.before[trial].shows);
