@@ -199,9 +199,6 @@ TEST_F(MakeComposite, AMaskOfAnotherShapeOrBeyondOneIsRefused) {
   write_exr(folder_ / "mask.exr", Image(40, 30, 1, 2.0F));
   EXPECT_THAT(said(request), HasSubstr("from 0 to 1, found 2"));
   write_exr(folder_ / "mask.exr", Image(40, 30, 1, 0.0F));
-  request.estimator = Estimator::fast;
-  EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path"));
-  request.estimator.reset();
   EXPECT_EQ(said(request), "no complaint");
   request.shadow_matte = in("mask.exr");
   EXPECT_THAT(said(request), HasSubstr("--shadow-matte: wanted a sun"));
