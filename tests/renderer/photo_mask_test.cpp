@@ -23,8 +23,8 @@ enum class Lit { sun_and_sky, photographed };
 class MaskedWorld {
  public:
   MaskedWorld(Seen seen, Lit lit) {
-    camera_ = Camera{.width_px = 72, .height_px = 48};
-    if (seen == Seen::panorama) camera_ = panorama_camera(160, 80);
+    camera_ = Camera{.width_px = 60, .height_px = 40};
+    if (seen == Seen::panorama) camera_ = panorama_camera(96, 48);
     const Meshes world = {test::floor(-1, 8), test::box({-0.5F, -1, -3.2F}, {-0.2F, 0.4F, -3}, 0.5F),
                           test::box({1.2F, -1, -5.5F}, {1.6F, 1.5F, -5}, 0.5F)};
     map_ = capture_depth(Geometry(world), 256, 0, 2);
@@ -95,12 +95,13 @@ class MaskedWorld {
   /// Both estimators' pictures agree as far as both say, over the picture and in their sum.
   void expect_agreement(const PhotoScene& scene, const char* what) const {
     ASSERT_TRUE(fast_can_render(scene));
-    const PhotoEstimate quick = fast(scene, 0.008, {.seed = 5, .threads = 2});
-    const PhotoEstimate traced = photo_by_path(scene, {}, 0, {.spp = 128, .seed = 9, .threads = 2});
+    const double asked = camera_.directions ? 0.004 : 0.01;  // of a panorama the object is a small part
+    const PhotoEstimate quick = fast(scene, asked, {.seed = 5, .threads = 2});
+    const PhotoEstimate traced = photo_by_path(scene, {}, 0, {.spp = 48, .seed = 9, .threads = 2});
     const Image a = compose(quick.sums).picture, b = compose(traced.sums).picture;
-    EXPECT_LE(quick.error.rmse(), 0.008) << what;
+    EXPECT_LE(quick.error.rmse(), asked) << what;
     EXPECT_LT(display_rmse(a, b, 0), quick.error.rmse() + traced.error.rmse()) << what;
-    EXPECT_GT(display_rmse(a, photograph_, 0), 0.02) << what << ": the object is seen";
+    EXPECT_GT(display_rmse(a, photograph_, 0), 1.5 * asked) << what << ": the object is seen";
     double of_a = 0, of_b = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i)
       of_a += double{a.values[i]}, of_b += double{b.values[i]};
@@ -129,11 +130,11 @@ TEST(PhotoMask, FastAndPathAgreeWhoeverIsInFront) {
     painted.mask = world.stripes(false, 1);
     seen_from_centre.mask = world.stripes(true, 1);
     world.expect_agreement(world.scene(&painted, nullptr), "mask of the photograph's shape");
-    world.expect_agreement(world.scene(&seen_from_centre, nullptr), "mask by direction");
-    for (const int bits : {0, 12}) {
-      const OcclusionTest test = world.test(bits);
-      world.expect_agreement(world.scene(&test, nullptr), bits == 0 ? "depth test" : "depth buffer");
-    }
+    if (seen == Seen::panorama)
+      world.expect_agreement(world.scene(&seen_from_centre, nullptr), "mask by direction");
+    const OcclusionTest in_metres = world.test(0), in_buffer = world.test(12);
+    world.expect_agreement(world.scene(&in_metres, nullptr), "depth test");
+    if (seen == Seen::view) world.expect_agreement(world.scene(&in_buffer, nullptr), "depth buffer");
   }
 }
 
