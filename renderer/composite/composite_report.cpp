@@ -50,6 +50,7 @@ std::string facts(const CompositeRequest& request, const MadeComposite& made) {
   text += row("depth used", made.depth_text);
   text += row("triangles of the local scene", fmt::format("{}", made.triangles));
   for (const std::string& light : made.light) text += row("light", light);
+  for (const std::string& answer : made.answers) text += row("given", answer);
   text += row("estimator", fmt::format("{}, {} samples a pixel", made.estimator, made.spp));
   text += row("estimated error", error_text(made));
   text += row("seconds", fmt::format("{:.1f} for the local scene, {:.1f} for the picture", made.mesh_seconds,

@@ -22,6 +22,7 @@ struct MadeComposite {
   std::string depth_text;              ///< which depth, and how wide
   std::optional<SeamlessWidth> width;  ///< where thresholds chose it
   std::vector<std::string> light, notes, objects;
+  std::vector<std::string> answers;  ///< who answers in place of the local scene
 };
 
 /// The same through the full depth map, where the composite has less.

@@ -21,13 +21,14 @@ TruthScene scene_of(const PhotoScene& photo, const PhotoMeshes& meshes, double e
   return scene;
 }
 
-/// Who covers what, without any light.
-SceneSums coverage(const TruthScene& scene, int spp, const PassOptions& options) {
+/// Who covers what, without any light. `occlusion`: decides who is in front; null: who is nearer.
+SceneSums coverage(const TruthScene& scene, const OcclusionTest* occlusion, int spp,
+                   const PassOptions& options) {
   TruthScene dark = scene;
   dark.light = {.bounces = 0, .skips_sky = true};
   SceneSums sums = empty_sums(scene.camera);
   add_samples(dark, SceneGeometry(dark), std::vector<int>(sums.spp.size(), spp),
-              {.seed = options.seed, .threads = options.threads}, sums);
+              {.seed = options.seed, .threads = options.threads, .occlusion = occlusion}, sums);
   return sums;
 }
 
@@ -61,7 +62,7 @@ std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, doubl
 }
 
 bool fast_can_render(const PhotoScene& scene) {
-  if (scene.occlusion.hides || scene.shadow_matte != nullptr) return false;
+  if (scene.occlusion.nothing_hides) return false;
   const Camera& camera = scene.camera;
   if (!camera.directions) return true;
   const auto right = static_cast<float>(camera.width_px), lower = static_cast<float>(camera.height_px);
@@ -80,16 +81,20 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
       {.spp = spp, .error = error, .seed = options.seed, .threads = options.threads, .depth_bounces = true});
   scene = with_chosen_light(std::move(scene), choices);
   const ObjectGeometry geometry = object_geometry(scene, photo_object_index);
-  const SceneSums sums = coverage(scene, spp, options);
+  const OcclusionTest* test = photo.occlusion.test;
+  const SceneSums sums = coverage(scene, test, spp, options);
   const TruthSums truth = photographed_truth(photo, scene, sums, options.threads);
   ErrorEstimate no_error;
   no_error.tiles.resize(static_cast<std::size_t>(sums.grid.count()));
   no_error.blocks.resize(static_cast<std::size_t>(sums.blocks().count()));
-  const ObjectTruth object{scene, sums, geometry, photo_object_index, truth, no_error};
+  const ObjectTruth object{scene, sums, geometry, photo_object_index, truth, no_error, true};
   Recipe recipe = renderer::recipe(Artifact::all, Isolation::query);
-  recipe.answers.occlusion = Who::truth;  // it is the same mesh
+  if (test == nullptr) recipe.answers.occlusion = Who::truth;  // it is the same mesh
+  const ShadowMatte matte{.of_all_suns = photo.shadow_matte};
+  DepthWorld world(&photo.depth, test, photo.shadow_matte != nullptr ? &matte : nullptr);
+  world.asks_from_object = true;  // where something else than the mesh says that it is in front
   FastStimulus made =
-      render_fast_stimulus(object, &photo.depth, recipe, choices,
+      render_fast_stimulus(object, world, recipe, choices,
                            {.seed = options.seed,
                             .threads = options.threads,
                             .target = error ? std::optional(ErrorTarget{*error}) : std::nullopt,

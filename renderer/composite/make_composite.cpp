@@ -21,22 +21,14 @@
 namespace seamline::renderer {
 namespace {
 
-/// What answers in place of depth.
+/// What answers in place of the local scene.
 struct GivenAnswers {
-  std::optional<Mask> occlusion_mask, shadow_matte;
-  std::optional<OcclusionTest> test;
+  std::optional<OcclusionTest> test;  ///< a mask, or depth looked up a pixel
+  std::optional<Mask> shadow_matte;
 
   [[nodiscard]] Occlusion occlusion(PhotoOcclusion kind) const {
-    if (occlusion_mask)
-      return {
-          .hides = [this](const MaskPlace& place, float) { return mask_at(*occlusion_mask, place) >= 0.5F; }};
-    if (kind == PhotoOcclusion::none)
-      return {.hides = [](const MaskPlace&, float) { return false; }, .real_shades_object = false};
-    if (test)
-      return {.hides = [this](const MaskPlace& place, float distance_m) {
-        return hides(*test, place.direction, distance_m);
-      }};
-    return {};
+    if (test) return {.test = &*test};
+    return {.nothing_hides = kind == PhotoOcclusion::none};
   }
 };
 
@@ -49,9 +41,11 @@ GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& see
     return file.empty() ? std::nullopt
                         : std::optional(read_mask(file, camera.width_px, camera.height_px, whole));
   };
-  given.occlusion_mask = mask(request.occlusion_mask);
   given.shadow_matte = mask(request.shadow_matte);
-  if (request.occlusion == PhotoOcclusion::depth_test || request.occlusion == PhotoOcclusion::depth_buffer) {
+  if (!request.occlusion_mask.empty()) {
+    given.test.emplace().mask = mask(request.occlusion_mask);
+  } else if (request.occlusion == PhotoOcclusion::depth_test ||
+             request.occlusion == PhotoOcclusion::depth_buffer) {
     given.test =
         OcclusionTest{.sights = {photo_sight(depth, request.depth, camera)}, .forward = -camera.axes.col(2)};
     if (request.occlusion == PhotoOcclusion::depth_buffer) {
@@ -60,6 +54,24 @@ GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& see
     }
   }
   return given;
+}
+
+/// What those are, a line each; none where the local scene answers.
+std::vector<std::string> answers_text(const CompositeRequest& request) {
+  std::vector<std::string> text;
+  if (!request.occlusion_mask.empty())
+    text.push_back("who is in front: the mask " + printable(request.occlusion_mask));
+  else if (request.occlusion == PhotoOcclusion::depth_test)
+    text.push_back("who is in front: depth, looked up a sample in metres");
+  else if (request.occlusion == PhotoOcclusion::depth_buffer)
+    text.push_back(
+        fmt::format("who is in front: depth, looked up a sample in a depth buffer of {} bits, {:g} to {:g} m",
+                    request.buffer.bits, request.buffer.nearest_m, request.buffer.farthest_m));
+  else if (request.occlusion == PhotoOcclusion::none)
+    text.push_back("who is in front: the objects, always, and nothing real shades them");
+  if (!request.shadow_matte.empty())
+    text.push_back("which real surfaces suns reach: the matte " + printable(request.shadow_matte));
+  return text;
 }
 
 /// Says where objects are that are seen badly, and whether they can be seen at all.
@@ -104,8 +116,8 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
   if (out.by == Estimator::fast && !can_be_fast)
     throw input_error(
         {.field = "--estimator",
-         .wanted = "path beside --occlusion, --occlusion-mask, --shadow-matte, and lenses that do not "
-                   "fill the picture",
+         .wanted = "path beside --occlusion none, where nothing real shades the objects, and beside a lens "
+                   "that leaves the picture's corners empty",
          .found = "fast"});
   Progress progress(title, 1.0);
   const PassOptions pass{.spp = request.spp,
@@ -233,6 +245,8 @@ void make_composite(const CompositeRequest& asked) {
 
   const Geometry object_geometry(objects.meshes);
   const GivenAnswers given = given_answers(request, seen, depth);
+  made.answers = answers_text(request);
+  for (const std::string& answer : made.answers) fmt::print("{}\n", answer);
   if (given.shadow_matte && known.light.suns.empty())
     throw input_error(
         {.field = "--shadow-matte", .wanted = "a sun, whose shadow it shows", .found = "light without one"});

@@ -42,7 +42,7 @@ class PhotoSampler {
     }
     const std::optional<SurfacePoint> real = scene_.depth.nearest(sight.ray);
     if (const auto hit = seen_object(sight, real)) {
-      const bool shaded = scene_.occlusion.real_shades_object;
+      const bool shaded = !scene_.occlusion.nothing_hides;
       const RealQuestion question{shaded ? &scene_.depth : &scene_.objects, &*hit};
       out.object += leaving_object(ObjectQuestions::all_of(question), scene_.objects, *hit,
                                    shaded ? scene_.light : light_past_nothing_, sampler)
@@ -62,11 +62,11 @@ class PhotoSampler {
   /// An object where it is seen: nearer than the mesh, or not hidden by what else decides.
   [[nodiscard]] std::optional<SurfacePoint> seen_object(const Sight& sight,
                                                         const std::optional<SurfacePoint>& real) const {
-    const auto& hides = scene_.occlusion.hides;
+    const auto& [test, nothing_hides] = scene_.occlusion;
     Ray ray = sight.ray;
-    if (!hides && real) ray.far_m = real->distance_m;
+    if (test == nullptr && !nothing_hides && real) ray.far_m = real->distance_m;
     const auto hit = scene_.objects.nearest(ray);
-    if (hit && hides && hides(sight.place, hit->distance_m)) return std::nullopt;
+    if (hit && test != nullptr && hides(*test, sight.place, hit->distance_m)) return std::nullopt;
     return hit;
   }
 

@@ -1,21 +1,17 @@
 #pragma once
-#include <functional>
-
+#include "renderer/depth/occlusion_test.h"
 #include "renderer/error/error_estimate.h"
 #include "renderer/estimators/estimator.h"
-#include "renderer/material/mask.h"
 #include "renderer/picture/composite.h"
 
 namespace seamline::renderer {
 
 /// Who is in front, in place of the depth mesh.
 struct Occlusion {
-  /// Whether the real world hides a point of an object: where the sample lies, and how far the point is.
-  /// Empty: the mesh decides.
-  std::function<bool(const MaskPlace& place, float distance_m)> hides = {};
-  /// Whether real things may shade the objects. Not where these are drawn over things that they stand behind
-  /// or within: there they would be black.
-  bool real_shades_object = true;
+  const OcclusionTest* test = nullptr;  ///< null: the mesh decides, or nobody
+  /// The objects are drawn over everything. Then real things do not shade them either: where they stand
+  /// behind or within these, they would be black.
+  bool nothing_hides = false;
 };
 
 /// A photograph of which only a local scene is known, and what is put into it. Camera and local scene have

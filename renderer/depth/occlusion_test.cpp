@@ -50,9 +50,9 @@ struct Hides {
 
 }  // namespace
 
-bool hides(const OcclusionTest& test, const Eigen::Vector3f& direction, float distance_m) {
-  if (test.mask) return masks(*test.mask, direction);
-  const Hides asked{test, direction.cast<double>().normalized(), static_cast<double>(distance_m)};
+bool hides(const OcclusionTest& test, const MaskPlace& place, float distance_m) {
+  if (test.mask) return mask_at(*test.mask, place) >= 0.5F;
+  const Hides asked{test, place.direction.cast<double>().normalized(), static_cast<double>(distance_m)};
   return std::any_of(test.sights.begin(), test.sights.end(),
                      [&](const DepthSight& sight) { return std::visit(asked, sight); });
 }

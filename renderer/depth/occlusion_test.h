@@ -41,11 +41,11 @@ struct OcclusionTest {
   std::vector<DepthSight> sights;
   Eigen::Vector3f forward = {0, 0, -1};             ///< unit; the photograph's axis in the world
   std::optional<sensors::DepthBuffer> buffer = {};  ///< none: metres
-  std::optional<DirectionMask> mask = {};           ///< decides alone, whatever the distance
+  std::optional<Mask> mask = {};                    ///< decides alone, whatever the distance
 };
 
 /// Whether the real world hides a virtual point at this distance in this direction (unit, in the world).
-[[nodiscard]] bool hides(const OcclusionTest& test, const Eigen::Vector3f& direction, float distance_m);
+[[nodiscard]] bool hides(const OcclusionTest& test, const MaskPlace& place, float distance_m);
 
 /// What answers in place of the truth: the depth mesh, and who is in front and which real surface the suns
 /// light where something else decides that.
@@ -54,6 +54,9 @@ struct DepthWorld {
   const OcclusionTest* occlusion = nullptr;  ///< null: the mesh decides
   const ShadowMatte* matte = nullptr;       ///< which real surfaces suns do not reach; null: the mesh decides
   const RealtimeWorld* realtime = nullptr;  ///< methods in place of rays; null: everything is traced
+  /// Whether the mesh is asked from the object's own point also where that lies behind it on its view ray,
+  /// and not from the mesh's point there.
+  bool asks_from_object = false;
 
   // A mesh alone is a world of depth.
   DepthWorld(const Geometry* depth_mesh, const OcclusionTest* test = nullptr,

@@ -29,10 +29,10 @@ bool is_nearer(const SurfacePoint& object, const std::optional<SurfacePoint>& ot
 
 }  // namespace
 
-bool is_in_front(const DepthWorld& depth, const Ray& ray, const SurfacePoint& object,
+bool is_in_front(const DepthWorld& depth, const MaskPlace& place, const SurfacePoint& object,
                  const std::optional<SurfacePoint>& on_mesh) {
   if (depth.occlusion == nullptr) return is_nearer(object, on_mesh);
-  return !hides(*depth.occlusion, ray.direction, object.distance_m);
+  return !hides(*depth.occlusion, place, object.distance_m);
 }
 
 StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& geometry,
@@ -42,6 +42,9 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       geometry_(geometry),
       depth_(needs_mesh(recipe.answers, depth) ? depth.mesh : nullptr),
       occlusion_(depth.occlusion),
+      asks_from_object_(depth.asks_from_object),
+      looks_in_photograph_((depth.occlusion != nullptr && depth.occlusion->mask) ||
+                           (depth.matte != nullptr && depth.matte->of_all_suns != nullptr)),
       matte_(recipe.answers.real_lit == Who::depth ? depth.matte : nullptr),
       realtime_(depth.realtime),
       recipe_(recipe),
@@ -76,7 +79,8 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
       if (realtime_ != nullptr) take_normals(sample);
       sample.covered_in_truth = sample.object && is_nearer(*sample.object, sample.real);
       sample.covered_in_depth = answers_.occlusion == Who::depth && sample.object &&
-                                is_in_front({depth_, occlusion_}, rays[i], *sample.object, sample.depth);
+                                is_in_front({depth_, occlusion_}, {rays[i].direction, place_of(sample)},
+                                            *sample.object, sample.depth);
       sample.shows = shown(sample);
       out.push_back(sample);
     }
@@ -117,7 +121,7 @@ StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const
 RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const {
   if (who == Who::truth) return {&geometry_.truth, &point};
   // Behind the depth mesh on its view ray: asked from the mesh's own surface there, or it would be sealed in.
-  const bool behind = sample.depth && sample.depth->distance_m < point.distance_m;
+  const bool behind = !asks_from_object_ && sample.depth && sample.depth->distance_m < point.distance_m;
   return {depth_, behind ? &*sample.depth : &point};
 }
 
@@ -181,7 +185,7 @@ void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> sampl
 
 void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> samples,
                                               std::span<DepthLight> lights, SamplingWork& work) const {
-  if (direct_from_truth() || uncovered_is_one_path()) return;
+  if (direct_from_truth() || (uncovered_is_one_path() && !path_leaves_suns_to_matte())) return;
   std::vector<UncoveredPoint>& points = work.uncovered_points_;
   std::vector<RadiancePair>& lit = work.lit_uncovered_;
   points.clear();
@@ -191,10 +195,13 @@ void StimulusSampler::add_direct_on_uncovered(std::span<const StimulusSample> sa
                       .lit = answers_.real_lit == Who::depth ? RealQuestion{depth_, &*sample.depth}
                                                              : RealQuestion{&geometry_.truth, &*sample.real},
                       .shaded_as = answers_.bounce == Who::depth ? &*sample.depth : &*sample.real,
-                      .sampler = sample.sampler});
+                      .sampler = sample.sampler,
+                      .in_photograph = place_of(sample)});
   }
-  lit.resize(points.size());
-  if (methods_light())
+  lit.assign(points.size(), {});
+  if (path_leaves_suns_to_matte())
+    add_suns_by_matte(points, geometry_.object, scene_.light, *matte_, lit, work.light_rays_, &work.counts_);
+  else if (methods_light())
     realtime_on_uncovered(points, geometry_.object, *realtime_, answers_, lit, work.light_rays_,
                           &work.counts_);
   else
@@ -219,6 +226,12 @@ bool StimulusSampler::is_batched(const StimulusSample& sample) const {
          ask(Who::depth, sample, *sample.object).start == &*sample.object;
 }
 
+PathRules StimulusSampler::uncovered_rules(const Sampler& sampler) const {
+  PathRules rules = path_rules(sampler, sampling_.tail_every, uncovered_is_one_path());
+  rules.without_first_suns = path_leaves_suns_to_matte();
+  return rules;
+}
+
 void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                                    SamplingWork& work) const {
   const bool direct = uncovered_is_one_path();
@@ -227,8 +240,7 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std:
   for (const StimulusSample& sample : samples) {
     if (!is_batched(sample)) continue;
     if (sample.shows == StimulusSample::Shows::uncovered)
-      paths.add({depth_worlds_.all(), *sample.depth, sample.sampler,
-                 path_rules(sample.sampler, sampling_.tail_every, direct)});
+      paths.add({depth_worlds_.all(), *sample.depth, sample.sampler, uncovered_rules(sample.sampler)});
     else
       paths.add(
           {only_world(0), *sample.object, sample.sampler, path_rules(sample.sampler, sampling_.tail_every)});

@@ -52,8 +52,8 @@ struct DepthLight {
   return depth.occlusion == nullptr ? answers.needs_depth() : answers.asks_depth_for_light();
 }
 
-/// Whether an object that a ray from the camera meets is seen in the world of depth.
-[[nodiscard]] bool is_in_front(const DepthWorld& depth, const Ray& ray, const SurfacePoint& object,
+/// Whether an object that a ray from the camera meets is seen in the world of depth. `place`: of the ray.
+[[nodiscard]] bool is_in_front(const DepthWorld& depth, const MaskPlace& place, const SurfacePoint& object,
                                const std::optional<SurfacePoint>& on_mesh);
 
 /// What one worker needs to look at samples: its counts, and memory that is used again and again.
@@ -123,6 +123,11 @@ class StimulusSampler {
  private:
   [[nodiscard]] Sampler sampler_of(const SampleId& id) const { return {seed_, id.x, id.y, id.number}; }
   [[nodiscard]] StimulusSample::Shows shown(const StimulusSample& sample) const;
+  /// Where a sample lies in the photograph; 0 where no mask is looked up so.
+  [[nodiscard]] Eigen::Array2f place_of(const StimulusSample& sample) const {
+    return looks_in_photograph_ ? camera_place(scene_.camera, sample.x, sample.y, sample.sampler)
+                                : Eigen::Array2f::Zero();
+  }
   [[nodiscard]] RealQuestion ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const;
   [[nodiscard]] Split object_light(const StimulusSample& sample, const Answers& answers,
                                    SamplingWork& work) const;
@@ -132,8 +137,12 @@ class StimulusSampler {
   }
   /// Whether one path through the depth mesh answers everything off the object.
   [[nodiscard]] bool uncovered_is_one_path() const {
-    return matte_ == nullptr && !methods_light() && answers_.bounce == Who::depth &&
-           answers_.receiver == Who::depth && answers_.real_lit == Who::depth;
+    return !methods_light() && answers_.bounce == Who::depth && answers_.receiver == Who::depth &&
+           answers_.real_lit == Who::depth && (matte_ == nullptr || sampling_.may_filter);
+  }
+  /// Whether what suns do at that path's first surface is the matte's to say.
+  [[nodiscard]] bool path_leaves_suns_to_matte() const {
+    return matte_ != nullptr && uncovered_is_one_path();
   }
   /// Whether methods of real time, and not rays, find direct light past the depth mesh.
   [[nodiscard]] bool methods_light() const { return realtime_ != nullptr && realtime_->changes_light(); }
@@ -146,6 +155,7 @@ class StimulusSampler {
   void add_direct_on_uncovered(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                                SamplingWork& work) const;
   /// Whether the path of a sample through the depth mesh is followed together with others.
+  [[nodiscard]] PathRules uncovered_rules(const Sampler& sampler) const;
   [[nodiscard]] bool is_batched(const StimulusSample& sample) const;
   void follow_paths(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                     SamplingWork& work) const;
@@ -155,6 +165,8 @@ class StimulusSampler {
   const ObjectGeometry& geometry_;
   const Geometry* depth_;           ///< the mesh; null where nothing is asked of it
   const OcclusionTest* occlusion_;  ///< null: the mesh decides
+  bool asks_from_object_;           ///< see DepthWorld
+  bool looks_in_photograph_;        ///< some mask may be of the photograph's shape
   const ShadowMatte* matte_;        ///< null: the mesh decides, or nobody asks
   const RealtimeWorld* realtime_;   ///< null: everything is traced
   const Recipe& recipe_;

@@ -81,6 +81,13 @@ struct Camera {
   return {camera.place_m(x), camera.direction_within(x, y, jitter[0], jitter[1])};
 }
 
+/// Where that ray passes the picture: 0 to 1 across and down.
+[[nodiscard]] inline Eigen::Array2f camera_place(const Camera& camera, int x, int y, const Sampler& sampler) {
+  const Eigen::Array2f at =
+      Eigen::Array2f(static_cast<float>(x), static_cast<float>(y)) + sampler.point(dimension::pixel);
+  return at / Eigen::Array2f(static_cast<float>(camera.width_px), static_cast<float>(camera.height_px));
+}
+
 /// The camera ray through the centre of a pixel.
 [[nodiscard]] inline Ray centre_ray(const Camera& camera, int x, int y) {
   return {camera.place_m(x), camera.centre_direction(x, y)};

@@ -50,12 +50,14 @@ void PathBatch::find_points(int dimension) {
 /// One kind of light at all vertices: rays to a sun lie together.
 void PathBatch::add_light_sample(int number, int vertex) {
   const GlowHits hits = worlds_->room->emits() ? GlowHits::found : GlowHits::unknown;
-  for (const Vertex& at : vertices_)
+  for (const Vertex& at : vertices_) {
+    if (asks_sun_elsewhere(at, number, vertex)) continue;
     if (const auto from_light =
             light_sample(*light_, number, at.point, at.throughput, starts_[at.path].sampler, vertex, hits))
       ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m),
           vertex == 0 ? FoundLight{true, from_light->radiance, from_light->mirrored}
                       : sorted(at.path, false, from_light->total()));
+  }
   const bool together = vertex == 0 && number < static_cast<int>(light_->suns.size());
   add_what_arrives(together ? Coherence::together : Coherence::scattered);
 }

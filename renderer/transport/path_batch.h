@@ -14,7 +14,8 @@ struct PathRules {
   float tail_weight = 1.0F;
   /// A constant sky at the first surface is added to the light that may be filtered.
   bool sky_joins_bounce = false;
-  WorldSet reach_of = 0xFF;  ///< worlds by which `PathLight::reach_m` is measured
+  bool without_first_suns = false;  ///< another answers what suns do at the first surface
+  WorldSet reach_of = 0xFF;         ///< worlds by which `PathLight::reach_m` is measured
 };
 /// Every `tail_every`-th sample of each half has a tail.
 [[nodiscard]] inline PathRules path_rules(const Sampler& sampler, int tail_every,
@@ -78,6 +79,10 @@ class PathBatch {
 
   [[nodiscard]] bool ends_at_sky(int vertex) const { return vertex >= light_->bounces && !emits_; }
   void find_points(int dimension);
+  [[nodiscard]] bool asks_sun_elsewhere(const Vertex& at, int number, int vertex) const {
+    return vertex == 0 && number < static_cast<int>(light_->suns.size()) &&
+           starts_[at.path].rules.without_first_suns;
+  }
   void add_light_sample(int number, int vertex);
   /// A map's light has edges, which no filter of bounce light may touch.
   [[nodiscard]] bool sky_joins_bounce(const Vertex& vertex) const {

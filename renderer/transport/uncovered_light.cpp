@@ -1,5 +1,7 @@
 #include "renderer/transport/uncovered_light.h"
 
+#include <optional>
+
 #include "renderer/light/light_sample.h"
 #include "renderer/tracing/surface_point.h"
 
@@ -30,7 +32,30 @@ SurfacePoint shaded_receiver(const UncoveredPoint& point) {
   return receiver;
 }
 
+/// One kind of light on one of many points.
+std::optional<LightSample> sample_of(const UncoveredPoint& point, const SurfacePoint& receiver,
+                                     const Light& light, int number) {
+  return light_sample(light, number, receiver, Rgb::Ones(), point.sampler, 0, GlowHits::unknown);
+}
+
 }  // namespace
+
+void add_suns_by_matte(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
+                       const ShadowMatte& matte, std::span<RadiancePair> pairs, LightRays& rays,
+                       RayCounts* counts) {
+  rays.clear();
+  for (std::size_t sun = 0; sun < light.suns.size(); ++sun)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const SurfacePoint receiver = shaded_receiver(points[i]);
+      const auto sample = sample_of(points[i], receiver, light, static_cast<int>(sun));
+      if (!sample) continue;
+      const float arrives = arriving_share(matte, sun, {receiver.position_m, points[i].in_photograph});
+      if (arrives > 0.0F)
+        rays.add(receiver, {nullptr, &receiver}, sample->direction, sample->far_m,
+                 {i, arrives * sample->radiance});
+    }
+  trace(object, nullptr, Coherence::together, &Split::direct, rays, counts, pairs);
+}
 
 void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
                          std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts,
@@ -47,21 +72,16 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
     for (int number = from; number < to; ++number)
       for (std::size_t i = 0; i < points.size(); ++i) {
         const SurfacePoint receiver = shaded_receiver(points[i]);
-        const auto sample =
-            light_sample(light, number, receiver, Rgb::Ones(), points[i].sampler, 0, GlowHits::unknown);
-        if (!sample) continue;
-        if (matte == nullptr || number >= suns) {
+        if (const auto sample = sample_of(points[i], receiver, light, number))
           rays.add(receiver, points[i].lit, sample->direction, sample->far_m, {i, sample->radiance});
-          continue;
-        }
-        const float arrives = 1.0F - matte->of_suns[static_cast<std::size_t>(number)].at(receiver.position_m);
-        if (arrives > 0.0F)
-          rays.add(receiver, {nullptr, &receiver}, sample->direction, sample->far_m,
-                   {i, arrives * sample->radiance});
       }
   };
-  add_samples(0, suns);
-  trace(object, matte == nullptr ? &real : nullptr, Coherence::together, &Split::direct, rays, counts, pairs);
+  if (matte != nullptr) {
+    add_suns_by_matte(points, object, light, *matte, pairs, rays, counts);
+  } else {
+    add_samples(0, suns);
+    trace(object, &real, Coherence::together, &Split::direct, rays, counts, pairs);
+  }
   add_samples(suns, light_samples(light));
   trace(object, &real, Coherence::scattered, &Split::direct, rays, counts, pairs);
   for (std::size_t i = 0; i < points.size(); ++i) {

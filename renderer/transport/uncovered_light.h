@@ -16,6 +16,8 @@ struct UncoveredPoint {
   /// The truth's point, whose material the receiver has and whose emission and bounce light join it.
   const SurfacePoint* shaded_as = nullptr;
   Sampler sampler;
+  /// Where the photograph shows it, for mattes of the photograph's shape.
+  Eigen::Array2f in_photograph = Eigen::Array2f::Zero();
 };
 
 /// Sun and sky on many such points at once: their rays to the sun go together, those to the sky in packets of
@@ -26,5 +28,11 @@ struct UncoveredPoint {
 void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
                          std::span<RadiancePair> pairs, LightRays& rays, RayCounts* counts = nullptr,
                          const ShadowMatte* matte = nullptr);
+
+/// The suns alone, each as far as the matte lets it through and the object does not block it; added to the
+/// direct light of `pairs`.
+void add_suns_by_matte(std::span<const UncoveredPoint> points, const Geometry& object, const Light& light,
+                       const ShadowMatte& matte, std::span<RadiancePair> pairs, LightRays& rays,
+                       RayCounts* counts = nullptr);
 
 }  // namespace seamline::renderer

@@ -200,12 +200,44 @@ TEST_F(MakeComposite, AMaskOfAnotherShapeOrBeyondOneIsRefused) {
   write_exr(folder_ / "mask.exr", Image(40, 30, 1, 2.0F));
   EXPECT_THAT(said(request), HasSubstr("from 0 to 1, found 2"));
   write_exr(folder_ / "mask.exr", Image(40, 30, 1, 0.0F));
-  request.estimator = Estimator::fast;
-  EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path"));
-  request.estimator.reset();
   EXPECT_EQ(said(request), "no complaint");
   request.shadow_matte = in("mask.exr");
   EXPECT_THAT(said(request), HasSubstr("--shadow-matte: wanted a sun"));
+}
+
+TEST_F(MakeComposite, AMaskAndAMatteAreForBothEstimatorsAndSaidInTheReport) {
+  CompositeRequest request = view();
+  request.light.given.suns = {SunDefinition{Eigen::Vector3d(0.2, 1, 0.3), {2, 2, 2}, 0}};
+  Image left(40, 30, 1, 0.0F);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 20; ++x) left.at(x, y) = 1.0F;
+  write_exr(folder_ / "left.exr", left);
+  request.occlusion_mask = request.shadow_matte = in("left.exr");
+  request.report = in("masked.html");
+  request.estimator = Estimator::path;
+  ASSERT_EQ(said(request), "no complaint");
+  EXPECT_THAT(read_file(folder_ / "masked.html"), HasSubstr("path, 2 samples"));
+  request.estimator.reset();
+  std::string bytes;
+  for (const int threads : {1, 2}) {
+    request.threads = threads;
+    ASSERT_EQ(said(request), "no complaint");
+    if (bytes.empty()) bytes = read_file(folder_ / "out.exr");
+    EXPECT_EQ(read_file(folder_ / "out.exr"), bytes);
+  }
+  EXPECT_THAT(read_file(folder_ / "masked.html"),
+              AllOf(HasSubstr("who is in front: the mask"), HasSubstr("suns reach: the matte"),
+                    HasSubstr("fast, 2 samples")));
+  const Image made = read_image(folder_ / "out.exr");
+  int left_half = 0, right_half = 0;  // pixels of the statue in the sun: no real surface gets so bright
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) (x < 20 ? left_half : right_half) += made.at(x, y) > 0.56F ? 1 : 0;
+  EXPECT_EQ(left_half, 0);
+  EXPECT_GT(right_half, 3);
+  request.occlusion_mask.clear();
+  request.occlusion = PhotoOcclusion::none;
+  request.estimator = Estimator::fast;
+  EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path beside --occlusion none"));
 }
 
 TEST_F(MakeComposite, ASmallerWidthIsComparedWithAllDepthInTheReport) {

@@ -53,8 +53,8 @@ double share_told_apart(const Geometry& truth, const OcclusionTest& test, const 
       const auto hit = truth.nearest(ray);
       if (!hit) continue;
       ++all;
-      right += hides(test, ray.direction, hit->distance_m * (1 + relative)) &&
-                       !hides(test, ray.direction, hit->distance_m * (1 - relative))
+      right += hides(test, {ray.direction}, hit->distance_m * (1 + relative)) &&
+                       !hides(test, {ray.direction}, hit->distance_m * (1 - relative))
                    ? 1
                    : 0;
     }
@@ -94,20 +94,20 @@ TEST(OcclusionTest, WhatIsNotSeenAndHolesHideNothingAndOneOfSeveralIsEnough) {
   wall.frame_from_world.diagonal() << 1, -1, -1;
   test.sights = {wall};
   const Eigen::Vector3f ahead(0, 0, -1), aside(1, 0, 0), oblique = Eigen::Vector3f(0.3F, 0, -1).normalized();
-  EXPECT_TRUE(hides(test, ahead, 3.001F));
-  EXPECT_FALSE(hides(test, ahead, 2.999F));
-  EXPECT_TRUE(hides(test, oblique, 3.001F / -oblique.z()));  // planar: along the camera's axis
-  EXPECT_FALSE(hides(test, oblique, 2.999F / -oblique.z()));
-  EXPECT_FALSE(hides(test, aside, 1e6F));
-  EXPECT_FALSE(hides(test, -ahead, 1e6F));
+  EXPECT_TRUE(hides(test, {ahead}, 3.001F));
+  EXPECT_FALSE(hides(test, {ahead}, 2.999F));
+  EXPECT_TRUE(hides(test, {oblique}, 3.001F / -oblique.z()));  // planar: along the camera's axis
+  EXPECT_FALSE(hides(test, {oblique}, 2.999F / -oblique.z()));
+  EXPECT_FALSE(hides(test, {aside}, 1e6F));
+  EXPECT_FALSE(hides(test, {-ahead}, 1e6F));
   wall.frame.depth_m.assign(48, sensors::hole);
   test.sights = {wall};
-  EXPECT_FALSE(hides(test, ahead, 1e6F));
+  EXPECT_FALSE(hides(test, {ahead}, 1e6F));
   PanoramaSight around{.map = {.width_px = 8, .height_px = 4, .distance_m = std::vector<float>(32, 2.0F)}};
   test.sights.emplace_back(around);
-  EXPECT_TRUE(hides(test, oblique, 2.001F));  // radial: along the ray
-  EXPECT_FALSE(hides(test, oblique, 1.999F));
-  EXPECT_TRUE(hides(test, aside, 2.001F));
+  EXPECT_TRUE(hides(test, {oblique}, 2.001F));  // radial: along the ray
+  EXPECT_FALSE(hides(test, {oblique}, 1.999F));
+  EXPECT_TRUE(hides(test, {aside}, 2.001F));
 }
 
 /// What is nearer by less than a step of the buffer is not told apart; in metres it is.
@@ -116,15 +116,16 @@ TEST(OcclusionTest, ABufferIsAsGoodAsItsSteps) {
   test.sights.emplace_back(
       PanoramaSight{.map = {.width_px = 8, .height_px = 4, .distance_m = std::vector<float>(32, 8.0F)}});
   const Eigen::Vector3f oblique = Eigen::Vector3f(0.3F, 0.2F, -1).normalized();
-  EXPECT_TRUE(hides(test, oblique, 8.01F));
+  EXPECT_TRUE(hides(test, {oblique}, 8.01F));
   test.buffer = sensors::DepthBuffer{.nearest_m = 0.01, .farthest_m = 100, .bits = 16};
   const double step_m = sensors::depth_buffer_step_m(*test.buffer, -8.0 * static_cast<double>(oblique.z()));
   EXPECT_GT(step_m, 0.07);
-  EXPECT_FALSE(hides(test, oblique, 8.01F) && hides(test, oblique, 8.02F) && hides(test, oblique, 7.99F));
-  EXPECT_TRUE(hides(test, oblique, 8.0F + 1.6F * static_cast<float>(step_m)));
-  EXPECT_FALSE(hides(test, oblique, 8.0F - 1.6F * static_cast<float>(step_m)));
+  EXPECT_FALSE(hides(test, {oblique}, 8.01F) && hides(test, {oblique}, 8.02F) &&
+               hides(test, {oblique}, 7.99F));
+  EXPECT_TRUE(hides(test, {oblique}, 8.0F + 1.6F * static_cast<float>(step_m)));
+  EXPECT_FALSE(hides(test, {oblique}, 8.0F - 1.6F * static_cast<float>(step_m)));
   test.buffer->bits = 32;
-  EXPECT_TRUE(hides(test, oblique, 8.01F));
+  EXPECT_TRUE(hides(test, {oblique}, 8.01F));
 }
 
 /// A test that looks at depth as fine as the mesh gives the mesh's picture but for a few pixels of edges; a

@@ -138,8 +138,9 @@ TEST_F(PhotoComposite, AMaskDecidesWhoIsInFrontAtItsOwnResolution) {
   PhotographMask half{Image(512, 384, 1, 0.0F)};
   for (int y = 0; y < 384; ++y)
     for (int x = 256; x < 512; ++x) half.values.at(x, y) = 1.0F;  // the right half is in front
-  const Mask mask = half;
-  asked.occlusion.hides = [&](const MaskPlace& place, float) { return mask_at(mask, place) >= 0.5F; };
+  OcclusionTest test;
+  test.mask = half;
+  asked.occlusion.test = &test;
   light_.environment_radiance = Rgb::Zero();
   light_.suns.clear();
   const Image made = picture(asked);

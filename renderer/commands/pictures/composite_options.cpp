@@ -201,7 +201,9 @@ void add_sampling_options(CLI::App& command, CompositeOptions& options) {
   CompositeRequest& request = options.request;
   command
       .add_option("--estimator", options.estimator,
-                  "fast (filtered bounce light), path (every path traced), or auto: fast where it can")
+                  "fast (filtered bounce light), path (every path traced), or auto: fast, but path beside "
+                  "--occlusion "
+                  "none and where a lens leaves the picture's corners empty")
       ->check(CLI::IsMember({"auto", "fast", "path"}))
       ->capture_default_str();
   add_number(command, "--error", options.error, {1e-5, 1},

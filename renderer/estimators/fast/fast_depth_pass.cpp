@@ -161,6 +161,7 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
                    std::uint64_t seed, std::array<std::vector<OrderPixel>, 2>& order) {
   for (auto& half : order) half.resize(tile_pixels);
   std::array<Ray, rays_a_call> rays;
+  std::array<Eigen::Array2f, rays_a_call> places;
   std::array<std::optional<SurfacePoint>, rays_a_call> on_object, on_depth;
   std::array<bool, rays_a_call> in_truth;
   std::array<std::size_t, rays_a_call> halves;
@@ -175,7 +176,9 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
           const ObjectOnRays::Is found = on_rays.at(sample, x, y);
           if (found == ObjectOnRays::Is::absent) continue;
           in_truth[count] = found == ObjectOnRays::Is::in_front;
-          rays[count] = camera_ray(scene.camera, x, y, Sampler(seed, x, y, sample));
+          const Sampler sampler(seed, x, y, sample);
+          rays[count] = camera_ray(scene.camera, x, y, sampler);
+          if (depth.occlusion != nullptr) places[count] = camera_place(scene.camera, x, y, sampler);
           halves[count++] = static_cast<std::size_t>(sample % 2);
         }
         const std::span<const Ray> asked(rays.data(), count);
@@ -184,7 +187,8 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
           nearest_seen(scene.camera, *depth.mesh, asked, std::span(on_depth.data(), count));
         for (std::size_t i = 0; i < count; ++i) {
           if (!on_object[i]) continue;  // its very edge
-          const bool in_depth = is_in_front(depth, rays[i], *on_object[i], on_depth[i]);
+          const bool in_depth =
+              is_in_front(depth, {rays[i].direction, places[i]}, *on_object[i], on_depth[i]);
           OrderPixel& out = order[halves[i]][place];
           out.truth_only += in_truth[i] && !in_depth ? 1.0F : 0.0F;
           out.depth_only += in_depth && !in_truth[i] ? 1.0F : 0.0F;

@@ -43,7 +43,7 @@ class StimulusRounds {
                                  (depth.mesh != nullptr && depth.mesh->is_glossy()))),
         shows_object_(pixels_with_object()),
         filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
-    const bool order_differs = recipe.answers.occlusion == Who::depth;
+    const bool order_differs = recipe.answers.occlusion == Who::depth && !truth.sorted_by_depth;
     if (order_differs)
       order_ = ask_order(truth.scene, truth.scene_sums, truth.object_index, truth.geometry.object, depth,
                          options.seed, options.threads);

@@ -57,6 +57,7 @@ class TileSampler {
     const std::span<const Ray> asked(rays.data(), count);
     nearest_seen(scene_.camera, geometry_.room, asked, std::span(room_.data(), count), &counts_);
     find_objects(asked);
+    if (options_.occlusion != nullptr) drop_hidden(x, y, from, asked);
     for (std::size_t i = 0; i < count; ++i) add_sample(x, y, from + static_cast<int>(i), i);
     if (paths_.size() >= paths_at_once) follow_paths();
   }
@@ -75,15 +76,26 @@ class TileSampler {
     }
   }
 
-  /// The nearest surface of sample `i` when `left_out` (0 to 3, 0: none) is not there.
+  /// Objects where something that was given says that they are hidden. What is left is in front of the room.
+  void drop_hidden(int x, int y, int from, std::span<const Ray> rays) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Sampler sampler(options_.seed, x, y, from + static_cast<int>(i));
+      const MaskPlace place{rays[i].direction, camera_place(scene_.camera, x, y, sampler)};
+      for (Hits& hits : objects_)
+        if (hits[i] && hides(*options_.occlusion, place, hits[i]->distance_m)) hits[i].reset();
+    }
+  }
+
+  /// The surface that sample `i` shows when `left_out` (0 to 3, 0: none) is not there.
   const SurfacePoint* seen_without(std::size_t i, int left_out) const {
-    const SurfacePoint* nearest = room_[i] ? &*room_[i] : nullptr;
+    const SurfacePoint* room = room_[i] ? &*room_[i] : nullptr;
+    const SurfacePoint* object = nullptr;
     for (int k = 1; k <= 3; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
-      if (k != left_out && hit && (nearest == nullptr || hit->distance_m < nearest->distance_m))
-        nearest = &*hit;
+      if (k != left_out && hit && (object == nullptr || hit->distance_m < object->distance_m)) object = &*hit;
     }
-    return nearest;
+    if (object == nullptr || room == nullptr) return object != nullptr ? object : room;
+    return options_.occlusion != nullptr || object->distance_m < room->distance_m ? object : room;
   }
 
   void add_sample(int x, int y, int sample, std::size_t i) {

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include "renderer/depth/occlusion_test.h"
 #include "renderer/picture/scene_sums.h"
 #include "renderer/transport/scene_geometry.h"
 
@@ -13,6 +14,8 @@ struct ScenePassOptions {
   int threads = 1;
   int tail_every = 4;
   bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
+  /// Decides whether the room hides an object, in place of distance; null: nobody does.
+  const OcclusionTest* occlusion = nullptr;
   std::function<void(double share_done)> progress = {};
 };
 

@@ -14,6 +14,8 @@ struct ObjectTruth {
   int object_index;
   const TruthSums& truth_sums;  ///< filtered
   const ErrorEstimate& error;   ///< of the truth's pictures
+  /// Whether its sums are sorted by who is in front in the world of depth, which then agrees with the truth.
+  bool sorted_by_depth = false;
 };
 
 }  // namespace seamline::renderer

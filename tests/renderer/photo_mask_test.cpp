@@ -1,0 +1,213 @@
+// Composites in which something given answers in place of the local scene: the fast estimator beside the path
+// one, each with the error that it reports.
+#include <gtest/gtest.h>
+
+#include "renderer/composite/fast_photo.h"
+#include "renderer/composite/photo_composite.h"
+#include "renderer/composite/photograph.h"
+#include "renderer/depth/capture.h"
+#include "renderer/depth/depth_mesh.h"
+#include "shapes.h"
+#include "stimuli/pictures/difference.h"
+
+namespace seamline::renderer {
+namespace {
+
+using Meshes = std::vector<std::shared_ptr<const SurfaceMesh>>;
+
+enum class Seen { view, panorama };
+enum class Lit { sun_and_sky, photographed };
+
+/// A floor and posts under a sun, as a coarse depth map knows them; one post stands before a ball. Behind the
+/// floor's end there is sky, and the photograph is another colour everywhere.
+class MaskedWorld {
+ public:
+  MaskedWorld(Seen seen, Lit lit) {
+    camera_ = Camera{.width_px = 60, .height_px = 40};
+    if (seen == Seen::panorama) camera_ = panorama_camera(96, 48);
+    const Meshes world = {test::floor(-1, 8), test::box({-0.5F, -1, -3.2F}, {-0.2F, 0.4F, -3}, 0.5F),
+                          test::box({1.2F, -1, -5.5F}, {1.6F, 1.5F, -5}, 0.5F)};
+    map_ = capture_depth(Geometry(world), 256, 0, 2);
+    mesh_ = build_depth_mesh(map_, {.threads = 2});
+    depth_ = std::make_shared<const Geometry>(mesh_, Rgb::Constant(0.5F));
+    objects_.emplace(ball_);
+    photograph_ = Image(camera_.width_px, camera_.height_px, 3);
+    for (int y = 0; y < camera_.height_px; ++y)
+      for (int x = 0; x < camera_.width_px; ++x)
+        photograph_.set_rgb(x, y, colour(camera_.centre_direction(x, y)));
+    light_.bounces = 2;
+    light_.suns = {{Eigen::Vector3f(0.5F, 1, 0.3F).normalized(), Rgb(3, 2.7F, 2.4F), 0.02F}};
+    if (lit == Lit::sun_and_sky) {
+      light_.environment_radiance = Rgb(0.3F, 0.4F, 0.5F);
+      return;
+    }
+    Image around(128, 64, 3);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 128; ++x)
+        around.set_rgb(x, y, colour(panorama_direction(x + 0.5, y + 0.5, 128, 64).cast<float>()));
+    light_.environment = std::make_shared<EnvironmentMap>(std::move(around), 0.0F);
+    light_.photographed = depth_;
+  }
+
+  /// Who is in front by depth itself, looked up where the camera looks; `bits`: of a depth buffer, 0: metres.
+  [[nodiscard]] OcclusionTest test(int bits) const {
+    OcclusionTest test{.sights = {PanoramaSight{map_, 0}}, .forward = -camera_.axes.col(2)};
+    if (bits > 0) test.buffer = sensors::DepthBuffer{.nearest_m = 0.1, .farthest_m = 100, .bits = bits};
+    return test;
+  }
+  /// White in stripes that cross ball, posts and the shadows: before what the local scene has there and
+  /// behind it. By direction, or of the photograph's shape in another resolution.
+  [[nodiscard]] Mask stripes(bool by_direction, float slope) const {
+    const auto value = [&](const Eigen::Vector3f& direction) {
+      const float along = direction.x() + slope * direction.y();
+      return std::clamp(0.5F + 2.5F * std::sin(18 * along), 0.0F, 1.0F);
+    };
+    if (by_direction) {
+      DirectionMask mask = even_mask(1024, 0);
+      for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 1024; ++x)
+          mask.texels[static_cast<std::size_t>(y * 1024 + x)] =
+              value(panorama_direction(x + 0.5, y + 0.5, 1024, 512).cast<float>());
+      return mask;
+    }
+    PhotographMask mask{Image(3 * camera_.width_px, 3 * camera_.height_px, 1)};
+    for (int y = 0; y < mask.values.height_px; ++y)
+      for (int x = 0; x < mask.values.width_px; ++x)
+        mask.values.at(x, y) =
+            value(camera_.direction((static_cast<float>(x) + 0.5F) / 3, (static_cast<float>(y) + 0.5F) / 3));
+    return mask;
+  }
+
+  [[nodiscard]] PhotoScene scene(const OcclusionTest* test, const Mask* matte) const {
+    return {.photograph = photograph_,
+            .camera = camera_,
+            .depth = *depth_,
+            .objects = *objects_,
+            .light = light_,
+            .occlusion = {.test = test},
+            .shadow_matte = matte};
+  }
+  [[nodiscard]] PhotoEstimate fast(const PhotoScene& scene, std::optional<double> error,
+                                   const PassOptions& pass) const {
+    return photo_by_fast(scene, {surface_of_depth(mesh_, 0.5), ball_}, error, 0, pass);
+  }
+
+  /// Both estimators' pictures agree as far as both say, over the picture and in their sum.
+  void expect_agreement(const PhotoScene& scene, const char* what) const {
+    ASSERT_TRUE(fast_can_render(scene));
+    const double asked = camera_.directions ? 0.004 : 0.01;  // of a panorama the object is a small part
+    const PhotoEstimate quick = fast(scene, asked, {.seed = 5, .threads = 2});
+    const PhotoEstimate traced = photo_by_path(scene, {}, 0, {.spp = 48, .seed = 9, .threads = 2});
+    const Image a = compose(quick.sums).picture, b = compose(traced.sums).picture;
+    EXPECT_LE(quick.error.rmse(), asked) << what;
+    EXPECT_LT(display_rmse(a, b, 0), quick.error.rmse() + traced.error.rmse()) << what;
+    EXPECT_GT(display_rmse(a, photograph_, 0), 1.5 * asked) << what << ": the object is seen";
+    double of_a = 0, of_b = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+      of_a += double{a.values[i]}, of_b += double{b.values[i]};
+    EXPECT_NEAR(of_a / of_b, 1, 0.003) << what;
+  }
+
+ private:
+  static Rgb colour(const Eigen::Vector3f& direction) {
+    return 0.35F + 0.2F * Rgb(direction.x(), direction.y(), -direction.z());
+  }
+
+  Camera camera_;
+  Image photograph_;
+  Light light_;
+  DepthMap map_;
+  DepthMesh mesh_;
+  std::shared_ptr<const Geometry> depth_;
+  Meshes ball_ = {test::sphere({-0.2F, -0.4F, -3.8F}, 0.6F, 48, 0.6F, 1)};
+  std::optional<Geometry> objects_;
+};
+
+TEST(PhotoMask, FastAndPathAgreeWhoeverIsInFront) {
+  for (const Seen seen : {Seen::view, Seen::panorama}) {
+    const MaskedWorld world(seen, Lit::sun_and_sky);
+    OcclusionTest painted = world.test(0), seen_from_centre = world.test(0);
+    painted.mask = world.stripes(false, 1);
+    seen_from_centre.mask = world.stripes(true, 1);
+    world.expect_agreement(world.scene(&painted, nullptr), "mask of the photograph's shape");
+    if (seen == Seen::panorama)
+      world.expect_agreement(world.scene(&seen_from_centre, nullptr), "mask by direction");
+    const OcclusionTest in_metres = world.test(0), in_buffer = world.test(12);
+    world.expect_agreement(world.scene(&in_metres, nullptr), "depth test");
+    if (seen == Seen::view) world.expect_agreement(world.scene(&in_buffer, nullptr), "depth buffer");
+  }
+}
+
+TEST(PhotoMask, FastAndPathAgreeWhereverTheSunIsSaidToBe) {
+  for (const Lit lit : {Lit::sun_and_sky, Lit::photographed})
+    for (const bool by_direction : {false, true}) {
+      const MaskedWorld world(by_direction ? Seen::panorama : Seen::view, lit);
+      const Mask matte = world.stripes(by_direction, -2);
+      world.expect_agreement(world.scene(nullptr, &matte), "matte");
+      OcclusionTest painted;
+      painted.mask = world.stripes(!by_direction, 1);
+      world.expect_agreement(world.scene(&painted, &matte), "mask and matte");
+    }
+}
+
+TEST(PhotoMask, AMaskThatSaysWhatTheLocalSceneSaysChangesNothing) {
+  // Depth of the mesh itself, finer than the picture: only samples beside an edge may differ.
+  const MaskedWorld world(Seen::view, Lit::sun_and_sky);
+  const OcclusionTest test = world.test(0);
+  const PassOptions pass{.spp = 32, .threads = 2};
+  const Image by_mesh = compose(world.fast(world.scene(nullptr, nullptr), {}, pass).sums).picture;
+  const Image by_test = compose(world.fast(world.scene(&test, nullptr), {}, pass).sums).picture;
+  int other = 0;
+  for (std::size_t i = 0; i < by_mesh.values.size(); ++i)
+    other += std::abs(by_mesh.values[i] - by_test.values[i]) > 1e-3F ? 1 : 0;
+  EXPECT_GT(other, 0);
+  EXPECT_LT(other, static_cast<int>(by_mesh.values.size()) / 50);
+}
+
+TEST(PhotoMask, NothingIsSeenOfAnObjectBehindAWhiteMaskAndAllBeforeABlackOne) {
+  const MaskedWorld world(Seen::view, Lit::sun_and_sky);
+  for (const float value : {0.0F, 1.0F}) {
+    OcclusionTest test;
+    test.mask = even_mask(16, value);
+    const StimulusSums sums = world.fast(world.scene(&test, nullptr), {}, {.spp = 16, .threads = 2}).sums;
+    const StimulusSums by_path =
+        photo_by_path(world.scene(&test, nullptr), {}, 0, {.spp = 16, .threads = 2}).sums;
+    double seen = 0, seen_by_path = 0, uncovered = 0, uncovered_by_path = 0;
+    for (std::size_t half = 0; half < 2; ++half)
+      for (std::size_t i = 0; i < sums.halves[half].size(); ++i) {
+        seen += double{sums.halves[half][i].object.sum()};
+        seen_by_path += double{by_path.halves[half][i].object.sum()};
+        uncovered += double{sums.halves[half][i].uncovered_surfaces};
+        uncovered_by_path += double{by_path.halves[half][i].uncovered_surfaces};
+      }
+    EXPECT_EQ(seen > 0, value == 0.0F);
+    EXPECT_NEAR(seen, seen_by_path, 0.02 * seen_by_path);
+    // The same samples were sorted by the same mask: only rays along edges of two search trees differ.
+    EXPECT_NEAR(uncovered, uncovered_by_path, 1e-4 * uncovered_by_path);
+  }
+}
+
+TEST(PhotoMask, EqualPicturesForAnyNumberOfThreads) {
+  const MaskedWorld world(Seen::view, Lit::photographed);
+  OcclusionTest test;
+  test.mask = world.stripes(false, 1);
+  const Mask matte = world.stripes(true, -2);
+  const PhotoScene scene = world.scene(&test, &matte);
+  const Image one = compose(world.fast(scene, 0.01, {.threads = 1}).sums, Compositing::ratio, 1).picture;
+  for (const int threads : {2, 3})
+    EXPECT_EQ(compose(world.fast(scene, 0.01, {.threads = threads}).sums, Compositing::ratio, threads)
+                  .picture.values,
+              one.values)
+        << threads;
+}
+
+TEST(PhotoMask, ObjectsBeforeEverythingAreLeftToPath) {
+  const MaskedWorld world(Seen::view, Lit::sun_and_sky);
+  PhotoScene scene = world.scene(nullptr, nullptr);
+  EXPECT_TRUE(fast_can_render(scene));
+  scene.occlusion.nothing_hides = true;
+  EXPECT_FALSE(fast_can_render(scene));
+}
+
+}  // namespace
+}  // namespace seamline::renderer
