@@ -28,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double edge_ratio = 1.05;  ///< of depths that edges.png draws a line between
+
 struct RegisterOptions {
   std::vector<std::string> depth;  ///< one, or several of a rig that stands still
   std::string camera, colour, out;
@@ -149,13 +151,16 @@ sensors::DepthFrame read_depth(const RegisterOptions& options, const Registratio
   return sensors::mean_of_frames(frames, "--depth");
 }
 
-/// The truth as the photograph's camera sees it, read as `registered.exr` is written: planar.
+/// The truth as the photograph's camera sees it, as `registered.exr` is written: planar, EXR in metres. Whole
+/// numbers are read as those of the depth camera.
 sensors::DepthFrame read_true_depth(const std::string& path, const RegistrationRig& rig) {
-  return sensors::read_depth_file(path, {.camera = rig.colour,
-                                         .convention = sensors::DepthConvention::planar,
-                                         .metres_per_step = rig.depth_form.metres_per_step,
-                                         .packing = rig.depth_form.packing,
-                                         .unusual_distances = rig.depth_form.unusual_distances})
+  const bool in_metres = fs::path(path).extension() == ".exr";
+  return sensors::read_depth_file(
+             path, {.camera = rig.colour,
+                    .convention = sensors::DepthConvention::planar,
+                    .metres_per_step = in_metres ? std::nullopt : rig.depth_form.metres_per_step,
+                    .packing = rig.depth_form.packing,
+                    .unusual_distances = rig.depth_form.unusual_distances})
       .frame;
 }
 

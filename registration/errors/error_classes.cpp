@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "registration/mesh/register_by_mesh.h"
-#include "registration/pictures/photograph.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -22,6 +21,12 @@ using Mask = std::vector<std::uint8_t>;
 /// Pixels of the depth camera from an outline within which an error is the outline's.
 constexpr double edge_reach_px = 2;
 
+/// Of neighbouring depths between which there is an outline: an error there is at most as large as the jump.
+/// Slopes between neighbouring pixels of flat surfaces stay below a hundredth.
+double outline_ratio(double tolerance) {
+  return 1 + std::max(tolerance, 0.01);
+}
+
 /// The depth camera with so many times as many pixels across.
 PinholeCamera finer(const PinholeCamera& camera, int times) {
   PinholeCamera fine = camera;
@@ -33,17 +38,16 @@ PinholeCamera finer(const PinholeCamera& camera, int times) {
 
 /// Pixels beside which depth jumps, `is_unseen(hole, neighbour)` saying of which holes nothing is known.
 template <class IsUnseen>
-Mask outlines_of(const DepthFrame& frame, const IsUnseen& is_unseen) {
+Mask outlines_of(const DepthFrame& frame, double ratio, const IsUnseen& is_unseen) {
   Mask outlines(frame.depth_m.size(), 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
     const float at_a = frame.depth_m[a], at_b = frame.depth_m[b];
     const bool hole_a = DepthFrame::is_hole(at_a), hole_b = DepthFrame::is_hole(at_b);
     if (hole_a && hole_b) return;
     const auto [nearest_m, farthest_m] = std::minmax(at_a, at_b);
-    const bool jumps = hole_a ? !is_unseen(a, b)
-                       : hole_b
-                           ? !is_unseen(b, a)
-                           : static_cast<double>(farthest_m) > edge_ratio * static_cast<double>(nearest_m);
+    const bool jumps = hole_a   ? !is_unseen(a, b)
+                       : hole_b ? !is_unseen(b, a)
+                                : static_cast<double>(farthest_m) > ratio * static_cast<double>(nearest_m);
     if (jumps) outlines[a] = outlines[b] = 1;
   };
   for (int row = 0; row < frame.camera.height_px; ++row)
@@ -77,15 +81,17 @@ Mask widened(const Mask& mask, const PinholeCamera& camera, int reach_px) {
 class TrueView {
  public:
   TrueView(const DepthFrame& truth, const PinholeCamera& depth_camera,
-           const Eigen::Isometry3d& colour_from_depth, int threads)
+           const Eigen::Isometry3d& colour_from_depth, const ErrorSettings& settings)
       : times_(std::clamp(static_cast<int>(std::ceil(truth.camera.fx_px / depth_camera.fx_px)), 1, 8)),
         frame_(register_by_mesh(truth, colour_from_depth.inverse(), finer(depth_camera, times_),
-                                {.jumps = Jumps::cut, .jump_ratio = edge_ratio, .threads = threads})
+                                {.jumps = Jumps::cut,
+                                 .jump_ratio = outline_ratio(settings.tolerance),
+                                 .threads = settings.threads})
                    .frame) {
     const auto is_unseen = [&](std::size_t hole, std::size_t neighbour) {
       return !photograph_shows(truth.camera, colour_from_depth, hole, neighbour);
     };
-    near_edge_ = widened(outlines_of(frame_, is_unseen), frame_.camera,
+    near_edge_ = widened(outlines_of(frame_, outline_ratio(settings.tolerance), is_unseen), frame_.camera,
                          static_cast<int>(std::ceil(edge_reach_px * times_)));
   }
 
@@ -145,9 +151,11 @@ class Classifier {
         measured_(measured),
         settings_(settings),
         points_m_(points_in_colour_frame(truth, colour_from_depth.inverse(), settings.threads)),
-        view_(truth, measured.camera, colour_from_depth, settings.threads),
+        view_(truth, measured.camera, colour_from_depth, settings),
         near_edge_(widened(
-            outlines_of(truth, [](std::size_t, std::size_t) { return false; }), truth.camera,
+            outlines_of(truth, outline_ratio(settings.tolerance),
+                        [](std::size_t, std::size_t) { return false; }),
+            truth.camera,
             static_cast<int>(std::ceil(edge_reach_px * truth.camera.fx_px / measured.camera.fx_px)))) {}
 
   [[nodiscard]] ErrorClass operator()(std::size_t at) const {

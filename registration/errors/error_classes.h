@@ -51,11 +51,11 @@ struct ErrorMap {
 /// `measured` is what the depth camera delivered, before any repair.
 ///
 /// What the depth camera truly sees is the truth, brought into its view by a mesh that is cut where depth
-/// jumps by more than `edge_ratio`, at about the photograph's pixels per angle. A point is hidden when all
-/// depths of that view within a pixel of it are nearer by more than the tolerance. An outline is near when it
-/// lies within two pixels of the depth camera, there or in the photograph: half a pixel's footprint mixes
-/// what it holds, and a triangle reaches a pixel farther. What the photograph does not see hides nothing
-/// here.
+/// jumps by more than the tolerance (at least a hundredth), at about the photograph's pixels per angle. A
+/// point is hidden when all depths of that view within a pixel of it are nearer by more than the tolerance.
+/// An outline, where depth jumps so, is near when it lies within two pixels of the depth camera, there or in
+/// the photograph: half a pixel's footprint mixes what it holds, and a triangle reaches a pixel farther. What
+/// the photograph does not see hides nothing here.
 ///
 /// The same for any number of threads. Throws InputError as `require_valid`, and for a truth of another size
 /// than the registered frame.

@@ -6,9 +6,6 @@
 
 namespace seamline::registration {
 
-/// Of neighbouring depths, above which they are an edge.
-inline constexpr double edge_ratio = 1.05;
-
 /// Reads the photograph that a camera took, linear. Throws InputError naming the file: for fewer than three
 /// channels, another size than the camera's, and colours that are no numbers.
 [[nodiscard]] Image read_photograph(const std::filesystem::path& path, const sensors::PinholeCamera& colour);
