@@ -93,7 +93,7 @@ TEST(Sense, ThePhotographsTrueDepthIsWhatRegisterFindsOfDepthWithoutNoise) {
     return std::stol(table.substr(table.find(',', at + name.size() + 2) + 1));
   };
   EXPECT_GT(pixels_of("right"), 640 * 480 * 3 / 4) << table;
-  EXPECT_LT(pixels_of("noise"), 640 * 480 / 500) << table;
+  EXPECT_LT(pixels_of("noise"), 30) << table;
   EXPECT_EQ(pixels_of("unmeasured"), 0) << table;
 }
 
