@@ -34,6 +34,7 @@ class Room {
  private:
   static fs::path made() {
     const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "place";
+    fs::create_directories(folder);
     write_exr(folder / "photo.exr", Image(photo_width_px, photo_height_px, 3, 0.4F));
     write_exr(folder / "depth.exr", Image(photo_width_px, photo_height_px, 1, static_cast<float>(wall_m)));
     write_file_atomically(folder / "objects.toml",

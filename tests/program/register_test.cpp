@@ -145,7 +145,7 @@ TEST_F(Register, BesideTheTruthItCountsWhatIsWrongByReason) {
   EXPECT_THAT(loose.output, testing::Not(HasSubstr("noise")));
   fs::remove_all(folder_ / "out");
   expect_complaint(run("--true-depth " + (folder_ / "none.exr").string()),
-                   "none.exr: wanted a readable file, found none");
+                   "none.exr: wanted a depth map, found no such file");
   expect_complaint(run("--error-tolerance 0.1"),
                    "--error-tolerance: wanted --true-depth beside it, found none");
   write_exr(folder_ / "truth.exr", Image(width_px, height_px, 1, 2.0F));
