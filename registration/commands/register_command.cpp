@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "registration/errors/error_report.h"
 #include "registration/files/camera_file.h"
 #include "registration/files/point_cloud.h"
 #include "registration/mesh/register_by_mesh.h"
@@ -16,6 +18,7 @@
 #include "registration/pictures/section.h"
 #include "registration/points/register_by_points.h"
 #include "sensors/repair/repair.h"
+#include "sensors/repair/several_frames.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -28,11 +31,15 @@ namespace fs = std::filesystem;
 constexpr double edge_ratio = 1.05;  ///< of depths that edges.png draws a line between
 
 struct RegisterOptions {
-  std::string depth, camera, colour, out;
+  std::vector<std::string> depth;  ///< one, or several of a rig that stands still
+  std::string camera, colour, out;
   std::string by = "mesh", jumps = "stretch", repair = "none";
   MeshRegistration mesh;
   bool repair_after = false;  ///< in the photograph's pixels, once registered (002, section 5)
   std::optional<int> section_row;
+  std::string true_depth;  ///< empty: the truth is not known
+  double tolerance = ErrorSettings{}.tolerance;
+  bool tolerance_given = false;
   bool jumps_given = false, ratio_given = false, extrusion_given = false;
 };
 
@@ -66,6 +73,8 @@ void check(const RegisterOptions& options) {
   if (options.ratio_given && (options.by == "points" || options.jumps != "cut"))
     refuse("--jump-ratio", "--jumps cut beside it",
            options.by == "points" ? "--by points" : "--jumps " + options.jumps);
+  if (options.tolerance_given && options.true_depth.empty())
+    refuse("--error-tolerance", "--true-depth beside it", "none");
   if (options.repair_after && options.repair == "none")
     refuse("--repair-after", "a repair beside it", "--repair none");
 }
@@ -135,6 +144,38 @@ void write_all(const fs::path& folder, const RegistrationRig& rig, const Registe
                       in_world ? "world frame" : "colour camera's frame: x right, y down, z forward"));
 }
 
+sensors::DepthFrame read_depth(const RegisterOptions& options, const RegistrationRig& rig) {
+  std::vector<sensors::DepthFrame> frames;
+  for (const std::string& path : options.depth)
+    frames.push_back(sensors::read_depth_file(path, rig.depth_form).frame);
+  return sensors::mean_of_frames(frames, "--depth");
+}
+
+/// The truth as the photograph's camera sees it, as `registered.exr` is written: planar, EXR in metres. Whole
+/// numbers are read as those of the depth camera.
+sensors::DepthFrame read_true_depth(const std::string& path, const RegistrationRig& rig) {
+  const bool in_metres = fs::path(path).extension() == ".exr";
+  return sensors::read_depth_file(
+             path, {.camera = rig.colour,
+                    .convention = sensors::DepthConvention::planar,
+                    .metres_per_step = in_metres ? std::nullopt : rig.depth_form.metres_per_step,
+                    .packing = rig.depth_form.packing,
+                    .unusual_distances = rig.depth_form.unusual_distances})
+      .frame;
+}
+
+/// What is wrong in the registered depth, and why, as a table and a picture.
+ErrorMap write_errors(const RegisterOptions& options, const RegistrationRig& rig,
+                      const sensors::DepthFrame& truth, const sensors::DepthFrame& measured,
+                      const RegisteredFrame& registered, const Image& photograph) {
+  ErrorMap errors = classify_errors(
+      registered, truth, measured, rig.colour_from_depth,
+      {.tolerance = options.tolerance, .range = {rig.depth_form.nearest_m, rig.depth_form.farthest_m}});
+  write_file_atomically(fs::path(options.out) / "errors.csv", csv_text(errors_table(errors)));
+  write_png(fs::path(options.out) / "errors.png", errors_over_photograph(errors, photograph));
+  return errors;
+}
+
 void print_count(const char* what, std::int64_t count, std::size_t of) {
   fmt::print("  {:<34}{:>10}  {:5.1f} %\n", what, count,
              100.0 * static_cast<double>(count) / static_cast<double>(of));
@@ -144,14 +185,16 @@ void run_register(const RegisterOptions& options) {
   check(options);
   Stopwatch stopwatch;
   const RegistrationRig rig = rig_of(options);
-  const sensors::DepthFile file = sensors::read_depth_file(options.depth, rig.depth_form);
+  const sensors::DepthFrame measured = read_depth(options, rig);
   const Image photograph = read_photograph(options.colour, rig.colour);
+  std::optional<sensors::DepthFrame> truth;
+  if (!options.true_depth.empty()) truth = read_true_depth(options.true_depth, rig);
   prepare_output_folder(options.out);
   const double read_s = stopwatch.lap_s();
   const sensors::RepairMethod method = method_of(options.repair);
   sensors::Repaired mended = options.repair_after
-                                 ? sensors::without_repair(file.frame)
-                                 : repaired(method, file.frame, rig.colour_from_depth, rig, photograph);
+                                 ? sensors::without_repair(measured)
+                                 : repaired(method, measured, rig.colour_from_depth, rig, photograph);
   double repair_s = stopwatch.lap_s();
   RegisteredFrame registered = registered_of(options, rig, mended);
   const double register_s = stopwatch.lap_s();
@@ -164,19 +207,23 @@ void run_register(const RegisterOptions& options) {
   if (options.section_row) {
     MeshRegistration mesh = options.mesh;
     mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
-    const sensors::DepthFrame& meshed = options.repair_after ? file.frame : mended.frame;
+    const sensors::DepthFrame& meshed = options.repair_after ? measured : mended.frame;
     draw_section(
         fs::path(options.out) / "section.svg",
         section_of(meshed, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row),
         *options.section_row);
   }
+  std::string errors;
+  if (truth) errors = errors_text(write_errors(options, rig, *truth, measured, registered, photograph));
   const double write_s = stopwatch.lap_s();
 
-  const std::size_t depth_pixels = file.frame.depth_m.size(), colour_pixels = registered.filled.size();
+  const std::int64_t holes =
+      std::count_if(measured.depth_m.begin(), measured.depth_m.end(), sensors::DepthFrame::is_hole);
+  const std::size_t depth_pixels = measured.depth_m.size(), colour_pixels = registered.filled.size();
   fmt::print("depth camera, {} x {} pixels:\n", rig.depth_form.camera.width_px,
              rig.depth_form.camera.height_px);
-  print_count("measured", static_cast<std::int64_t>(depth_pixels) - file.holes, depth_pixels);
-  print_count("holes", file.holes, depth_pixels);
+  print_count("measured", static_cast<std::int64_t>(depth_pixels) - holes, depth_pixels);
+  print_count("holes", holes, depth_pixels);
   const auto print_repair = [&](std::size_t of) {
     print_count("changed by the repair", mended.count(sensors::RepairMark::changed), of);
     print_count("invented by the repair", mended.count(sensors::RepairMark::invented), of);
@@ -189,6 +236,7 @@ void run_register(const RegisterOptions& options) {
   print_count("from invented depth", count_of(registered.invented), colour_pixels);
   print_count("extruded", extruded, colour_pixels);
   print_count("without depth", static_cast<std::int64_t>(colour_pixels) - filled, colour_pixels);
+  fmt::print("{}", errors);
   fmt::print("seconds: read {:.2f}, repair {:.2f}, register {:.2f}, write {:.2f}\n{}\n", read_s, repair_s,
              register_s, write_s, options.out);
 }
@@ -199,7 +247,9 @@ void add_register_command(CLI::App& app) {
   const auto options = std::make_shared<RegisterOptions>();
   CLI::App* command = app.add_subcommand("register", "bring a depth map into the photograph's camera");
   command
-      ->add_option("--depth", options->depth, "depth map (EXR, 16-bit PNG or PGM, 8-bit PNG red and green)")
+      ->add_option("--depth", options->depth,
+                   "depth map (EXR, 16-bit PNG or PGM, 8-bit PNG red and green); several of a scene where "
+                   "nothing moves: their mean, without wild values")
       ->required();
   command->add_option("--colour", options->colour, "photograph (EXR, HDR, PNG, JPEG)")->required();
   command->add_option("--camera", options->camera, "the two cameras: a TOML file, or the name of a preset")
@@ -226,7 +276,15 @@ void add_register_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--repair-after", options->repair_after,
                     "repair the registered depth instead, in the photograph's pixels");
-  command->callback([options, jumps, ratio, extrusion] {
+  command->add_option("--true-depth", options->true_depth,
+                      "planar depth that the photograph's camera truly sees, in its pixels, to compare with: "
+                      "adds errors.csv and errors.png");
+  const CLI::Option* tolerance =
+      add_number(*command, "--error-tolerance", options->tolerance, {1e-6, 10},
+                 "share of the true depth from which on registered depth counts as wrong")
+          ->capture_default_str();
+  command->callback([options, jumps, ratio, extrusion, tolerance] {
+    options->tolerance_given = tolerance->count() > 0;
     options->jumps_given = jumps->count() > 0;
     options->ratio_given = ratio->count() > 0;
     options->extrusion_given = extrusion->count() > 0;

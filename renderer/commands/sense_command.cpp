@@ -11,6 +11,7 @@
 #include "registration/files/camera_file.h"
 #include "registration/pictures/depth_picture.h"
 #include "renderer/common/parallel.h"
+#include "renderer/depth/sensor/sensor_view.h"
 #include "renderer/estimators/sensed_scene.h"
 #include "sensors/noise/measurement.h"
 #include "support/files/assets.h"
@@ -43,6 +44,13 @@ SceneDefinition scene_of(const SenseOptions& options) {
   scene.bounces = options.bounces;
   if (options.has_place) scene.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
   return scene;
+}
+
+/// Planar depth that the colour camera truly sees, which is what `seamline register` is to find out.
+std::vector<float> true_registered_m(const SensedScene& scene, const sensors::Rig& rig) {
+  const sensors::SeenFrame seen =
+      see_truth(scene.truth, rig.colour, scene.world_from_colour, {}, default_thread_count());
+  return sensors::true_depth(seen, sensors::DepthConvention::planar).depth_m;
 }
 
 /// The value that this share of them does not exceed.
@@ -101,6 +109,7 @@ void run_sense(const SenseOptions& options) {
   write_exr(folder / "depth.exr", plane_of(rig.depth, measured.frame.depth_m));
   write_exr(folder / "true_depth.exr",
             plane_of(rig.depth, sensors::true_depth(seen, measured.frame.convention).depth_m));
+  write_exr(folder / "true_registered.exr", plane_of(rig.colour, true_registered_m(scene, rig)));
   write_png(folder / "depth.png", registration::depth_picture(measured.frame));
   if (!measured.frame.amplitude.empty()) {
     write_exr(folder / "amplitude.exr", plane_of(rig.depth, measured.frame.amplitude));

@@ -120,6 +120,54 @@ TEST_F(Register, ARepairAfterwardsFillsThePhotographsPixelsAndMarksThem) {
   EXPECT_THAT(after.output, HasSubstr(fmt::format("{:<34}{:>10}", "invented by the repair", holes)));
 }
 
+TEST_F(Register, BesideTheTruthItCountsWhatIsWrongByReason) {
+  Image truth(2 * width_px, 2 * height_px, 1, 2.0F);
+  write_exr(folder_ / "truth.exr", truth);
+  const std::string given = "--extrude 9 --true-depth " + (folder_ / "truth.exr").string();
+  const Outcome outcome = run(given), again = run(given, "again"), without = run("--extrude 9", "without");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("beside the true depth:\n  right "));
+  EXPECT_THAT(outcome.output, HasSubstr("    noise "));
+  const std::string table = test::read_text(folder_ / "out" / "errors.csv");
+  EXPECT_THAT(table, testing::StartsWith("class,colour,pixels,share,share_of_wrong,without_depth,"));
+  EXPECT_THAT(table, HasSubstr("\nall,,12288,1,1,"));
+  EXPECT_EQ(table, test::read_text(folder_ / "again" / "errors.csv"));
+  const ByteImage picture = read_bytes_image(folder_ / "out" / "errors.png");
+  EXPECT_EQ(picture.width_px, 2 * width_px);
+  const std::size_t square = 3 * (50 * static_cast<std::size_t>(picture.width_px) + 62);
+  EXPECT_EQ(picture.values[square], 204) << "a metre too near";
+  for (const std::string& part : written)
+    EXPECT_TRUE(test::read_text(folder_ / "out" / part) == test::read_text(folder_ / "without" / part))
+        << part;
+  EXPECT_FALSE(fs::exists(folder_ / "without" / "errors.csv"));
+
+  const Outcome loose = run(given + " --error-tolerance 0.6", "loose");
+  EXPECT_THAT(loose.output, testing::Not(HasSubstr("noise")));
+  fs::remove_all(folder_ / "out");
+  expect_complaint(run("--true-depth " + (folder_ / "none.exr").string()),
+                   "none.exr: wanted a depth map, found no such file");
+  expect_complaint(run("--error-tolerance 0.1"),
+                   "--error-tolerance: wanted --true-depth beside it, found none");
+  write_exr(folder_ / "truth.exr", Image(width_px, height_px, 1, 2.0F));
+  expect_complaint(run(given),
+                   "truth.exr: size: wanted 128 x 96 pixels, as its camera is stated, found 64 x 48");
+}
+
+TEST_F(Register, SeveralDepthMapsAreTheirMean) {
+  write_text(folder_ / "other.pgm", depth_pgm(2200));
+  write_text(folder_ / "wild.pgm", depth_pgm(9000));
+  ASSERT_EQ(run().status, 0);
+  const std::string same = (folder_ / "depth.pgm").string();
+  ASSERT_EQ(run(" --depth " + same, "twice").status, 0);
+  EXPECT_TRUE(test::read_text(folder_ / "out" / "registered.exr") ==
+              test::read_text(folder_ / "twice" / "registered.exr"));
+  const std::string more = " --depth " + (folder_ / "other.pgm").string() + " --depth " + same + " --depth " +
+                           (folder_ / "wild.pgm").string();
+  ASSERT_EQ(run(more, "mean").status, 0);
+  const Image mean = read_image(folder_ / "mean" / "registered.exr");
+  EXPECT_NEAR(mean.at(100, 20), 2.1F, 1e-5F) << "of 2, 2, 2.2 and 9 m the middle two";
+}
+
 TEST_F(Register, WrongInputIsOneSentenceAndWritesNothing) {
   const auto with_rig = [&](const std::string& text) {
     write_text(folder_ / "rig.toml", text);

@@ -72,6 +72,31 @@ TEST(Sense, ItsFilesAreThoseThatRegisterAndCompositeRead) {
   EXPECT_LT(different_pixels(test, buffer), 30);
 }
 
+TEST(Sense, ThePhotographsTrueDepthIsWhatRegisterFindsOfDepthWithoutNoise) {
+  const fs::path quiet = test::fresh_folder("sense-truth");
+  ASSERT_EQ(run_seamline("sense builtin:bedroom --sensor tof_160x120 --noise 0 --spp 1 --bounces 0 --out " +
+                         quiet.string())
+                .status,
+            0);
+  EXPECT_EQ(test::read_text(quiet / "true_registered.exr"),
+            test::read_text(sensed() / "true_registered.exr"));
+  const auto in = [&](const std::string& name) { return (quiet / name).string(); };
+  const test::Outcome registered =
+      run_seamline("register --depth " + in("depth.exr") + " --colour " + in("colour.exr") + " --camera " +
+                   in("camera.toml") + " --extrude 40 --error-tolerance 0.01 --true-depth " +
+                   in("true_registered.exr") + " --out " + in("registered"));
+  ASSERT_EQ(registered.status, 0) << registered.output;
+  // What is wrong is so at outlines, behind things and beyond the view, never where the sensor sees it.
+  const std::string table = test::read_text(quiet / "registered" / "errors.csv");
+  const auto pixels_of = [&](const std::string& name) {
+    const std::size_t at = table.find("\n" + name + ",");
+    return std::stol(table.substr(table.find(',', at + name.size() + 2) + 1));
+  };
+  EXPECT_GT(pixels_of("right"), 640 * 480 * 3 / 4) << table;
+  EXPECT_LT(pixels_of("noise"), 30) << table;
+  EXPECT_EQ(pixels_of("unmeasured"), 0) << table;
+}
+
 TEST(Sense, OptionsThatWouldBeIgnoredAreRefused) {
   const auto refused = [](const std::string& arguments, const char* said) {
     const test::Outcome outcome = run_seamline(arguments);

@@ -1,0 +1,17 @@
+#pragma once
+#include "registration/errors/error_classes.h"
+#include "support/files/image.h"
+#include "support/text/csv.h"
+
+namespace seamline::registration {
+
+/// A row for each class, then one of all pixels: what it is drawn in, counts, shares and the median error.
+[[nodiscard]] CsvTable errors_table(const ErrorMap& map);
+
+/// The same for people; classes without a pixel are left out.
+[[nodiscard]] std::string errors_text(const ErrorMap& map);
+
+/// The photograph, darkened to a third of its codes, with the wrong pixels in the colours of their classes.
+[[nodiscard]] ByteImage errors_over_photograph(const ErrorMap& map, const Image& photograph);
+
+}  // namespace seamline::registration
