@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/estimators/fast/filtered_bounce.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -78,6 +80,17 @@ TEST(NextRound, WithoutALookAtTheBiasOnlySamplesArePlanned) {
   const NextRound plan = now.plan();
   EXPECT_TRUE(plan.unfiltered.empty());
   for (const int spp : plan.next_spp) EXPECT_TRUE(spp > 4 && spp <= 16) << spp;
+}
+
+/// Two tiles side by side, of which the left one is shown without filter.
+TEST(LentShares, ATileWithoutFilterLendsAsManySamplesAsTheLeastAskedOfTheOthers) {
+  DepthAnswers depth;
+  depth.grid = {2 * TileGrid::side_px, TileGrid::side_px};
+  // Rows of four blocks, two of each tile.
+  depth.spp.uncovered = {64, 128, 4, 8, 2, 0, 16, 0};
+  EXPECT_EQ(lent_shares(depth, {0, 1}), (std::vector<float>{1.0F / 16, 1.0F / 32, 1, 1, 1, 1, 1, 1}));
+  EXPECT_TRUE(lent_shares(depth, {1, 1}).empty());
+  EXPECT_TRUE(lent_shares(depth, {}).empty());
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class StimulusRounds {
                 depth_);
       out.sums = {};  // the round before's: one at a time in memory
       out.sums = assembled(filters());
-      const Judged judged = judge(out.sums, looks_for_bias);
+      const Judged judged = judge(out.sums, looks_for_bias, round);
       looks_for_bias = judged.knows_bias;
       out.error = judged.judgement.error;
       wanted = depth_.spp;
@@ -229,10 +229,17 @@ class StimulusRounds {
     StimulusJudgement judgement;
     bool knows_bias = false;  ///< else the error is noise and the bias of the photograph alone
   };
+  /// Whether the picture as a whole has little enough noise, and what is left are tiles with wells: what is
+  /// wrong there is often the filter, and samples against noise only put that off.
+  [[nodiscard]] bool may_be_wells(const StimulusSums& made, const ErrorEstimate& noise, int round) const {
+    return round > 0 && options_.target && !made.light_as_sampled[0].empty() &&
+           noise.rmse() <= options_.target->rmse;
+  }
+
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
   /// is looked for when the noise is low enough, or with `look_for_bias`: it takes twice as long, and needs
   /// samples itself.
-  [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias) const {
+  [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias, int round) const {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
@@ -242,7 +249,7 @@ class StimulusRounds {
       pictures.sampled = pictures.filtered;
       ErrorEstimate noise = with_bias_of_truth(pictures);
       if (!filtered) return {{std::move(noise), {}}, true};
-      if (!good_enough(noise)) return {{std::move(noise), {}}, false};
+      if (!good_enough(noise) && !may_be_wells(made, noise, round)) return {{std::move(noise), {}}, false};
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
       StimulusSums sampled = assembled(no_filters(), half);

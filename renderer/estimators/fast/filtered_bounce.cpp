@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "renderer/common/parallel.h"
 
@@ -25,8 +26,25 @@ float truth_inverse_reach(const ObjectTruth& truth, std::size_t pixel) {
 
 }  // namespace
 
+std::vector<float> lent_shares(const DepthAnswers& depth, const TileSet& filtered) {
+  if (std::find(filtered.begin(), filtered.end(), 0) == filtered.end()) return {};
+  const std::vector<int>& asked = depth.spp.uncovered;
+  const auto is_filtered = [&](std::size_t block) {
+    return filtered[static_cast<std::size_t>(tile_of_block(depth.grid, static_cast<int>(block)))] != 0;
+  };
+  int fewest = std::numeric_limits<int>::max();
+  for (std::size_t b = 0; b < asked.size(); ++b)
+    if (asked[b] > 0 && is_filtered(b)) fewest = std::min(fewest, asked[b]);
+  std::vector<float> shares(asked.size(), 1.0F);
+  for (std::size_t b = 0; b < asked.size(); ++b)
+    if (asked[b] > fewest && !is_filtered(b))
+      shares[b] = static_cast<float>(fewest) / static_cast<float>(asked[b]);
+  return shares;
+}
+
 FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& depth,
-                                  const FilterStrength& strength, int threads, std::vector<Guide>& guides) {
+                                  const FilterStrength& strength, const TileSet& filtered, int threads,
+                                  std::vector<Guide>& guides) {
   FilteredBounce uncovered;
   const auto surface_at = [&](int x, int y, std::size_t i) {
     const float samples = depth.halves[0][i].uncovered_surfaces + depth.halves[1][i].uncovered_surfaces;
@@ -43,6 +61,7 @@ FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& 
   uncovered.texels.resize(guides.size());
   const TileGrid& grid = depth.grid;
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
+  const std::vector<float> lent = lent_shares(depth, filtered);
   const auto take_pixel = [&](int x, int y, char& change) {
     const std::size_t i = truth.truth_sums.index(x, y);
     const Surface& surface = uncovered.surfaces[i] = surface_at(x, y, i);
@@ -53,6 +72,7 @@ FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& 
       texel.without_object(half) = sums.without_object.bounce / surface.albedo;
       texel.change(half) = (sums.with_object.bounce - sums.without_object.bounce) / surface.albedo;
       texel.without_samples(half) = texel.change_samples(half) = sums.uncovered_surfaces;
+      if (!lent.empty()) texel.sums *= lent[static_cast<std::size_t>(depth.blocks().square_of(x, y))];
       if ((texel.change(half) != 0.0F).any()) change = 1;
     }
   };

@@ -17,11 +17,17 @@ struct FilteredBounce {
   }
 };
 
+/// What share of its samples each block lends to the filter; empty: each lends all it has. A tile that goes
+/// without the filter was asked dozens of times as often as those beside it. It lends no more samples than
+/// the least asked of the others have, or pixels beside it would take nearly all of their light from it, be
+/// wrong by it, and their tiles would lose the filter next.
+[[nodiscard]] std::vector<float> lent_shares(const DepthAnswers& depth, const TileSet& filtered);
+
 /// Light off the object that the depth mesh has a part in; empty for a strength of no levels. `guides` become
-/// its surfaces.
+/// its surfaces. `filtered`: the tiles that are shown filtered; empty: all are, or all lend what they have.
 [[nodiscard]] FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& depth,
-                                                const FilterStrength& strength, int threads,
-                                                std::vector<Guide>& guides);
+                                                const FilterStrength& strength, const TileSet& filtered,
+                                                int threads, std::vector<Guide>& guides);
 /// Bounce light of the depth mesh on the object.
 [[nodiscard]] FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& depth,
                                              const FilterStrength& strength, int threads);

@@ -238,12 +238,13 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
     });
   }
   FilteredBounce uncovered;
-  if (!sources.depth.guides.empty())
-    uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio, threads, out.guides);
-  if (sources.recipe.keep == Keep::object_only) return out;
   // Sky alone, all that is filtered where the truth answers bounce light, does not gather in wells.
-  const bool sealed_in =
-      out.depth_lights_uncovered && !uncovered.texels.empty() && sources.recipe.answers.bounce == Who::depth;
+  const bool has_wells = out.depth_lights_uncovered && sources.recipe.answers.bounce == Who::depth;
+  if (!sources.depth.guides.empty())
+    uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio,
+                                   has_wells ? filters.tiles : TileSet{}, threads, out.guides);
+  if (sources.recipe.keep == Keep::object_only) return out;
+  const bool sealed_in = has_wells && !uncovered.texels.empty();
   for (std::size_t half = 0; half < 2; ++half)
     if (sealed_in) out.light_as_sampled[half].resize(out.halves[half].size());
   each_pixel(false, [&](int x, int y, std::size_t half, bool is_filtered) {
