@@ -20,9 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Enough for a log of more than twenty pages, each of which is lost once.
-constexpr int people = 10;
-
 class LogRecoveryTest : public testing::Test {
  protected:
   TemporaryFolder folder;
@@ -32,7 +29,7 @@ class LogRecoveryTest : public testing::Test {
     write_set(folder / "set", "64, 512");
     log = folder / "log.sqlite";
     saved = folder / "saved.sqlite";
-    run_simulated_study({.set_folder = folder / "set", .log = log, .count = people, .seed = 3});
+    run_simulated_study({.set_folder = folder / "set", .log = log, .count = 40, .seed = 3});
   }
 
   [[nodiscard]] std::string complaint_of_reading() const {
@@ -63,7 +60,7 @@ TEST_F(LogRecoveryTest, AnUndamagedLogIsSavedWholeAndNothingIsSaidToBeLost) {
   const LogRecovery recovery = recover_log(log, saved, {});
   const LogContents after = read_log(saved);
   EXPECT_EQ(texts_of(after), texts_of(before));
-  EXPECT_EQ(after.participants.size(), std::size_t{people});
+  EXPECT_EQ(after.participants.size(), 40U);
   EXPECT_TRUE(recovery.refused.empty());
   for (const LostAnswers& person : recovery.participants)
     EXPECT_TRUE(person.missing_trials.empty()) << person.code;
