@@ -1,6 +1,6 @@
 # Tells CTest of the suites of one GoogleTest program, after each build of it: a suite is one process, so that what its tests share
 # is made once, and the 250 libraries behind the first picture are loaded once (they take as long as most tests).
-#   cmake -DPROGRAM=... -DFILTER=... -DFOLDER=... -DPROPERTIES=... -DWORKING_DIRECTORY=... -DTESTS_OUTPUT=... -P discover_suites.cmake
+#   cmake -DPROGRAM=... -DFILTER=... -DFOLDER=... -DENDING=... -DPROPERTIES=... -DWORKING_DIRECTORY=... -DTESTS_OUTPUT=... -P discover_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests "--gtest_filter=${FILTER}" TIMEOUT 60
   OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "\\.( *#[^\n]*)?\n" ".\n" listed "${listed}")  # types of typed suites
@@ -15,8 +15,8 @@ function(tell_of_suite)
     return()
   endif()
   list(JOIN tests ":" filter)
-  string(APPEND script "add_test([==[${FOLDER}.${suite}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
-    "set_tests_properties([==[${FOLDER}.${suite}]==] PROPERTIES WORKING_DIRECTORY [==[${WORKING_DIRECTORY}]==] "
+  string(APPEND script "add_test([==[${FOLDER}.${suite}${ENDING}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
+    "set_tests_properties([==[${FOLDER}.${suite}${ENDING}]==] PROPERTIES WORKING_DIRECTORY [==[${WORKING_DIRECTORY}]==] "
     # Skipped is a suite of which nothing passed and nothing failed: the list of the skipped ends what it says.
     "SKIP_REGULAR_EXPRESSION [==[PASSED  \\] 0 tests\\.\n\\[  SKIPPED \\] [0-9]+ tests?, listed below:\n(\\[  SKIPPED \\] [^\n]*\n?)+$]==] "
     "${PROPERTIES})\n")
