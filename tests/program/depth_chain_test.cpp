@@ -19,15 +19,10 @@ using testing::HasSubstr;
 
 /// The shipped study of noise in smaller pictures and with coarser meshes.
 std::string small_study_text() {
-  std::string text = read_text(studies() / "sensor_noise.toml");
-  for (const auto& [from, to] : {std::pair("width_px = 480", "width_px = 96"),
-                                 {"height_px = 270", "height_px = 54"},
-                                 {"seed = 1", "seed = 1\nmesh_tolerance = 1e-2"}}) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, std::string(from).size(), to);
-  }
-  return text;
+  return test::with_replaced(read_text(studies() / "sensor_noise.toml"),
+                             {{"width_px = 480", "width_px = 96"},
+                              {"height_px = 270", "height_px = 54"},
+                              {"seed = 1", "seed = 1\nmesh_tolerance = 1e-2"}});
 }
 
 /// The same with other levels and another table `depth`.

@@ -63,15 +63,19 @@ inline std::filesystem::path studies() {
   return std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli";
 }
 
-/// The quick study with some of its text replaced; throws when the text is not there.
-inline std::string quick_study_with(std::initializer_list<std::pair<std::string, std::string>> replacements) {
-  std::string text = read_text(studies() / "quick.toml");
+/// A text with some of it replaced, each once; throws when it is not there.
+inline std::string with_replaced(std::string text,
+                                 std::initializer_list<std::pair<std::string, std::string>> replacements) {
   for (const auto& [from, to] : replacements) {
     const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::runtime_error("the quick study has no " + from);
+    if (at == std::string::npos) throw std::runtime_error("the text has no " + from);
     text.replace(at, from.size(), to);
   }
   return text;
+}
+
+inline std::string quick_study_with(std::initializer_list<std::pair<std::string, std::string>> replacements) {
+  return with_replaced(read_text(studies() / "quick.toml"), replacements);
 }
 
 /// The quick study's scenes in a small picture, with coarse meshes and a cube for every object: a render

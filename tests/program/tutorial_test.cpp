@@ -37,16 +37,11 @@ std::vector<Block> fenced_blocks(const fs::path& page) {
 }
 
 /// The page's study in smaller pictures, of fewer samples: what its commands do does not depend on them.
-std::string smaller(std::string study) {
-  for (const auto& [from, to] :
-       {std::pair("width_px = 480", "width_px = 96"),
-        {"height_px = 270", "height_px = 54"},
-        {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"}}) {
-    const std::size_t at = study.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    study.replace(at, std::string(from).size(), to);
-  }
-  return study;
+std::string smaller(const std::string& study) {
+  return test::with_replaced(
+      study, {{"width_px = 480", "width_px = 96"},
+              {"height_px = 270", "height_px = 54"},
+              {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"}});
 }
 
 TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
