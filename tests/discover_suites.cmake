@@ -1,5 +1,5 @@
 # Tells CTest of the suites of one GoogleTest program, after each build of it: a suite is one process, so that what its tests share
-# is made once, and the 250 libraries behind the first picture are loaded once (they take as long as most tests).
+# is made once, and the libraries behind the first picture that is not plain are loaded once (they take half a second).
 #   cmake -DPROGRAM=... -DFILTER=... -DFOLDER=... -DENDING=... -DPROPERTIES=... -DWORKING_DIRECTORY=... -DTESTS_OUTPUT=... -P discover_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests "--gtest_filter=${FILTER}" TIMEOUT 60
   OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)

@@ -54,8 +54,8 @@ struct NamedPart {
   PictureToEncode picture;
 };
 
-/// What decodes and encodes pictures. It lies in a library of its own, which is loaded by the first picture:
-/// it draws in some 250 others, and whoever needs no picture does not wait for them (0.15 s).
+/// What decodes and encodes pictures. It lies in a library of its own, which is loaded by the first picture
+/// that is not plain (`plain_pictures.h`): it draws in some 250 others, which take half a second.
 class PictureCodec {
  public:
   PictureCodec() = default;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "support/codec/plain_pictures.h"
 #include "support/files/atomic_file.h"
 #include "support/files/exr_header.h"
 #include "support/files/picture_library.h"
@@ -87,11 +88,24 @@ struct OpenedImage {
   }
 };
 
+/// Of a plain picture, without the picture library; null: it is none.
+std::unique_ptr<PictureReader> plain_reader(const std::string& format, const std::string& path) {
+  constexpr std::uintmax_t largest_bytes = 1U << 30U;  // a PNG file is read whole
+  if (format == "openexr") return plain_exr_reader(path);
+  if (format != "png" || fs::file_size(path) > largest_bytes) return nullptr;
+  return plain_png_reader(read_file(path));
+}
+
+std::unique_ptr<PictureReader> plain_reader(const std::string& format, std::string_view bytes) {
+  return format == "png" ? plain_png_reader(std::string(bytes)) : nullptr;
+}
+
 /// `where` is a path or bytes in memory.
 template <class Where>
 OpenedImage open_with(const std::string& format, bool alpha_apart, const Where& where,
                       std::uint64_t file_bytes, const std::string& name) {
-  OpenedImage opened{picture_codec().reader(format, alpha_apart), {}};
+  OpenedImage opened{plain_reader(format, where), {}};
+  if (!opened.reader) opened.reader = picture_codec().reader(format, alpha_apart);
   if (const std::string complaint = opened.reader->open(where); !complaint.empty())
     throw input_error({.file = name, .wanted = "an image that can be decoded", .found = complaint});
   opened.picture = opened.reader->picture();
@@ -167,7 +181,10 @@ void check_jpeg_end(std::string_view bytes, const std::string& name) {
 void write_image(const fs::path& path, PictureToEncode picture) {
   picture.extension = path.extension().string();
   std::string complaint;
-  const std::vector<unsigned char> bytes = picture_codec().encode(picture, interrupted, complaint);
+  std::optional<std::vector<unsigned char>> plain = encode_plain(picture, interrupted);
+  stop_if_interrupted();
+  const std::vector<unsigned char> bytes =
+      plain ? std::move(*plain) : picture_codec().encode(picture, interrupted, complaint);
   stop_if_interrupted();
   if (!complaint.empty())
     throw input_error({.file = path.string(),
