@@ -1,9 +1,9 @@
 # What every target of Seamline is built with.
 
-# The files of a folder are compiled twenty at a time, as one: their headers and templates are most of the time to build.
+# The files of a folder are compiled forty at a time, as one: their headers and templates are most of the time to build.
 # Every file stands alone all the same; CMAKE_UNITY_BUILD=OFF shows it, and rebuilds less after a change.
-set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder twenty at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 20 CACHE STRING "how many files are compiled as one; 0: all of a folder")
+set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile the files of a folder forty at a time")
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 40 CACHE STRING "how many files are compiled as one; 0: all of a folder")
 
 # Where many files are compiled as one, a local may bear the name of another file's constant; a file alone is asked for all.
 set(shadow_warning -Wshadow)

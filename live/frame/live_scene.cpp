@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/arithmetic/shortest_turn.h"
+
 namespace seamline::live {
 namespace {
 
@@ -12,7 +14,7 @@ Eigen::Isometry3d turned_up(const LoadedRecording& recording) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   if (recording.up != Eigen::Vector3d::UnitY())
     turn.linear() =
-        Eigen::Quaterniond::FromTwoVectors(recording.up, Eigen::Vector3d::UnitY()).toRotationMatrix();
+        shortest_turn(recording.up, Eigen::Vector3d::UnitY()).toRotationMatrix();
   return turn;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/arithmetic/shortest_turn.h"
 #include "support/arithmetic/units.h"
 #include "support/files/gltf_writing.h"
 
@@ -196,7 +197,7 @@ void add_sun(tinygltf::Model& model) {
   tinygltf::Node node;
   node.name = "sun";
   const auto turn =
-      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d(0.75, -1.0, -0.8));
+      shortest_turn(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d(0.75, -1.0, -0.8));
   node.rotation = {turn.x(), turn.y(), turn.z(), turn.w()};
   node.extensions[light_extension] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(0)}});
   add_node(model, node);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/arithmetic/shortest_turn.h"
+
 namespace seamline::scenes {
 namespace {
 
@@ -116,7 +118,7 @@ double scales(const Vector3d& point_m, double size_m, double depth_m) {
 }
 
 Eigen::Quaterniond upright_to(const Vector3d& direction) {
-  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), direction.normalized());
+  return shortest_turn(Vector3d::UnitY(), direction.normalized());
 }
 
 }  // namespace seamline::scenes

