@@ -91,8 +91,7 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
   Recipe recipe = renderer::recipe(Artifact::all, Isolation::query);
   if (test == nullptr) recipe.answers.occlusion = Who::truth;  // it is the same mesh
   const ShadowMatte matte{.of_all_suns = photo.shadow_matte};
-  DepthWorld world(&photo.depth, test, photo.shadow_matte != nullptr ? &matte : nullptr);
-  world.asks_from_object = true;  // where something else than the mesh says that it is in front
+  const DepthWorld world(&photo.depth, test, photo.shadow_matte != nullptr ? &matte : nullptr);
   FastStimulus made =
       render_fast_stimulus(object, world, recipe, choices,
                            {.seed = options.seed,

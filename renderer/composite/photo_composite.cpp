@@ -43,7 +43,8 @@ class PhotoSampler {
     const std::optional<SurfacePoint> real = scene_.depth.nearest(sight.ray);
     if (const auto hit = seen_object(sight, real)) {
       const bool shaded = !scene_.occlusion.nothing_hides;
-      const RealQuestion question{shaded ? &scene_.depth : &scene_.objects, &*hit};
+      const RealQuestion question =
+          shaded ? asked_of_mesh(&scene_.depth, real, *hit) : RealQuestion{&scene_.objects, &*hit};
       out.object += leaving_object(ObjectQuestions::all_of(question), scene_.objects, *hit,
                                    shaded ? scene_.light : light_past_nothing_, sampler)
                         .total();

@@ -54,9 +54,6 @@ struct DepthWorld {
   const OcclusionTest* occlusion = nullptr;  ///< null: the mesh decides
   const ShadowMatte* matte = nullptr;       ///< which real surfaces suns do not reach; null: the mesh decides
   const RealtimeWorld* realtime = nullptr;  ///< methods in place of rays; null: everything is traced
-  /// Whether the mesh is asked from the object's own point also where that lies behind it on its view ray,
-  /// and not from the mesh's point there.
-  bool asks_from_object = false;
 
   // A mesh alone is a world of depth.
   DepthWorld(const Geometry* depth_mesh, const OcclusionTest* test = nullptr,

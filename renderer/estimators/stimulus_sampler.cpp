@@ -42,7 +42,6 @@ StimulusSampler::StimulusSampler(const TruthScene& scene, const ObjectGeometry& 
       geometry_(geometry),
       depth_(needs_mesh(recipe.answers, depth) ? depth.mesh : nullptr),
       occlusion_(depth.occlusion),
-      asks_from_object_(depth.asks_from_object),
       looks_in_photograph_((depth.occlusion != nullptr && depth.occlusion->mask) ||
                            (depth.matte != nullptr && depth.matte->of_all_suns != nullptr)),
       matte_(recipe.answers.real_lit == Who::depth ? depth.matte : nullptr),
@@ -120,9 +119,7 @@ StimulusSample::Shows StimulusSampler::shown(const StimulusSample& sample) const
 
 RealQuestion StimulusSampler::ask(Who who, const StimulusSample& sample, const SurfacePoint& point) const {
   if (who == Who::truth) return {&geometry_.truth, &point};
-  // Behind the depth mesh on its view ray: asked from the mesh's own surface there, or it would be sealed in.
-  const bool behind = !asks_from_object_ && sample.depth && sample.depth->distance_m < point.distance_m;
-  return {depth_, behind ? &*sample.depth : &point};
+  return asked_of_mesh(depth_, sample.depth, point);
 }
 
 Split StimulusSampler::object_light(const StimulusSample& sample, const Answers& answers,

@@ -165,7 +165,6 @@ class StimulusSampler {
   const ObjectGeometry& geometry_;
   const Geometry* depth_;           ///< the mesh; null where nothing is asked of it
   const OcclusionTest* occlusion_;  ///< null: the mesh decides
-  bool asks_from_object_;           ///< see DepthWorld
   bool looks_in_photograph_;        ///< some mask may be of the photograph's shape
   const ShadowMatte* matte_;        ///< null: the mesh decides, or nobody asks
   const RealtimeWorld* realtime_;   ///< null: everything is traced

@@ -114,7 +114,7 @@ std::optional<LightSample> photographed_sample(const Light& light, const Surface
   const auto sent = sent_on(point, throughput,
                             light.environment->radiance(chosen.direction) * (weight / density_sr), direction);
   if (!sent || !is_finite(*sent)) return std::nullopt;
-  return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
+  return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular, true};
 }
 
 std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,

@@ -45,6 +45,7 @@ struct LightSample {
   Rgb radiance;               ///< that goes on to the viewer: times the throughput, over the density
   /// The same off the specular layer, of light that paths find as well: it counts as mirrored.
   Rgb mirrored = Rgb::Zero();
+  bool of_photograph = false;  ///< from a surface of `Light::photographed`
 
   [[nodiscard]] Rgb total() const { return radiance + mirrored; }
 };

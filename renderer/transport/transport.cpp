@@ -219,7 +219,8 @@ class ObjectLight {
   void each_sample(const RealQuestion& lit_past, GlowHits hits, const Take& take) const {
     for (int number = 0; number < light_samples(light_); ++number) {
       const auto sample = light_sample(light_, number, point_, Rgb::Ones(), sampler_, 0, hits);
-      if (sample && !object_.occluded(leaving_ray(point_, sample->direction, sample->far_m), counts_) &&
+      if (sample && !(sample->of_photograph && only_paths_find_photograph(lit_past)) &&
+          !object_.occluded(leaving_ray(point_, sample->direction, sample->far_m), counts_) &&
           reaches_past(lit_past, sample->direction, sample->far_m, counts_))
         take(*sample);
     }
@@ -257,7 +258,9 @@ class ObjectLight {
     if (sky_reaches) in.sky = sky_found(light_, point_, direction);
     if (!object_first && !hit) return in;
     const SurfacePoint& first = object_first ? *object_hit : *hit;
-    const FoundGlow glow = glow_found(light_, point_, direction, first);
+    const FoundGlow glow = sends_photograph(light_, first) && only_paths_find_photograph(by)
+                               ? FoundGlow{light_.environment->radiance(first.position_m.normalized()), true}
+                               : glow_found(light_, point_, direction, first);
     if (!glow.is_lamp)
       in.surfaces += glow.radiance;
     else if (glow_hits(lit_past, by) == GlowHits::found)
@@ -270,6 +273,9 @@ class ObjectLight {
   [[nodiscard]] bool emits(const RealQuestion& by) const {
     return by.geometry->emits() || light_.photographed != nullptr;
   }
+  /// Asked from elsewhere, a ray does not meet the place that a light sample chose from the object's own
+  /// point.
+  [[nodiscard]] bool only_paths_find_photograph(const RealQuestion& by) const { return by.start != &point_; }
 
   const Geometry& object_;
   const SurfacePoint& point_;

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "renderer/common/sampler.h"
 #include "renderer/light/light.h"
 #include "renderer/tracing/geometry.h"
@@ -39,13 +41,19 @@ struct RadiancePair {
   Split with_object;
 };
 
-/// A point from which real geometry is asked. For a point of the object that lies behind the depth mesh on
-/// its view ray, this is the depth mesh's own point, else the object's (documentation/design.md,
-/// section 1).
+/// A point from which real geometry is asked.
 struct RealQuestion {
   const Geometry* geometry;
   const SurfacePoint* start;
 };
+
+/// What the depth mesh is asked about a point of the object: from there, but from the mesh's own point on its
+/// view ray where that is nearer, or the object would be sealed in (documentation/design.md, section 1).
+[[nodiscard]] inline RealQuestion asked_of_mesh(const Geometry* mesh,
+                                                const std::optional<SurfacePoint>& on_mesh,
+                                                const SurfacePoint& object) {
+  return {mesh, on_mesh && on_mesh->distance_m < object.distance_m ? &*on_mesh : &object};
+}
 
 /// Radiance that a point of the real world sends to the camera, without and with the object. `object` may be
 /// null: then both are the same. One sample; `sampler` fixes every random number.

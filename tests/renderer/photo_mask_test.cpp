@@ -187,6 +187,85 @@ TEST(PhotoMask, NothingIsSeenOfAnObjectBehindAWhiteMaskAndAllBeforeABlackOne) {
   }
 }
 
+/// A ball that a mask puts before everything, and of which the local scene hides the left half: a box, as the
+/// sheets of a coarse map seal things in.
+class HalfBehind {
+ public:
+  explicit HalfBehind(Light light) : light_(std::move(light)) {
+    const Meshes world = {test::box({-4, -2, -6}, {4, 3, 3}, 0.5F),
+                          test::box({-2, -2, -5}, {0, 2, -2}, 0.5F)};
+    // Sky and sun come in through the room's whole ceiling where the light is not the photograph.
+    mesh_ = build_depth_mesh(capture_depth(Geometry(world), 512, 0, 2), {.threads = 2});
+    if (light_.environment == nullptr) open_ceiling();
+    depth_ = std::make_shared<const Geometry>(mesh_, Rgb::Constant(0.5F));
+    if (light_.environment != nullptr) light_.photographed = depth_;
+    before_all_.mask = even_mask(16, 0.0F);
+  }
+  /// Mean radiance of the ball where the local scene lies before it, and where it does not.
+  [[nodiscard]] std::pair<float, float> on_ball(bool fast) const {
+    const Geometry objects(ball_);
+    const PhotoScene scene{photograph_, camera_, *depth_, objects, light_, {.test = &before_all_}};
+    const PassOptions pass{.spp = 64, .threads = 2};
+    const StimulusSums sums =
+        fast ? photo_by_fast(scene, {surface_of_depth(mesh_, 0.5), ball_}, {}, 0, pass).sums
+             : photo_by_path(scene, {}, 0, pass).sums;
+    const Image picture = compose(sums).picture;
+    std::array<float, 2> sum{}, pixels{};
+    for (int y = 0; y < camera_.height_px; ++y)
+      for (int x = 0; x < camera_.width_px; ++x) {
+        const Ray ray = centre_ray(camera_, x, y);
+        const auto ball = objects.nearest(ray), scene_there = depth_->nearest(ray);
+        if (!ball || ray.direction.dot(-ball->normal) < 0.3F) continue;
+        const std::size_t half = scene_there && scene_there->distance_m < ball->distance_m ? 0 : 1;
+        sum[half] += picture.rgb(x, y).mean(), ++pixels[half];
+      }
+    EXPECT_GT(std::min(pixels[0], pixels[1]), 30);
+    return {sum[0] / pixels[0], sum[1] / pixels[1]};
+  }
+
+ private:
+  void open_ceiling() {
+    std::erase_if(mesh_.triangles, [&](const Triangle& triangle) {
+      return std::all_of(triangle.begin(), triangle.end(),
+                         [&](auto i) { return mesh_.vertices_m[static_cast<std::size_t>(i)].y() > 2.9F; });
+    });
+  }
+
+  Camera camera_{.width_px = 48, .height_px = 32};
+  Image photograph_{48, 32, 3, 2.0F};
+  Light light_;
+  OcclusionTest before_all_;
+  DepthMesh mesh_;
+  std::shared_ptr<const Geometry> depth_;
+  Meshes ball_ = {test::sphere({0, 0, -3.2F}, 0.7F, 64, 0.6F, 1)};
+};
+
+TEST(PhotoMask, AnObjectBeforeAMaskButBehindTheLocalSceneIsNotSealedIn) {
+  Light light;
+  light.bounces = 2;
+  light.environment_radiance = Rgb::Constant(1.0F);
+  light.suns = {{Eigen::Vector3f(0.1F, 1, 0.4F).normalized(), Rgb::Constant(2.0F), 0.02F}};
+  const HalfBehind world(light);
+  const auto [behind, before] = world.on_ball(false);
+  const auto [behind_by_fast, before_by_fast] = world.on_ball(true);
+  EXPECT_GT(behind, 0.5F * before);
+  EXPECT_LT(behind, 2.0F * before);
+  EXPECT_NEAR(behind_by_fast, behind, 0.02F * behind);
+  EXPECT_NEAR(before_by_fast, before, 0.02F * before);
+}
+
+TEST(PhotoMask, InARoomOfOneRadianceItSendsItsAlbedoThereToo) {
+  Light light;
+  light.bounces = 2;
+  light.environment = std::make_shared<EnvironmentMap>(Image(64, 32, 3, 2.0F), 0.0F);
+  const HalfBehind world(light);
+  for (const bool fast : {false, true}) {
+    const auto [behind, before] = world.on_ball(fast);
+    EXPECT_NEAR(behind, 2 * 0.6F, 0.02F) << fast;
+    EXPECT_NEAR(before, 2 * 0.6F, 0.02F) << fast;
+  }
+}
+
 TEST(PhotoMask, EqualPicturesForAnyNumberOfThreads) {
   const MaskedWorld world(Seen::view, Lit::photographed);
   OcclusionTest test;
