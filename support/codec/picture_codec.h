@@ -18,6 +18,8 @@ struct CodedPicture {
   std::uint64_t bytes = 0;  ///< of all its pixels, as they are in the file
   std::string format;       ///< openexr, png, jpeg, hdr
   int orientation = 1;      ///< EXIF's, 1 to 8
+
+  bool operator==(const CodedPicture&) const = default;
 };
 
 /// One picture that is being read. Its functions may throw what image libraries throw at damaged bytes.

@@ -1,3 +1,5 @@
+#include "support/codec/plain_exr.h"
+
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -10,11 +12,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <thread>
 
-#include "support/codec/plain_encoders.h"
 #include "support/codec/plain_pictures.h"
 
 namespace seamline {
@@ -86,13 +89,25 @@ Imf::FrameBuffer slices(const ChannelNames& names, const float* values, const Im
   return buffer;
 }
 
+/// As the picture library makes codes of floats: 1 is the last code, and what is no number the first.
+template <class Code>
+Code code_of(float value) {
+  constexpr float last = std::numeric_limits<Code>::max();
+  const float scaled = value * last + 0.5F;
+  return scaled > 0 ? static_cast<Code>(std::min(scaled, last)) : Code{0};
+}
+
 class ExrReader final : public PictureReader {
  public:
-  ExrReader(const std::string& path, ChannelNames names)
-      : path_(path), header_(Imf::InputFile(path.c_str(), 0).header()), names_(std::move(names)) {}
-
-  std::string open(const std::string&) override { return {}; }
-  std::string open(std::string_view) override { return {}; }
+  std::string open(const std::string& path) override {
+    if (!is_one_part_in_scan_lines(path)) return not_plain;
+    header_ = Imf::InputFile(path.c_str(), 0).header();
+    names_ = plain_channels(header_);
+    path_ = path;
+    const bool turned = header_.findTypedAttribute<Imf::IntAttribute>("Orientation") != nullptr;
+    return names_.empty() || turned || !name_of(header_.compression()) ? not_plain : "";
+  }
+  std::string open(std::string_view) override { return not_plain; }
 
   CodedPicture picture() const override {
     CodedPicture picture;
@@ -117,16 +132,26 @@ class ExrReader final : public PictureReader {
     const Imath::Box2i& window = header_.dataWindow();
     file.setFrameBuffer(slices(names_, values, window, window.min.y));
     for (int row = window.min.y; row <= window.max.y; row += rows_between_questions) {
-      if (stop && stop()) return "one whose reading was stopped";
+      if (stop && stop()) return was_stopped;
       file.readPixels(row, std::min(row + rows_between_questions - 1, window.max.y));
     }
     return {};
   }
 
-  std::string read(std::uint16_t*, bool (*)()) override { return "one of floats"; }
-  std::string read(std::uint8_t*, bool (*)()) override { return "one of floats"; }
+  std::string read(std::uint16_t* codes, bool (*stop)()) override { return read_codes(codes, stop); }
+  std::string read(std::uint8_t* codes, bool (*stop)()) override { return read_codes(codes, stop); }
 
  private:
+  template <class Code>
+  std::string read_codes(Code* codes, bool (*stop)()) {
+    const CodedPicture is = picture();
+    std::vector<float> values(static_cast<std::size_t>(is.width_px) * static_cast<std::size_t>(is.height_px) *
+                              names_.size());
+    const std::string complaint = read(values.data(), stop);
+    std::transform(values.begin(), values.end(), codes, code_of<Code>);
+    return complaint;
+  }
+
   std::string path_;
   Imf::Header header_;
   ChannelNames names_;
@@ -154,21 +179,12 @@ class Bytes final : public Imf::OStream {
 
 }  // namespace
 
-std::unique_ptr<PictureReader> plain_exr_reader(const std::string& path) {
-  if (!is_one_part_in_scan_lines(path)) return nullptr;
-  try {
-    const Imf::Header header = Imf::InputFile(path.c_str(), 0).header();
-    ChannelNames names = plain_channels(header);
-    if (names.empty() || !name_of(header.compression()) ||
-        header.findTypedAttribute<Imf::IntAttribute>("Orientation"))
-      return nullptr;
-    return std::make_unique<ExrReader>(path, std::move(names));
-  } catch (const std::exception&) {
-    return nullptr;  // the picture library has the words for what is wrong
-  }
+std::unique_ptr<PictureReader> plain_exr_reader() {
+  return std::make_unique<ExrReader>();
 }
 
-std::optional<std::vector<unsigned char>> encode_plain_exr(const PictureToEncode& picture, bool (*stop)()) {
+std::vector<unsigned char> encode_plain_exr(const PictureToEncode& picture, bool (*stop)(),
+                                            std::string& complaint) {
   const ChannelNames names = picture.channels == 1 ? ChannelNames{"Y"} : ChannelNames{"R", "G", "B"};
   Imf::Header header(picture.width_px, picture.height_px);
   header.compression() = Imf::ZIP_COMPRESSION;
@@ -181,7 +197,10 @@ std::optional<std::vector<unsigned char>> encode_plain_exr(const PictureToEncode
     Imf::OutputFile file(bytes, header, threads_for(values));
     file.setFrameBuffer(slices(names, picture.floats, header.dataWindow(), 0));
     for (int row = 0; row < picture.height_px; row += rows_between_questions) {
-      if (stop && stop()) return {};
+      if (stop && stop()) {
+        complaint = was_stopped;
+        break;
+      }
       file.writePixels(std::min(rows_between_questions, picture.height_px - row));
     }
   }

@@ -1,15 +1,27 @@
 #include "support/codec/plain_pictures.h"
 
-#include "support/codec/plain_encoders.h"
+#include "support/codec/plain_exr.h"
+#include "support/codec/plain_png.h"
 
 namespace seamline {
 
-std::optional<std::vector<unsigned char>> encode_plain(const PictureToEncode& picture, bool (*stop)()) {
+std::unique_ptr<PictureReader> plain_reader(const std::string& format) {
+  if (format == "png") return plain_png_reader();
+  if (format == "openexr") return plain_exr_reader();
+  return nullptr;
+}
+
+bool is_plain(const PictureToEncode& picture) {
   const bool grey_or_rgb = picture.channels == 1 || picture.channels == 3;
-  if (!grey_or_rgb || picture.width_px < 1 || picture.height_px < 1) return {};
-  if (picture.codes && picture.extension == ".png") return encode_plain_png(picture, stop);
-  if (picture.floats && picture.extension == ".exr") return encode_plain_exr(picture, stop);
-  return {};
+  const bool known =
+      (picture.codes && picture.extension == ".png") || (picture.floats && picture.extension == ".exr");
+  return grey_or_rgb && known && picture.width_px >= 1 && picture.height_px >= 1;
+}
+
+std::vector<unsigned char> encode_plain(const PictureToEncode& picture, bool (*stop)(),
+                                        std::string& complaint) {
+  return picture.codes ? encode_plain_png(picture, stop, complaint)
+                       : encode_plain_exr(picture, stop, complaint);
 }
 
 }  // namespace seamline

@@ -1,8 +1,6 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "support/codec/picture_codec.h"
@@ -15,14 +13,19 @@ namespace seamline {
 /// bytes as the picture library, whose 250 libraries then need not be loaded (half a second of every
 /// command).
 
-/// A reader of a plain PNG file of these bytes, which `check_png` found whole; null: it is no plain one.
-[[nodiscard]] std::unique_ptr<PictureReader> plain_png_reader(std::string bytes);
+constexpr char not_plain[] = "one that is not plain";  ///< the complaint of a reader whose file is another
 
-/// A reader of a plain EXR file whose header `check_exr_header` found whole; null: it is no plain one.
-[[nodiscard]] std::unique_ptr<PictureReader> plain_exr_reader(const std::string& path);
+/// A reader of plain pictures of a format, which complains when it opens another; null: the format has none.
+[[nodiscard]] std::unique_ptr<PictureReader> plain_reader(const std::string& format);
 
-/// The file's bytes, without any date; none: this is no plain picture, or `stop` said so.
-[[nodiscard]] std::optional<std::vector<unsigned char>> encode_plain(const PictureToEncode& picture,
-                                                                     bool (*stop)());
+/// Whether a picture that is to be encoded is plain.
+[[nodiscard]] bool is_plain(const PictureToEncode& picture);
+
+/// As `PictureCodec::encode`; of a plain picture.
+[[nodiscard]] std::vector<unsigned char> encode_plain(const PictureToEncode& picture, bool (*stop)(),
+                                                      std::string& complaint);
+
+constexpr int rows_between_questions = 64;  ///< so often readers and encoders ask whether to stop
+constexpr char was_stopped[] = "one whose reading or writing was stopped";  ///< their complaint then
 
 }  // namespace seamline

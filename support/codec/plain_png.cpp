@@ -1,12 +1,16 @@
+#include "support/codec/plain_png.h"
+
 #include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
-#include <utility>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
 
-#include "support/codec/plain_encoders.h"
 #include "support/codec/plain_pictures.h"
 
 namespace seamline {
@@ -79,17 +83,21 @@ bool decode_rows(png_structp png, png_infop info, const PngHeader& header, std::
   if (setjmp(*png_set_longjmp_fn(png, std::longjmp, sizeof(std::jmp_buf)))) return false;
   png_read_info(png, info);
   const std::size_t row_bytes = std::size_t{header.width_px} * static_cast<std::size_t>(header.channels);
-  if (png_get_rowbytes(png, info) != row_bytes) return false;
+  if (png_get_rowbytes(png, info) != row_bytes) png_error(png, "another header than it began with");
   return for_each_row(header.height_px, stop,
                       [&](png_uint_32 row) { png_read_row(png, codes + row * row_bytes, nullptr); });
 }
 
 class PngReader final : public PictureReader {
  public:
-  PngReader(std::string bytes, const PngHeader& header) : bytes_(std::move(bytes)), header_(header) {}
-
-  std::string open(const std::string&) override { return {}; }
-  std::string open(std::string_view) override { return {}; }
+  std::string open(const std::string& path) override {
+    constexpr std::uintmax_t largest_bytes = 1U << 30U;  // the file is read whole
+    if (std::filesystem::file_size(path) > largest_bytes) return not_plain;
+    std::ostringstream bytes;
+    bytes << std::ifstream(path, std::ios::binary).rdbuf();
+    return take(std::move(bytes).str());
+  }
+  std::string open(std::string_view bytes) override { return take(std::string(bytes)); }
 
   CodedPicture picture() const override {
     CodedPicture picture;
@@ -128,17 +136,25 @@ class PngReader final : public PictureReader {
       whole = decode_rows(png, info, header_, out, stop);
     }
     png_destroy_read_struct(&png, &info, nullptr);
-    if (!whole && complaint.empty()) complaint = "one that cannot";
+    if (!whole && complaint.empty()) complaint = was_stopped;
     return complaint;
   }
 
  private:
+  std::string take(std::string bytes) {
+    const std::optional<PngHeader> header = plain_header(bytes);
+    if (!header) return not_plain;
+    header_ = *header;
+    bytes_ = std::move(bytes);
+    return {};
+  }
+
   [[nodiscard]] std::size_t values() const {
     return std::size_t{header_.width_px} * header_.height_px * static_cast<std::size_t>(header_.channels);
   }
 
   std::string bytes_;
-  PngHeader header_;
+  PngHeader header_{};
 };
 
 /// Chunks as the picture library writes them, in its order, so that pictures of older versions keep their
@@ -173,14 +189,12 @@ bool encode_rows(png_structp png, png_infop info, const PictureToEncode& picture
 
 }  // namespace
 
-std::unique_ptr<PictureReader> plain_png_reader(std::string bytes) {
-  const std::optional<PngHeader> header = plain_header(bytes);
-  if (!header) return nullptr;
-  return std::make_unique<PngReader>(std::move(bytes), *header);
+std::unique_ptr<PictureReader> plain_png_reader() {
+  return std::make_unique<PngReader>();
 }
 
-std::optional<std::vector<unsigned char>> encode_plain_png(const PictureToEncode& picture, bool (*stop)()) {
-  std::string complaint;
+std::vector<unsigned char> encode_plain_png(const PictureToEncode& picture, bool (*stop)(),
+                                            std::string& complaint) {
   std::vector<unsigned char> bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, jump_back, ignore_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -190,7 +204,7 @@ std::optional<std::vector<unsigned char>> encode_plain_png(const PictureToEncode
     whole = encode_rows(png, info, picture, stop);
   }
   png_destroy_write_struct(&png, &info);
-  if (!whole) return {};
+  if (!whole && complaint.empty()) complaint = was_stopped;
   return bytes;
 }
 

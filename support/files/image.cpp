@@ -88,26 +88,28 @@ struct OpenedImage {
   }
 };
 
-/// Of a plain picture, without the picture library; null: it is none.
-std::unique_ptr<PictureReader> plain_reader(const std::string& format, const std::string& path) {
-  constexpr std::uintmax_t largest_bytes = 1U << 30U;  // a PNG file is read whole
-  if (format == "openexr") return plain_exr_reader(path);
-  if (format != "png" || fs::file_size(path) > largest_bytes) return nullptr;
-  return plain_png_reader(read_file(path));
-}
-
-std::unique_ptr<PictureReader> plain_reader(const std::string& format, std::string_view bytes) {
-  return format == "png" ? plain_png_reader(std::string(bytes)) : nullptr;
+/// Whether a reader of plain pictures can do it. What is wrong, if not, the picture library has words for.
+template <class Where>
+bool opens(PictureReader& plain, const Where& where) {
+  try {
+    return plain.open(where).empty();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 /// `where` is a path or bytes in memory.
 template <class Where>
 OpenedImage open_with(const std::string& format, bool alpha_apart, const Where& where,
                       std::uint64_t file_bytes, const std::string& name) {
-  OpenedImage opened{plain_reader(format, where), {}};
-  if (!opened.reader) opened.reader = picture_codec().reader(format, alpha_apart);
-  if (const std::string complaint = opened.reader->open(where); !complaint.empty())
-    throw input_error({.file = name, .wanted = "an image that can be decoded", .found = complaint});
+  OpenedImage opened{plain_reader(format), {}};
+  if (!opened.reader || !opens(*opened.reader, where)) {
+    opened.reader = picture_codec().reader(format, alpha_apart);
+    if (const std::string complaint = opened.reader->open(where); !complaint.empty())
+      throw input_error({.file = name, .wanted = "an image that can be decoded", .found = complaint});
+  }
   opened.picture = opened.reader->picture();
   check_size(opened.picture, file_bytes, name);
   return opened;
@@ -181,10 +183,9 @@ void check_jpeg_end(std::string_view bytes, const std::string& name) {
 void write_image(const fs::path& path, PictureToEncode picture) {
   picture.extension = path.extension().string();
   std::string complaint;
-  std::optional<std::vector<unsigned char>> plain = encode_plain(picture, interrupted);
-  stop_if_interrupted();
-  const std::vector<unsigned char> bytes =
-      plain ? std::move(*plain) : picture_codec().encode(picture, interrupted, complaint);
+  const std::vector<unsigned char> bytes = is_plain(picture)
+                                               ? encode_plain(picture, interrupted, complaint)
+                                               : picture_codec().encode(picture, interrupted, complaint);
   stop_if_interrupted();
   if (!complaint.empty())
     throw input_error({.file = path.string(),
