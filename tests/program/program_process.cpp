@@ -2,6 +2,7 @@
 // when it had one thread, and that has loaded the libraries of pictures since the first run which asked for
 // them. Signals, Cluster, Demo and Tutorial start the built program itself.
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
