@@ -19,6 +19,12 @@ Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point) {
          Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), 1.0F - one_minus_cos);
 }
 
+bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction) {
+  // By the chord, because a cosine so near to 1 says nothing of a small disc.
+  const float chord = 2.0F * std::sin(0.5F * sun.angular_radius_rad);
+  return (direction - sun.to_sun).squaredNorm() <= chord * chord;
+}
+
 Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point, int number,
                                  int count) {
   const float turned = point[1] + static_cast<float>(number) / static_cast<float>(count);

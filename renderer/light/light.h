@@ -49,6 +49,9 @@ struct Light {
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.
 [[nodiscard]] Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point);
 
+/// Whether a unit direction points at the sun's disc.
+[[nodiscard]] bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction);
+
 /// Ray `number` of `count` about the same normal: the point's own direction turned, so that together they
 /// look all around.
 [[nodiscard]] Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/tracing/geometry.h"
 
@@ -45,12 +46,22 @@ bool is_finite(const SentOn& sent) {
   return sent.diffuse.allFinite() && sent.specular.allFinite();
 }
 
-std::optional<LightSample> sun_sample(const Sun& sun, const SurfacePoint& point, const Rgb& throughput,
-                                      const Sampler& sampler, int vertex) {
+/// With which `direction_to_sun` chooses a direction of a sun's disc; of a sun without size none is found.
+float disc_density_sr(const Sun& sun) {
+  const float sine = std::sin(0.5F * sun.angular_radius_rad);
+  return 1.0F / (4.0F * std::numbers::pi_v<float> * sine * sine);
+}
+
+std::optional<LightSample> sun_sample(const Light& light, const Sun& sun, const SurfacePoint& point,
+                                      const Rgb& throughput, const Sampler& sampler, int vertex,
+                                      SunHits hits) {
   const Eigen::Array2f on_disc =
       sun.angular_radius_rad > 0.0F ? sampler.point(dimension::sun(vertex)) : Eigen::Array2f::Zero();
   const Eigen::Vector3f to_sun = direction_to_sun(sun, on_disc);
-  const auto sent = sent_on(point, throughput, sun.irradiance_w_m2, to_sun);
+  const bool is_found = hits == SunHits::found && sun.angular_radius_rad > 0.0F && finds_suns(light, point);
+  const float weight =
+      is_found ? power_weight(disc_density_sr(sun), scatter_density_sr(point, to_sun)) : 1.0F;
+  const auto sent = sent_on(point, throughput, weight * sun.irradiance_w_m2, to_sun);
   if (!sent) return std::nullopt;
   return highlighted(to_sun, endless, *sent);
 }
@@ -155,10 +166,11 @@ Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction) {
 
 std::optional<LightSample> light_sample(const Light& light, int number, const SurfacePoint& point,
                                         const Rgb& throughput, const Sampler& sampler, int vertex,
-                                        GlowHits hits) {
+                                        GlowHits hits, SunHits sun_hits) {
   const auto suns = static_cast<int>(light.suns.size());
   if (number < suns)
-    return sun_sample(light.suns[static_cast<std::size_t>(number)], point, throughput, sampler, vertex);
+    return sun_sample(light, light.suns[static_cast<std::size_t>(number)], point, throughput, sampler, vertex,
+                      sun_hits);
   number -= suns;
   if (!light.lamps.empty() && number-- == 0) return lamp_sample(light, point, throughput, sampler, vertex);
   if (light.glowing && number-- == 0) return glow_sample(light, point, throughput, sampler, vertex, hits);
@@ -168,6 +180,16 @@ std::optional<LightSample> light_sample(const Light& light, int number, const Su
 Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from, const Eigen::Vector3f& direction) {
   return map.radiance(direction) *
          power_weight(scatter_density_sr(from, direction), map.density_sr(direction));
+}
+
+Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  Rgb sum = Rgb::Zero();
+  for (const Sun& sun : light.suns) {
+    if (!(sun.angular_radius_rad > 0.0F) || !is_on_disc(sun, direction)) continue;
+    const float density_sr = disc_density_sr(sun);
+    sum += sun.irradiance_w_m2 * (density_sr * power_weight(scatter_density_sr(from, direction), density_sr));
+  }
+  return sum;
 }
 
 FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction,

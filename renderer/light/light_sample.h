@@ -61,18 +61,31 @@ struct LightSample {
 /// mesh, which knows nothing of them.
 enum class GlowHits { found, unknown };
 
+/// Whether they find the discs of suns with size, where they leave a mirror: seen in one whose lobe is
+/// narrower, a sun would be a few samples that are as much brighter than its disc.
+enum class SunHits { found, unknown };
+/// At a point where `SunHits::found` says so. Nobody looks for them where no path looks for a dark sky.
+[[nodiscard]] inline bool finds_suns(const Light& light, const SurfacePoint& from) {
+  return !light.suns.empty() && !light.skips_sky && (from.f0 > 0.0F).any();
+}
+
 /// Question `number` of those. `throughput`: from the point to the camera, without the point's own albedo.
 /// Light that the paths that go on may find as well (the environment's map always, glowing surfaces with
-/// `GlowHits::found`) is weighted by the power heuristic (Veach and Guibas, SIGGRAPH 1995). None when no
-/// light comes from there.
+/// `GlowHits::found`, suns with `SunHits::found`) is weighted by the power heuristic (Veach and Guibas,
+/// SIGGRAPH 1995). None when no light comes from there.
 [[nodiscard]] std::optional<LightSample> light_sample(const Light& light, int number,
                                                       const SurfacePoint& point, const Rgb& throughput,
-                                                      const Sampler& sampler, int vertex, GlowHits hits);
+                                                      const Sampler& sampler, int vertex, GlowHits hits,
+                                                      SunHits sun_hits = SunHits::unknown);
 
 /// The environment as found by a path that left `from` in a direction of `scatter`: its radiance, less what
 /// `light_sample` counts of it.
 [[nodiscard]] inline Rgb sky_found(const Light& light, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction);
+
+/// Suns with size as such a path found them, less what `light_sample` counts of them with `SunHits::found`.
+[[nodiscard]] inline Rgb suns_found(const Light& light, const SurfacePoint& from,
+                                    const Eigen::Vector3f& direction);
 
 /// Whether a surface is one of those that send what a photograph shows (`Light::photographed`): paths end
 /// there.
@@ -92,9 +105,16 @@ struct FoundGlow {
 [[nodiscard]] Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction);
 
+[[nodiscard]] Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from,
+                                      const Eigen::Vector3f& direction);
+
 inline Rgb sky_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
   return light.environment ? mapped_sky_found(*light.environment, from, direction)
                            : light.environment_radiance;
+}
+
+inline Rgb suns_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  return finds_suns(light, from) ? mirrored_suns_found(light, from, direction) : Rgb::Zero();
 }
 
 }  // namespace seamline::renderer

@@ -30,7 +30,7 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
     for (int number = from; number < to; ++number)
       for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto sample = light_sample(light, number, *points[i].point, Rgb::Ones(), points[i].sampler,
-                                             0, GlowHits::unknown))
+                                             0, GlowHits::unknown, SunHits::found))
           rays.add(*points[i].point, points[i].lit_past, sample->direction, sample->far_m,
                    {i, sample->radiance});
   };
@@ -48,7 +48,8 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
     const auto share = static_cast<float>(light.sky_rays);
     if (const auto next = scatter(point, sky_point))
       rays.add(point, points[i].lit_past, next->direction, light.sky_distance_m,
-               {i, next->diffuse() * sky_found(light, point, next->direction) / share});
+               {i, next->diffuse() * sky_found(light, point, next->direction) / share +
+                       next->weight * suns_found(light, point, next->direction)});
     for (int number = 1; number < light.sky_rays; ++number) {
       const Eigen::Vector3f direction = turned_direction(point.normal, sky_point, number, light.sky_rays);
       if (above_horizon(point, direction))

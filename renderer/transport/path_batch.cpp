@@ -41,6 +41,12 @@ std::span<const PathLight> PathBatch::trace() {
   return found_;
 }
 
+/// Suns in the first surface: highlights, which are direct light.
+Rgb PathBatch::first_suns(const Vertex& vertex, const Eigen::Vector3f& direction) const {
+  return starts_[vertex.path].rules.without_first_suns ? Rgb::Zero()
+                                                       : suns_found(*light_, vertex.point, direction);
+}
+
 /// A point of [0, 1)^2 for each vertex.
 void PathBatch::find_points(int dimension) {
   points_.clear();
@@ -52,8 +58,8 @@ void PathBatch::add_light_sample(int number, int vertex) {
   const GlowHits hits = worlds_->room->emits() ? GlowHits::found : GlowHits::unknown;
   for (const Vertex& at : vertices_) {
     if (asks_sun_elsewhere(at, number, vertex)) continue;
-    if (const auto from_light =
-            light_sample(*light_, number, at.point, at.throughput, starts_[at.path].sampler, vertex, hits))
+    if (const auto from_light = light_sample(*light_, number, at.point, at.throughput,
+                                             starts_[at.path].sampler, vertex, hits, SunHits::found))
       ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m),
           vertex == 0 ? FoundLight{true, from_light->radiance, from_light->mirrored}
                       : sorted(at.path, false, from_light->total()));
@@ -84,6 +90,10 @@ void PathBatch::add_sky_of_first() {
             {.direct = !joins_bounce,
              .radiance = sky * next->diffuse() / share,
              .mirrored = sky * next->specular});
+        const Rgb suns = first_suns(vertex, next->direction);
+        if ((suns > 0.0F).any())
+          ask(vertex, leaving_ray(vertex.point, next->direction, light_->sky_distance_m),
+              {.direct = true, .radiance = vertex.throughput * next->weight * suns});
       }
     }
     for (int number = 1; number < rays; ++number) {
@@ -137,7 +147,9 @@ void PathBatch::go_on(int vertex) {
     const Ray ray = leaving_ray(from.point, next->direction, light_->sky_distance_m);
     if (only_sky) {
       ask(from, ray,
-          sorted(from.path, false, from.throughput * sky_found(*light_, from.point, next->direction)));
+          sorted(from.path, false,
+                 from.throughput * (sky_found(*light_, from.point, next->direction) +
+                                    suns_found(*light_, from.point, next->direction))));
     } else {
       rays_.push_back(ray);
       vertex_of_ray_.push_back(i);
@@ -173,6 +185,10 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
     FoundLight sky = sorted(from.path, direct, from.throughput * sky_found(*light_, from.point, direction));
     sky.radiance /= rays;
     add(from.path, set, sky);
+    if (!finds_suns(*light_, from.point)) return;
+    add(from.path, set,
+        vertex == 0 ? FoundLight{.direct = true, .radiance = from.throughput * first_suns(from, direction)}
+                    : sorted(from.path, false, from.throughput * suns_found(*light_, from.point, direction)));
     return;
   }
   if (vertex == 0 && (set & rules.reach_of) != 0)

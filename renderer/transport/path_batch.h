@@ -88,6 +88,7 @@ class PathBatch {
   [[nodiscard]] bool sky_joins_bounce(const Vertex& vertex) const {
     return starts_[vertex.path].rules.sky_joins_bounce && !light_->environment;
   }
+  [[nodiscard]] Rgb first_suns(const Vertex& vertex, const Eigen::Vector3f& direction) const;
   void add_sky_of_first();
   void thin_tails();
   void go_on(int vertex);

@@ -32,6 +32,11 @@ struct World {
   }
 };
 
+/// What a path finds that meets nothing.
+Rgb far_light(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  return sky_found(light, from, direction) + suns_found(light, from, direction);
+}
+
 /// Radiance scattered by `point`, the path's vertex number `vertex`, and by all later ones.
 Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler,
               int vertex) {
@@ -40,7 +45,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
   for (;; ++vertex) {
     for (int number = 0; number < light_samples(light); ++number) {
       const auto from_light =
-          light_sample(light, number, point, throughput, sampler, vertex, world.glow_hits());
+          light_sample(light, number, point, throughput, sampler, vertex, world.glow_hits(), SunHits::found);
       if (from_light && !world.occluded(leaving_ray(point, from_light->direction, from_light->far_m)))
         sum += from_light->total();
     }
@@ -51,9 +56,9 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
     const bool emits = world.emits() || light.photographed != nullptr;
     if (vertex >= light.bounces && !emits && leaves_out_sky(light, world.counts)) return sum;
     if (vertex >= light.bounces && !emits)
-      return world.occluded(ray) ? sum : Rgb(sum + throughput * sky_found(light, point, next->direction));
+      return world.occluded(ray) ? sum : Rgb(sum + throughput * far_light(light, point, next->direction));
     const std::optional<SurfacePoint> hit = world.nearest(ray);
-    if (!hit) return sum + throughput * sky_found(light, point, next->direction);
+    if (!hit) return sum + throughput * far_light(light, point, next->direction);
     sum += throughput * glow_found(light, point, next->direction, *hit).radiance;
     if (vertex >= light.bounces || sends_photograph(light, *hit)) return sum;
     point = *hit;
@@ -89,6 +94,14 @@ class FoundLight {
     light_.mirrored += share_ * light;
     rest += (1.0F - share_) * light;
   }
+  /// Environment and suns behind everything; a sun in the first surface is a highlight, which is direct.
+  void add_far(const Rgb& sky, const Rgb& suns, bool is_first) {
+    add(sky, is_first);
+    if (is_first)
+      light_.direct += suns;
+    else
+      add(suns, false);
+  }
   void add(const LightSample& sample, int vertex) {
     if (vertex > 0) {
       add(sample.total(), false);
@@ -118,8 +131,8 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
   Rgb throughput = Rgb::Ones();
   for (int vertex = 0;; ++vertex) {
     for (int number = 0; number < light_samples(light); ++number) {
-      const auto from_light =
-          light_sample(light, number, point, throughput, sampler, vertex, world_with.glow_hits());
+      const auto from_light = light_sample(light, number, point, throughput, sampler, vertex,
+                                           world_with.glow_hits(), SunHits::found);
       if (!from_light) continue;
       const Ray ray = leaving_ray(point, from_light->direction, from_light->far_m);
       if (real.occluded(ray, counts)) continue;
@@ -132,11 +145,12 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     if (vertex == 0) without_object.leaves_first_by(*next), with_object.leaves_first_by(*next);
     Ray ray = leaving_ray(point, next->direction, light.sky_distance_m);
     const Rgb sky = throughput * sky_found(light, point, next->direction);
+    const Rgb suns = throughput * suns_found(light, point, next->direction);
     const bool is_first = vertex == 0;
     if (vertex >= light.bounces && !emits) {
       if (leaves_out_sky(light, counts) || real.occluded(ray, counts)) return pair;
-      without_object.add(sky, is_first);
-      if (object == nullptr || !object->occluded(ray, counts)) with_object.add(sky, is_first);
+      without_object.add_far(sky, suns, is_first);
+      if (object == nullptr || !object->occluded(ray, counts)) with_object.add_far(sky, suns, is_first);
       return pair;
     }
     const std::optional<SurfacePoint> hit = real.nearest(ray, counts);
@@ -153,7 +167,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
         without_object.add(throughput * arriving(world_without, *hit, next->spread, light, sampler, vertex),
                            false);
       } else {
-        without_object.add(sky, is_first);
+        without_object.add_far(sky, suns, is_first);
       }
       add_glow(*object_hit, with_object);
       with_object.add(throughput * arriving(world_with, *object_hit, next->spread, light, sampler, vertex),
@@ -161,8 +175,8 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       return pair;
     }
     if (!hit) {
-      without_object.add(sky, is_first);
-      with_object.add(sky, is_first);
+      without_object.add_far(sky, suns, is_first);
+      with_object.add_far(sky, suns, is_first);
       return pair;
     }
     add_glow(*hit, without_object);
@@ -218,7 +232,8 @@ class ObjectLight {
   template <class Take>
   void each_sample(const RealQuestion& lit_past, GlowHits hits, const Take& take) const {
     for (int number = 0; number < light_samples(light_); ++number) {
-      const auto sample = light_sample(light_, number, point_, Rgb::Ones(), sampler_, 0, hits);
+      const auto sample =
+          light_sample(light_, number, point_, Rgb::Ones(), sampler_, 0, hits, SunHits::found);
       if (sample && !(sample->of_photograph && only_paths_find_photograph(lit_past)) &&
           !object_.occluded(leaving_ray(point_, sample->direction, sample->far_m), counts_) &&
           reaches_past(lit_past, sample->direction, sample->far_m, counts_))
@@ -235,14 +250,13 @@ class ObjectLight {
 
   /// What comes from the direction in which the path goes on.
   struct Incoming {
-    Rgb sky = Rgb::Zero(), lamps = Rgb::Zero(), surfaces = Rgb::Zero();
+    Rgb sky = Rgb::Zero(), suns = Rgb::Zero(), lamps = Rgb::Zero(), surfaces = Rgb::Zero();
   };
   [[nodiscard]] Incoming incoming(const RealQuestion& lit_past, const RealQuestion& by,
                                   const Eigen::Vector3f& direction, float spread) const {
     Incoming in;
     if (!bounces_matter(by)) {
-      if (!leaves_out_sky(light_, counts_) && sees_sky(lit_past, direction))
-        in.sky = sky_found(light_, point_, direction);
+      if (!leaves_out_sky(light_, counts_) && sees_sky(lit_past, direction)) find_far(direction, in);
       return in;
     }
     Ray ray = leaving_ray(point_, direction, light_.sky_distance_m);
@@ -255,7 +269,7 @@ class ObjectLight {
     const bool object_first = object_hit && (!hit || object_hit->distance_m <= hit->distance_m);
     const bool sky_reaches =
         !object_hit && (is_same ? !hit : reaches_past(lit_past, direction, light_.sky_distance_m, counts_));
-    if (sky_reaches) in.sky = sky_found(light_, point_, direction);
+    if (sky_reaches) find_far(direction, in);
     if (!object_first && !hit) return in;
     const SurfacePoint& first = object_first ? *object_hit : *hit;
     const FoundGlow glow = sends_photograph(light_, first) && only_paths_find_photograph(by)
@@ -270,6 +284,10 @@ class ObjectLight {
   }
 
  private:
+  void find_far(const Eigen::Vector3f& direction, Incoming& in) const {
+    in.sky = sky_found(light_, point_, direction);
+    in.suns = suns_found(light_, point_, direction);
+  }
   [[nodiscard]] bool emits(const RealQuestion& by) const {
     return by.geometry->emits() || light_.photographed != nullptr;
   }
@@ -312,9 +330,9 @@ Split leaving_object(const ObjectQuestions& ask, const Geometry& object, const S
   const auto next = scatter(point, sampler.point(dimension::direction(0)));
   if (!next) return out;
   const Rgb diffuse = next->diffuse();
-  if (!is_mirror || (diffuse > 0.0F).any() || !mirrors_apart) {
+  if (!is_mirror || (diffuse > 0.0F).any() || !mirrors_apart || finds_suns(light, point)) {
     const auto in = from.incoming(ask.lit_past, ask.bounced, next->direction, next->spread);
-    out.direct += diffuse * in.sky / sky_rays + diffuse * in.lamps;
+    out.direct += diffuse * in.sky / sky_rays + diffuse * in.lamps + next->weight * in.suns;
     out.bounce += diffuse * in.surfaces;
     if (is_mirror && !mirrors_apart) out.mirrored += next->specular * (in.sky + in.lamps + in.surfaces);
   }

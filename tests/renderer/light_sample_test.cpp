@@ -170,6 +170,57 @@ TEST(EnvironmentMap, ConstantMapGivesWhatTheConstantEnvironmentGives) {
   EXPECT_NEAR(found.mean, 1.0, 4 * found.standard_error + 1e-3);
 }
 
+/// What a mirror sends on of a sun whose image stands at its middle: by light samples alone, or by them and
+/// by the paths that go on.
+SampleMean sun_in_a_mirror(Light light, float alpha, bool paths_look) {
+  SurfacePoint mirror = floor_point(0.0F);
+  mirror.f0 = Rgb::Constant(0.9F);
+  mirror.alpha = alpha;
+  mirror.to_viewer = Eigen::Vector3f(-0.6F, 0.8F, 0);
+  light.suns[0].to_sun = Eigen::Vector3f(0.6F, 0.8F, 0);
+  return sample_mean(100000, [&](int i) {
+    const Sampler sampler(9, i, 0, 0);
+    const auto sample = light_sample(light, 0, mirror, Rgb::Ones(), sampler, 0, GlowHits::unknown,
+                                     paths_look ? SunHits::found : SunHits::unknown);
+    const auto next = scatter(mirror, sampler.point(dimension::direction(0)));
+    const Rgb found =
+        next && paths_look ? Rgb(next->weight * suns_found(light, mirror, next->direction)) : Rgb::Zero();
+    return double{(sample ? sample->total()[1] : 0.0F) + found[1]};
+  });
+}
+
+TEST(Suns, OfAnySizeAreInMirrorsWhatLightSamplesSayAndPathsCalmThem) {
+  for (const double radius_deg : {0.0, 0.25, 3.0, 20.0})
+    for (const float alpha : {0.01F, 0.06F, 0.25F}) {
+      Light light;
+      light.suns.push_back({.irradiance_w_m2 = Rgb::Constant(3),
+                            .angular_radius_rad = static_cast<float>(radius_deg * pi / 180)});
+      const SampleMean alone = sun_in_a_mirror(light, alpha, false),
+                       both = sun_in_a_mirror(light, alpha, true);
+      const double difference = std::hypot(alone.standard_error, both.standard_error);
+      EXPECT_NEAR(both.mean, alone.mean, 4 * difference + 1e-4 * alone.mean) << radius_deg << " " << alpha;
+      EXPECT_LE(both.standard_error, 1.2 * alone.standard_error) << radius_deg << " " << alpha;
+      if (radius_deg == 0) {
+        EXPECT_EQ(both.mean, alone.mean) << "nobody meets a point";
+      }
+      if (radius_deg >= 3 && alpha == 0.01F) {
+        EXPECT_LT(both.standard_error, 0.5 * alone.standard_error) << radius_deg;
+      }
+    }
+}
+
+TEST(Suns, DiscsHoldTheDirectionsTheyAreSampledBy) {
+  const Eigen::Vector3f to_sun = Eigen::Vector3f(0.3F, 0.5F, -0.8F).normalized();
+  for (const float radius_rad : {0.0046F, 0.05F, 0.7F}) {
+    const Sun sun{.to_sun = to_sun, .angular_radius_rad = radius_rad};
+    for (int i = 0; i < 2000; ++i)
+      EXPECT_TRUE(is_on_disc(sun, direction_to_sun(sun, 0.9999F * Sampler(4, i, 0, 0).point(0))));
+    const Eigen::Vector3f across = to_sun.unitOrthogonal();
+    EXPECT_FALSE(
+        is_on_disc(sun, (std::cos(1.01F * radius_rad) * to_sun + std::sin(1.01F * radius_rad) * across)));
+  }
+}
+
 TEST(Lamps, ShineByTheInverseSquareAndTheCosine) {
   Light light;
   light.lamps.push_back({.position_m = Eigen::Vector3f(0.2F, 2, 0.7F), .intensity_w_sr = {5, 6, 7}});
