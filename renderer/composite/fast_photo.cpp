@@ -76,9 +76,10 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
                             const PassOptions& options) {
   const int spp = error ? coverage_spp : std::max(2, options.spp / 2 * 2);
   TruthScene scene = scene_of(photo, meshes, exposure_ev, photo.light);
-  const EstimatorChoices choices = estimator_choices(
+  EstimatorChoices choices = estimator_choices(
       Estimator::fast, light_facts(scene), exposure_ev,
       {.spp = spp, .error = error, .seed = options.seed, .threads = options.threads, .depth_bounces = true});
+  if (error) choices.most_times_photograph_spp = choices.most_spp / coverage_spp;
   scene = with_chosen_light(std::move(scene), choices);
   const ObjectGeometry geometry = object_geometry(scene, photo_object_index);
   const OcclusionTest* test = photo.occlusion.test;

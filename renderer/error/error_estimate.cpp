@@ -17,7 +17,8 @@ SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangl
             pictures.whole.values.empty() ? 0.5F * (a + b) : pictures.whole.at(x, y, c) * gain;
         const double shown = srgb_from_linear(whole), off_a = shown - double{srgb_from_linear(a)},
                      off_b = shown - double{srgb_from_linear(b)};
-        sum.noise += off_a * off_a + off_b * off_b + off_a * off_b;
+        sum.noise +=
+            double{unseen_specks(0.5F * std::abs(a - b))} * (off_a * off_a + off_b * off_b + off_a * off_b);
         const float change_a = a - pictures.sampled[0].at(x, y, c) * gain;
         const float change_b = b - pictures.sampled[1].at(x, y, c) * gain;
         if (change_a == 0.0F || change_b == 0.0F) continue;
@@ -36,6 +37,11 @@ void add_share(const SquaredError& part, double share, SquaredError& mean) {
 }
 
 }  // namespace
+
+float unseen_specks(float speck) {
+  constexpr float first = 2.2F;
+  return speck > first ? 1.0F + 0.64F * std::log(speck / first) : 1.0F;
+}
 
 float display_slope(float linear) {
   if (linear >= 1.0F) return 0.0F;

@@ -43,23 +43,43 @@ TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
   EXPECT_NEAR(estimate.image.bias, 0.0, 4 * 0.05 * 0.05 / std::sqrt(128.0 * 96 * 3));
 }
 
-/// A picture of 0.2 in which a few pixels of one half of the samples have a speck; and its true error.
-TEST(ErrorEstimate, SpecksThatAreWhiteInTheWholeCountWhole) {
+/// Estimated and true squared error of a picture of 0.2 whose pixels have specks, at any rate alike.
+struct Specks {
+  double estimated = 0, truth = 0;
+};
+Specks specks_of(double brightness) {
+  constexpr int width = 512, height = 256;
   Random random(7);
   HalfPictures pictures;
-  for (std::size_t half = 0; half < 2; ++half) pictures.filtered[half] = Image(128, 96, 3, 0.2F);
-  Image& one = pictures.filtered[0];
-  int specks = 0;
-  for (int y = 0; y < 96; ++y)
-    for (int x = 0; x < 128; ++x)
-      if (random.uniform() < 0.01) {
-        for (int c = 0; c < 3; ++c) one.at(x, y, c) = 40.0F;
-        ++specks;
+  for (Image& half : pictures.filtered) half = Image(width, height, 3, 0.2F);
+  double truth = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      // Specks expected in the whole: from one in a million to ten, log-uniform.
+      const double expected = 1e-6 * std::pow(1e7, random.uniform());
+      double shown = 0;
+      for (Image& half : pictures.filtered) {
+        int specks = 0;
+        for (double product = random.uniform(); product > std::exp(-0.5 * expected);
+             product *= random.uniform())
+          ++specks;
+        for (int c = 0; c < 3; ++c) half.at(x, y, c) += static_cast<float>(2 * brightness * specks);
+        shown += brightness * specks;
       }
+      const auto display = [](double linear) { return double{srgb_from_linear(static_cast<float>(linear))}; };
+      truth += std::pow(display(0.2 + shown) - display(0.2 + expected * brightness), 2);
+    }
   pictures.sampled = pictures.filtered;
-  const double error = 1.0 - double{srgb_from_linear(0.2F)};
-  EXPECT_NEAR(estimate_error(pictures, 0.0, 1).image.noise / (error * error * specks / (128.0 * 96)), 1,
-              1e-4);
+  return {estimate_error(pictures, 0.0, 2).image.noise, truth / (width * height)};
+}
+
+TEST(ErrorEstimate, CountsTheSpecksThatPixelsHaveNotHadYet) {
+  for (const double brightness : {3.0, 10.0, 30.0}) {
+    const Specks specks = specks_of(brightness);
+    EXPECT_NEAR(std::sqrt(specks.estimated / specks.truth), 1, 0.1) << brightness;
+  }
+  EXPECT_EQ(unseen_specks(2.0F), 1.0F);
+  EXPECT_NEAR(unseen_specks(2.3F), 1, 0.05);
 }
 
 /// Where a rule makes a pixel black in the whole and in one half, and leaves it in the other.

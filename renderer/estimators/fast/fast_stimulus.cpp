@@ -208,7 +208,29 @@ class StimulusRounds {
       if (lights_uncovered()) wanted.uncovered[b] = std::max(wanted.uncovered[b], plan.next_spp[b]);
       if (wanted.object[b] > 0) wanted.object[b] = std::max(wanted.object[b], plan.next_spp[b]);
     }
+    if (!depth_.mirrored[0].empty()) even_out_mirrors(wanted.object);
     return wanted;
+  }
+  /// Where something is mirrored, a quarter of what a block beside it has: what a lamp or a sun throws off a
+  /// curved mirror is rare and bright, and a block whose few samples met none seems to need no more.
+  void even_out_mirrors(std::vector<int>& object_spp) const {
+    const std::vector<int> planned = object_spp;
+    const BlockGrid blocks = depth_.blocks();
+    for (int block = 0; block < blocks.count(); ++block) {
+      if (!mirrors(blocks.rectangle(block))) continue;
+      const int column = block % blocks.columns(), row = block / blocks.columns();
+      int& spp = object_spp[static_cast<std::size_t>(block)];
+      for (int r = std::max(row - 1, 0); r <= std::min(row + 1, blocks.rows() - 1); ++r)
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, blocks.columns() - 1); ++c)
+          spp = std::max(spp, planned[static_cast<std::size_t>(r * blocks.columns() + c)] / 8 * 2);
+    }
+  }
+  [[nodiscard]] bool mirrors(const BlockGrid::Rectangle& block) const {
+    for (int y = block.top; y < block.bottom; ++y)
+      for (int x = block.left; x < block.right; ++x)
+        for (const auto& half : depth_.mirrored)
+          if ((half[depth_.grid.index(x, y)].object > 0.0F).any()) return true;
+    return false;
   }
 
   [[nodiscard]] DepthFilters filters() const {
