@@ -19,6 +19,11 @@ Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point) {
          Eigen::Vector3f(sine * std::cos(angle), sine * std::sin(angle), 1.0F - one_minus_cos);
 }
 
+float disc_density_sr(const Sun& sun) {
+  const float sine = std::sin(0.5F * sun.angular_radius_rad);
+  return 1.0F / (2.0F * two_pi * sine * sine);
+}
+
 bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction) {
   // By the chord, because a cosine so near to 1 says nothing of a small disc.
   const float chord = 2.0F * std::sin(0.5F * sun.angular_radius_rad);

@@ -49,6 +49,9 @@ struct Light {
 /// A direction towards the sun's disc for a point of [0, 1)^2; the centre when the sun is hard.
 [[nodiscard]] Eigen::Vector3f direction_to_sun(const Sun& sun, const Eigen::Array2f& point);
 
+/// With which those are chosen, per steradian; infinite when the sun is hard.
+[[nodiscard]] float disc_density_sr(const Sun& sun);
+
 /// Whether a unit direction points at the sun's disc.
 [[nodiscard]] bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction);
 

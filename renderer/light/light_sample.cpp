@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/tracing/geometry.h"
 
@@ -44,12 +43,6 @@ LightSample highlighted(const Eigen::Vector3f& direction, float far_m, const Sen
 
 bool is_finite(const SentOn& sent) {
   return sent.diffuse.allFinite() && sent.specular.allFinite();
-}
-
-/// With which `direction_to_sun` chooses a direction of a sun's disc; of a sun without size none is found.
-float disc_density_sr(const Sun& sun) {
-  const float sine = std::sin(0.5F * sun.angular_radius_rad);
-  return 1.0F / (4.0F * std::numbers::pi_v<float> * sine * sine);
 }
 
 std::optional<LightSample> sun_sample(const Light& light, const Sun& sun, const SurfacePoint& point,
