@@ -3,6 +3,8 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -14,6 +16,7 @@
 #include "support/files/hash.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"
+#include "support/running/interrupt.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
@@ -30,6 +33,27 @@ class InTemporaryFolder : public testing::Test {
 
 using AtomicFile = InTemporaryFolder;
 using ImageFile = InTemporaryFolder;
+
+/// What a process that was told to stop says of a file's hash: 0, it is right; 1, it is another; 2, stopped.
+[[noreturn]] void hash_after_ctrl_c(const fs::path& file, const std::string& expected) {
+  catch_interrupts();
+  std::raise(SIGINT);
+  try {
+    std::_Exit(sha256_of_file(file) == expected ? 0 : 1);
+  } catch (const Interrupted&) {
+    std::_Exit(2);
+  }
+}
+
+TEST(Hash, APictureThatWasJustWrittenIsHashedToItsEndAfterCtrlCAndALongFileIsNot) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "file";
+  write_file_atomically(file, std::string(1 << 20, 'x'));
+  const std::string of_short = sha256_of_file(file);
+  EXPECT_EXIT(hash_after_ctrl_c(file, of_short), testing::ExitedWithCode(0), "");
+  fs::resize_file(file, 64 << 20);
+  EXPECT_EXIT(hash_after_ctrl_c(file, ""), testing::ExitedWithCode(2), "");
+}
 
 TEST(Hash, Sha256OfPublishedMessages) {  // FIPS 180-2, appendix B
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
