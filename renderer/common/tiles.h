@@ -65,16 +65,21 @@ using BlockGrid = SquareGrid<16>;
 /// Some tiles of a grid: a flag each.
 using TileSet = std::vector<char>;
 
+/// Calls `take` with a square and each of the eight around it that there are, row by row.
+template <int side, class Take>
+void each_neighbour(const SquareGrid<side>& grid, int square, const Take& take) {
+  const int column = square % grid.columns(), row = square / grid.columns();
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows() - 1); ++r)
+    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns() - 1); ++c)
+      take(static_cast<std::size_t>(r * grid.columns() + c));
+}
+
 /// The tiles and the eight around each of them.
 [[nodiscard]] inline TileSet with_neighbours(const TileGrid& grid, const TileSet& tiles) {
   TileSet out(tiles.size(), 0);
-  for (int tile = 0; tile < grid.count(); ++tile) {
-    if (tiles[static_cast<std::size_t>(tile)] == 0) continue;
-    const int column = tile % grid.columns(), row = tile / grid.columns();
-    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows() - 1); ++r)
-      for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns() - 1); ++c)
-        out[static_cast<std::size_t>(r * grid.columns() + c)] = 1;
-  }
+  for (int tile = 0; tile < grid.count(); ++tile)
+    if (tiles[static_cast<std::size_t>(tile)] != 0)
+      each_neighbour(grid, tile, [&](std::size_t neighbour) { out[neighbour] = 1; });
   return out;
 }
 

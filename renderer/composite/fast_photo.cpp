@@ -79,6 +79,7 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
   EstimatorChoices choices = estimator_choices(
       Estimator::fast, light_facts(scene), exposure_ev,
       {.spp = spp, .error = error, .seed = options.seed, .threads = options.threads, .depth_bounces = true});
+  // Coverage is no photograph that bounds what a picture can need.
   if (error) choices.most_times_photograph_spp = choices.most_spp / coverage_spp;
   scene = with_chosen_light(std::move(scene), choices);
   const ObjectGeometry geometry = object_geometry(scene, photo_object_index);

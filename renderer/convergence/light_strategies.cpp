@@ -154,9 +154,7 @@ Strategy suns_by_disc(const Light& light, SunHits hits) {
 
 Rgb suns_in(const Light& light, const Eigen::Vector3f& direction) {
   Rgb radiance = Rgb::Zero();
-  for (const Sun& sun : light.suns)
-    if (sun.angular_radius_rad > 0.0F && is_on_disc(sun, direction))
-      radiance += disc_density_sr(sun) * sun.irradiance_w_m2;
+  for (const Sun& sun : light.suns) radiance += disc_radiance(sun, direction);
   return radiance;
 }
 

@@ -24,10 +24,12 @@ float disc_density_sr(const Sun& sun) {
   return 1.0F / (2.0F * two_pi * sine * sine);
 }
 
-bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction) {
+Rgb disc_radiance(const Sun& sun, const Eigen::Vector3f& direction) {
+  if (!(sun.angular_radius_rad > 0.0F)) return Rgb::Zero();
   // By the chord, because a cosine so near to 1 says nothing of a small disc.
   const float chord = 2.0F * std::sin(0.5F * sun.angular_radius_rad);
-  return (direction - sun.to_sun).squaredNorm() <= chord * chord;
+  if ((direction - sun.to_sun).squaredNorm() > chord * chord) return Rgb::Zero();
+  return disc_density_sr(sun) * sun.irradiance_w_m2;
 }
 
 Eigen::Vector3f turned_direction(const Eigen::Vector3f& normal, const Eigen::Array2f& point, int number,

@@ -52,8 +52,8 @@ struct Light {
 /// With which those are chosen, per steradian; infinite when the sun is hard.
 [[nodiscard]] float disc_density_sr(const Sun& sun);
 
-/// Whether a unit direction points at the sun's disc.
-[[nodiscard]] bool is_on_disc(const Sun& sun, const Eigen::Vector3f& direction);
+/// Radiance of the sun's disc in a unit direction; 0 beside it, and of a hard sun everywhere.
+[[nodiscard]] Rgb disc_radiance(const Sun& sun, const Eigen::Vector3f& direction);
 
 /// Ray `number` of `count` about the same normal: the point's own direction turned, so that together they
 /// look all around.

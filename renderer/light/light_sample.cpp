@@ -177,11 +177,9 @@ Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from, const 
 
 Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
   Rgb sum = Rgb::Zero();
-  for (const Sun& sun : light.suns) {
-    if (!(sun.angular_radius_rad > 0.0F) || !is_on_disc(sun, direction)) continue;
-    const float density_sr = disc_density_sr(sun);
-    sum += sun.irradiance_w_m2 * (density_sr * power_weight(scatter_density_sr(from, direction), density_sr));
-  }
+  for (const Sun& sun : light.suns)
+    if (const Rgb radiance = disc_radiance(sun, direction); (radiance > 0.0F).any())
+      sum += radiance * power_weight(scatter_density_sr(from, direction), disc_density_sr(sun));
   return sum;
 }
 

@@ -64,9 +64,12 @@ enum class GlowHits { found, unknown };
 /// Whether they find the discs of suns with size, where they leave a mirror: seen in one whose lobe is
 /// narrower, a sun would be a few samples that are as much brighter than its disc.
 enum class SunHits { found, unknown };
-/// At a point where `SunHits::found` says so. Nobody looks for them where no path looks for a dark sky.
+/// At a point where `SunHits::found` says so. Nobody looks for them where no path looks for a dark sky, nor
+/// where all are hard.
 [[nodiscard]] inline bool finds_suns(const Light& light, const SurfacePoint& from) {
-  return !light.suns.empty() && !light.skips_sky && (from.f0 > 0.0F).any();
+  return !light.skips_sky && (from.f0 > 0.0F).any() &&
+         std::any_of(light.suns.begin(), light.suns.end(),
+                     [](const Sun& sun) { return sun.angular_radius_rad > 0.0F; });
 }
 
 /// Question `number` of those. `throughput`: from the point to the camera, without the point's own albedo.

@@ -209,16 +209,21 @@ TEST(Suns, OfAnySizeAreInMirrorsWhatLightSamplesSayAndPathsCalmThem) {
     }
 }
 
-TEST(Suns, DiscsHoldTheDirectionsTheyAreSampledBy) {
+TEST(Suns, DiscsSendTheirIrradianceFromTheDirectionsTheyAreSampledBy) {
   const Eigen::Vector3f to_sun = Eigen::Vector3f(0.3F, 0.5F, -0.8F).normalized();
   for (const float radius_rad : {0.0046F, 0.05F, 0.7F}) {
-    const Sun sun{.to_sun = to_sun, .angular_radius_rad = radius_rad};
-    for (int i = 0; i < 2000; ++i)
-      EXPECT_TRUE(is_on_disc(sun, direction_to_sun(sun, 0.9999F * Sampler(4, i, 0, 0).point(0))));
+    const Sun sun{.to_sun = to_sun, .irradiance_w_m2 = Rgb::Constant(3), .angular_radius_rad = radius_rad};
+    const double solid_angle_sr = 2 * pi * (1 - std::cos(double{radius_rad}));
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector3f direction = direction_to_sun(sun, 0.9999F * Sampler(4, i, 0, 0).point(0));
+      EXPECT_NEAR(disc_radiance(sun, direction)[1] * solid_angle_sr / 3, 1, 1e-4);
+    }
     const Eigen::Vector3f across = to_sun.unitOrthogonal();
-    EXPECT_FALSE(
-        is_on_disc(sun, (std::cos(1.01F * radius_rad) * to_sun + std::sin(1.01F * radius_rad) * across)));
+    EXPECT_TRUE(
+        disc_radiance(sun, std::cos(1.01F * radius_rad) * to_sun + std::sin(1.01F * radius_rad) * across)
+            .isZero());
   }
+  EXPECT_TRUE(disc_radiance({.to_sun = to_sun, .irradiance_w_m2 = Rgb::Ones()}, to_sun).isZero()) << "hard";
 }
 
 TEST(Lamps, ShineByTheInverseSquareAndTheCosine) {

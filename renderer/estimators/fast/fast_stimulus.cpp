@@ -218,11 +218,9 @@ class StimulusRounds {
     const BlockGrid blocks = depth_.blocks();
     for (int block = 0; block < blocks.count(); ++block) {
       if (!mirrors(blocks.rectangle(block))) continue;
-      const int column = block % blocks.columns(), row = block / blocks.columns();
       int& spp = object_spp[static_cast<std::size_t>(block)];
-      for (int r = std::max(row - 1, 0); r <= std::min(row + 1, blocks.rows() - 1); ++r)
-        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, blocks.columns() - 1); ++c)
-          spp = std::max(spp, planned[static_cast<std::size_t>(r * blocks.columns() + c)] / 8 * 2);
+      each_neighbour(blocks, block,
+                     [&](std::size_t neighbour) { spp = std::max(spp, planned[neighbour] / 8 * 2); });
     }
   }
   [[nodiscard]] bool mirrors(const BlockGrid::Rectangle& block) const {
