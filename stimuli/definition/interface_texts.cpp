@@ -87,6 +87,20 @@ const std::vector<PhraseEntry>& every_phrase() {
       {Phrase::online_browser, "online_browser",
        "This browser cannot show the pictures exactly, or cannot keep your answers ({message}). Please open "
        "the same link in a recent Firefox, Chrome or Edge, and not in a private window."},
+      {Phrase::online_wait, "online_wait",
+       "This page is being loaded. If these words stay, please load it again."},
+      {Phrase::online_refusing, "online_refusing",
+       "The study waits, because the answer from the network is: {message}. What you answered is kept on "
+       "this computer, and the study goes on by itself. If these words stay, please tell those who invited "
+       "you."},
+      {Phrase::online_stopped, "online_stopped",
+       "The study cannot go on: {message}\n\nPlease tell those who invited you."},
+      {Phrase::online_unsent, "online_unsent",
+       "Some of your answers may not have arrived. All are kept on this computer: save them as a file, "
+       "and send it to those who invited you."},
+      {Phrase::online_host, "online_host",
+       "This page would send your answers elsewhere than to where they belong (wanted {wanted}, found "
+       "{found}). Nothing was sent."},
   };
   return table;
 }

@@ -66,6 +66,11 @@ enum class Phrase {
   online_zoom,
   online_touch,
   online_browser,
+  online_wait,
+  online_refusing,
+  online_stopped,
+  online_unsent,
+  online_host,
 };
 
 struct PhraseEntry {

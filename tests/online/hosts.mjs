@@ -1,7 +1,7 @@
-// Three hosts for the page: a plain static server, one like JATOS whose append fails at random, and a stand-in for
-// `seamline serve` that fails at random too. Each keeps what it accepted.
+// Hosts for the page: a plain static server, one like JATOS whose append fails at random, a stand-in for `seamline serve`
+// that fails at random too, and the program itself. Each keeps what it accepted; `folder` is the study's, without the kind of host.
 import { spawn } from "node:child_process";
-import { createServer } from "node:http";
+import { createServer, request as ask } from "node:http";
 import { randomBytes } from "node:crypto";
 import { readFileSync, existsSync } from "node:fs";
 import { join, normalize } from "node:path";
@@ -30,22 +30,41 @@ const bodyOf = async (request) => {
 
 async function listening(handler) {
   const requests = [];
+  const host = {};
   const server = createServer((request, response) => {
     requests.push(request.url);
-    Promise.resolve(handler(request, response, new URL(request.url, "http://x").pathname)).catch(() =>
-      response.destroy()
-    );
+    const path = new URL(request.url, "http://x").pathname;
+    const instead = host.instead?.(request.method, path);
+    if (instead) return response.writeHead(instead.status, { "Content-Type": instead.type ?? "text/html" }).end(instead.body);
+    Promise.resolve(handler(request, response, path)).catch(() => response.destroy());
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return {
+  return Object.assign(host, {
+    /** {status, body, type} of somebody on the way who answers a request (method, path) in the host's place, or null. */
+    instead: null,
     address: "http://localhost:" + server.address().port + "/",
     requests,
     stop: () => (server.closeAllConnections(), new Promise((resolve) => server.close(resolve))),
-  };
+  });
 }
 
 export const staticHost = (folder) =>
-  listening((request, response, path) => sendFile(folder, path, response));
+  listening((request, response, path) => sendFile(folder + "-static", path, response));
+
+/** Somebody on the way to a host: everything goes through. */
+export async function onTheWayTo(host) {
+  const { port } = new URL(host.address);
+  const way = await listening((request, response) => {
+    const further = ask({ host: "127.0.0.1", port, path: request.url, method: request.method, headers: request.headers }, (answer) => {
+      response.writeHead(answer.statusCode, answer.headers);
+      answer.pipe(response);
+    });
+    further.on("error", () => response.destroy());
+    request.pipe(further);
+  });
+  const stop = way.stop;
+  return Object.assign(way, { where: host.where, health: host.health, stop: async () => (await stop(), host.stop()) });
+}
 
 /** Fails before it stores, or after; `trouble` is the share of requests that fail. */
 function fails(trouble) {
@@ -77,7 +96,7 @@ export async function jatosHost(folder, trouble = 0.3) {
     } else if (path === "/publix/1/jatos.js") {
       response.writeHead(200, { "Content-Type": "text/javascript" }).end(JATOS);
     } else if (path.startsWith("/publix/1/")) {
-      sendFile(folder, path.slice("/publix/1".length), response);
+      sendFile(folder + "-jatos", path.slice("/publix/1".length), response);
     } else {
       response.writeHead(404).end();
     }
@@ -91,7 +110,7 @@ export async function fakeServe(folder, { trouble = 0.2, next = () => null } = {
   const ids = new Map();
   const people = new Map(); // by secret
   const enrolled = new Map(); // by id
-  const study = JSON.parse(readFileSync(join(folder, "study.json"), "utf8"));
+  const study = JSON.parse(readFileSync(join(folder + "-serve", "study.json"), "utf8"));
   const json = (response, status, value) =>
     response.writeHead(status, { "Content-Type": "application/json" }).end(JSON.stringify(value));
 
@@ -149,7 +168,7 @@ export async function fakeServe(folder, { trouble = 0.2, next = () => null } = {
 
   const host = await listening(async (request, response, path) => {
     if (path === "/host.json") return json(response, 200, { kind: "serve" });
-    if (!path.startsWith("/api/")) return sendFile(folder, path, response);
+    if (!path.startsWith("/api/")) return sendFile(folder + "-serve", path, response);
     const text = await bodyOf(request);
     const failure = fails(host.trouble);
     if (failure === "before") return json(response, 503, { error: "busy" });
@@ -167,7 +186,7 @@ export async function realServe(program, folder, set, log) {
   let port = 0;
   const start = () =>
     new Promise((resolve, reject) => {
-      child = spawn(program, ["serve", folder, "--set", set, "--log", log, "--port", String(port)]);
+      child = spawn(program, ["serve", folder + "-serve", "--set", set, "--log", log, "--port", String(port)]);
       let said = "";
       const hear = (text) => {
         said += text;

@@ -1,6 +1,6 @@
 // Laws of the page's parts that need no browser.   laws.mjs WEB_FOLDER
 import assert from "node:assert/strict";
-import { importCore } from "./replay.mjs";
+import { importCore, importPart } from "./replay.mjs";
 
 const web = process.argv[2];
 const { drawCode, drawSlot, drawUuid, makeMessage, progressOf } = await importCore(web, "messages.js");
@@ -63,4 +63,55 @@ assert.deepEqual(come(0, 2, false).screen, { name: "pause", below: { name: "read
 assert.deepEqual(come(0, 0, false).screen, { name: "instructions", page: 0 });
 const over = resumeVisit(script, { form_done: true, trained: 2, begun: true, trials: { order, answered: 3, most: 3 } });
 assert.equal(over.pending.kind, "completion");
+// What an answer means. Whatever the status, the words of somebody on the way never end a visit; the host's own do, where the
+// status is HTTP's for "never", and an answer of success counts only when it is the host's.
+const { NotNow, Refused, verdict } = await importPart(web, "keeping/verdict.js");
+const { findHost, wrongHost } = await importPart(web, "keeping/hosts.js");
+for (let status = 200; status < 300; ++status) assert.equal(verdict(status), null);
+for (let status = 300; status < 600; ++status) {
+  assert.ok(verdict(status) instanceof NotNow, status);
+  assert.match(verdict(status, { of: "study.json" }).message, new RegExp("^study\\.json: HTTP " + status + "$"));
+  const isFinal = status >= 400 && status < 500 && ![408, 425, 429].includes(status);
+  assert.equal(verdict(status, { sentence: "no" }) instanceof Refused, isFinal, status);
+}
+globalThis.location = { pathname: "/" };
+const words = { texts: { online_host: "{wanted} {found}" }, slots: 5 };
+const server = await findHost({ ...words, host: "serve" }, { token: null, secret: "s" });
+const message = { id: "m-1", participant: "w-a" };
+const asks = {
+  enrol: [() => server.enrol(message), { participant: "s-1", slot: 0, secret: "x", next_sequence: 1 }],
+  decline: [() => server.decline(message), {}],
+  send: [() => server.send([message]), { stored: ["m-1"] }],
+  where: [() => server.where(), { next_sequence: 3 }],
+  nextTrial: [() => server.nextTrial(), { done: true }],
+};
+const answering = (status, body) => (globalThis.fetch = async () => new Response([204, 205, 304].includes(status) ? null : body, { status }));
+for (const [name, [ask, right]] of Object.entries(asks)) {
+  answering(200, JSON.stringify(right));
+  await ask();
+  for (let status = 200; status < 600; ++status) {
+    answering(status, "<!doctype html>Please log in");
+    await assert.rejects(ask, NotNow, name + " " + status);
+    if (status < 300) continue;
+    answering(status, JSON.stringify({ error: "no" }));
+    await assert.rejects(ask, status >= 400 && status < 500 && ![408, 425, 429].includes(status) ? Refused : NotNow, name + " " + status);
+  }
+  for (const wrong of ["", "null", "[]", "{}", '{"stored":"m-1"}', '"ok"']) {
+    answering(200, wrong);
+    if (name === "decline" && ["[]", "{}", '{"stored":"m-1"}'].includes(wrong)) continue;
+    await assert.rejects(ask, NotNow, name + " " + wrong);
+  }
+}
+answering(200, '{"stored":["another"]}');
+assert.equal(await server.send([message]), 0, "acknowledged by the id of another message");
+
+// A page talks to the host that it was exported for, whoever answers, and says so where the visit was begun at another.
+globalThis.fetch = async () => assert.fail("a page need not ask who hosts it");
+for (const host of ["serve", "static"]) assert.equal((await findHost({ ...words, host }, {})).kind, host);
+answering(404, "");
+await assert.rejects(findHost({ ...words, host: "jatos" }, {}), NotNow);
+globalThis.location = { pathname: "/publix/1/index.html" };
+await assert.rejects(findHost({ ...words, host: "static" }, {}), Refused);
+assert.equal(wrongHost(words, "serve", "serve"), null);
+assert.equal(wrongHost(words, "static", "serve").message, "a host of files seamline serve");
 console.log("the page's parts keep their laws");

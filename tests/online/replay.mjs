@@ -1,18 +1,22 @@
 // Replays the window's visits in the page's own state machine, and compares after every event.
 //   replay.mjs WEB_FOLDER VISITS.json     (tests/online/web_visit_test.cpp writes them)
 import assert from "node:assert/strict";
-import { copyFileSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
-/** The page's modules, where Node takes .js for modules. */
-export async function importCore(web, name) {
-  const folder = mkdtempSync(join(tmpdir(), "seamline-core-"));
-  writeFileSync(join(folder, "package.json"), '{"type":"module"}');
-  for (const file of readdirSync(join(web, "core"))) copyFileSync(join(web, "core", file), join(folder, file));
-  return import(pathToFileURL(join(folder, name)));
+let copied = null;
+/** One of the page's modules, where Node takes .js for modules. */
+export async function importPart(web, name) {
+  if (copied === null) {
+    copied = mkdtempSync(join(tmpdir(), "seamline-page-"));
+    writeFileSync(join(copied, "package.json"), '{"type":"module"}');
+    cpSync(web, copied, { recursive: true });
+  }
+  return import(pathToFileURL(join(copied, name)));
 }
+export const importCore = (web, name) => importPart(web, join("core", name));
 
 function nameOfScreen({ name, page, problems, chosen_index }) {
   if (name === "form") return "form " + problems.length;

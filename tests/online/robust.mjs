@@ -9,7 +9,7 @@ import { act, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
-const folder = join(work, "tiny-page");
+const folder = join(work, "tiny"); // and the kind of its host behind it
 const count = Number(process.argv[2] ?? 60);
 const BLANK_MS = 60000;
 const PATIENCE_MS = 240000; // without any change on the screen; a busy machine is slow, but never still for so long
@@ -139,7 +139,7 @@ async function session(kind) {
     const messages = messagesOf(lines, participant);
     const there = host.where ? await host.where(await page.evaluate(() => globalThis.seamline.host.identity.secret)) : null;
     const slot = there ? there.slot : messages[0].body.slot;
-    const order = JSON.parse(readFileSync(join(folder, "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
+    const order = JSON.parse(readFileSync(join(folder + "-serve", "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
     const answers = checkWhole(messages, order);
     assert.ok(answers.length >= most);
     if (there) {

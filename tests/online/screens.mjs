@@ -41,8 +41,8 @@ async function wrongPixels(page, folder, trial, shot) {
 }
 
 async function walk({ name, study, ratio, width, height, quiet, large }) {
-  const folder = join(work, study + "-page");
-  const host = await staticHost(folder);
+  const folder = join(work, study + "-static");
+  const host = await staticHost(join(work, study));
   const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { ratio, width, height });
   const seenScreens = new Set();
   const found = [];
@@ -115,7 +115,7 @@ async function walk({ name, study, ratio, width, height, quiet, large }) {
 
 /** What is refused, with words. */
 async function refusals() {
-  const host = await staticHost(join(work, "tiny-page"));
+  const host = await staticHost(join(work, "tiny"));
   const refused = async (label, options, expected, prepare = async () => {}) => {
     const browser = await openBrowser(mkdtempSync(join(work, "browser-")), options);
     try {

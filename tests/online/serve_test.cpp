@@ -434,7 +434,26 @@ TEST(Nginx, TheConfigurationIsForThePort) {
   const std::string text = nginx_configuration(8123);
   EXPECT_THAT(text, HasSubstr("server 127.0.0.1:8123;"));
   EXPECT_THAT(text, HasSubstr("client_max_body_size        1m;"));
-  EXPECT_THAT(text, Not(HasSubstr("@PORT@")));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("@[A-Z_]+@")));
+}
+
+// Sixty browsers ask for seven files each, over HTTP/2, where each file on its way is a connection of its
+// address.
+TEST(Nginx, AClassBehindOneAddressIsLetInAsTheServerLetsIt) {
+  const std::string text = nginx_configuration(8123);
+  const auto number_after = [&](const std::string& words) {
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words;
+    return std::atof(text.c_str() + at + words.size());
+  };
+  const ServiceLimits server;
+  EXPECT_EQ(number_after("zone=seamline_requests:10m rate="), server.address.a_second);
+  EXPECT_EQ(number_after("zone=seamline_requests burst="), server.address.at_once);
+  EXPECT_EQ(number_after("zone=seamline_newcomers:10m rate="), server.newcomers.a_second);
+  EXPECT_EQ(number_after("zone=seamline_newcomers burst="), server.newcomers.at_once);
+  EXPECT_GE(number_after("limit_conn        seamline_connections "), 60 * 7);
+  EXPECT_GE(server.address.at_once, 60 * 7);
+  EXPECT_GE(server.newcomers.at_once, 60);
 }
 
 TEST(Nginx, NoServerOfItKeepsAddresses) {
@@ -444,7 +463,8 @@ TEST(Nginx, NoServerOfItKeepsAddresses) {
     const std::size_t next = text.find("\nserver {", at + 1);
     const std::string block = text.substr(at, next - at);
     EXPECT_THAT(block, testing::ContainsRegex("access_log (off|[^ ]+ seamline);"));
-    EXPECT_THAT(block, testing::ContainsRegex("error_log +[^ ]+ emerg;"));  // lines of lesser trouble name clients
+    EXPECT_THAT(block,
+                testing::ContainsRegex("error_log +[^ ]+ emerg;"));  // lines of lesser trouble name clients
     at = next;
   }
   EXPECT_EQ(servers, 2U);

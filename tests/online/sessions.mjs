@@ -8,9 +8,9 @@ import { actUntil, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
-const folderOf = (study) => join(work, study + "-page");
+const folderOf = (study) => join(work, study); // and the kind of its host behind it
 const orderOf = (study, slot) =>
-  JSON.parse(readFileSync(join(folderOf(study), "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
+  JSON.parse(readFileSync(join(folderOf(study) + "-serve", "orders", String(slot).padStart(4, "0") + ".json"), "utf8"));
 
 /** A browser of its own for a visit; fails when the page complained or asked anybody else for anything. */
 async function visiting(address, work_with, options = {}) {
@@ -168,7 +168,7 @@ const tests = {
     for (const kind of ["static", "jatos"]) {
       const host = kind === "static" ? await staticHost(folderOf("tiny")) : await jatosHost(folderOf("tiny"), 0);
       const browser = await openBrowser(mkdtempSync(join(work, "browser-")));
-      const files = ["jspsych.js", "seamline.js", "core/visit.js", "screens/dom.js", "seamline.css", "study.json", "host.json"];
+      const files = ["jspsych.js", "seamline.js", "seamline.css", "study.json"];
       for (const file of kind === "jatos" ? ["jatos.js", "study.json"] : files) {
         const page = await browser.newPage();
         let lost = 0;

@@ -13,6 +13,7 @@
 #include "stimuli/set/manifest_pictures.h"
 #include "study/online/messages/shown_names.h"
 #include "study/online/page/web_pictures.h"
+#include "study/online/serving/site_files.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/trial_picture.h"
 #include "support/files/assets.h"
@@ -20,6 +21,7 @@
 #include "support/text/error.h"
 #include "tests/app/picture_set.h"
 #include "tests/complaint.h"
+#include "tests/program/run_program.h"
 
 namespace seamline::study::online {
 namespace {
@@ -57,7 +59,7 @@ class WebExport : public testing::Test {
   WebSummary export_to(const std::string& name, WebRequest request = {}) {
     request.set_folder = folder / "set";
     request.out_folder = folder / name;
-    if (!request.slots && !request.serve) request.slots = 5;
+    if (!request.slots && request.host != Origin::serve) request.slots = 5;
     return export_web(request);
   }
   std::string complaint_of_export(WebRequest request) {
@@ -82,7 +84,7 @@ TEST_F(WebExport, TheSameBytesTwiceAndTheListNamesEveryFile) {
   }
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   EXPECT_EQ(names.size() + 1, one.size());
-  for (const char* name : {"index.html", "start.js", "seamline.js", "seamline.css", "icon.svg", "jspsych.js",
+  for (const char* name : {"index.html", "seamline.js", "seamline.css", "icon.svg", "jspsych.js",
                            "jspsych-licence.txt", "study.json"})
     EXPECT_TRUE(one.contains(name)) << name;
   // Others may read it, as they may read a web server's files.
@@ -224,9 +226,57 @@ TEST_F(WebExport, NothingLeavesTheHost) {
     EXPECT_THAT(bytes, Not(HasSubstr("eval("))) << name;
   }
   const std::string page = read_file(folder / "web/index.html");
-  EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'self'; style-src 'self';"));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'self' 'sha256-"));
+  EXPECT_THAT(page, HasSubstr("'; style-src 'self';"));
   EXPECT_THAT(page, Not(HasSubstr("unsafe")));
   EXPECT_THAT(page, Not(HasSubstr("style=")));
+}
+
+TEST_F(WebExport, APageIsOfItsHostAndSaysSo) {
+  make_set();
+  for (const Origin host : every_web_origin) {
+    const std::string name(word(host));
+    export_to(name, {.slots = 5, .host = host});
+    EXPECT_EQ(Json::parse(read_file(folder / name / "study.json")).at("host"), name);
+    EXPECT_EQ(files_below(folder / name).size(), files_below(folder / "static").size());
+    EXPECT_NE(files_below(folder / name) == files_below(folder / "static"), host == Origin::static_host);
+  }
+  // Nothing but `seamline serve` gives answers to a log: it takes no other page.
+  EXPECT_EQ(read_site_files(folder / "serve").slots, 5);
+  EXPECT_THAT(
+      test::complaint_of([&] { (void)read_site_files(folder / "static"); }),
+      HasSubstr("study.json: host: wanted \"serve\" (export the page with --serve), found \"static\""));
+  EXPECT_THAT(test::complaint_of([&] { (void)read_site_files(folder / "jatos"); }),
+              HasSubstr("found \"jatos\""));
+}
+
+TEST_F(WebExport, AClassAsksForFewFilesBeforeTheConsent) {
+  make_set();
+  export_to("web");
+  std::vector<std::string> asked;
+  for (const auto& [name, bytes] : files_below(folder / "web"))
+    if (name.find('/') == std::string::npos && name != "files.json" && name != "jspsych-licence.txt")
+      asked.push_back(name);
+  EXPECT_THAT(asked, testing::ElementsAre("icon.svg", "index.html", "jspsych.js", "seamline.css",
+                                          "seamline.js", "study.json"));
+  EXPECT_THAT(read_file(folder / "web/seamline.js"), Not(testing::ContainsRegex("(^|\n)import ")));
+}
+
+TEST_F(WebExport, TheFirstPageSpeaksTheStudysLanguageAndNamesItsScript) {
+  make_set("language = \"pt-BR\"\n", "[texts]\nonline_wait = \"Um <momento>\"\n");
+  export_to("web");
+  const std::string page = read_file(folder / "web/index.html");
+  EXPECT_THAT(page, HasSubstr("<html lang=\"pt-BR\">"));
+  EXPECT_THAT(page, HasSubstr("Um &lt;momento&gt;"));
+  EXPECT_THAT(page, Not(testing::ContainsRegex("@[a-z]+@")));
+  const std::size_t begin = page.find("<script>") + 8;
+  const std::string start = page.substr(begin, page.find("</script>") - begin);
+  EXPECT_EQ(start, read_file(web_page_folder() / "start.js"));
+  // By openssl, which we did not write.
+  const test::Outcome hash =
+      test::run_program("sh", "-c 'openssl dgst -sha256 -binary " +
+                                  (web_page_folder() / "start.js").string() + " | openssl base64 -A'");
+  EXPECT_THAT(page, HasSubstr("'sha256-" + hash.output + "'"));
 }
 
 TEST_F(WebExport, FontAndPicturesOfTheInstructionsComeAlong) {
@@ -279,7 +329,7 @@ TEST_F(WebExport, WhatCannotBeShownThereIsRefusedWithOneSentence) {
                            .top = "procedure = \"quest_plus\"",
                            .more = std::string(own_consent) + "[quest_plus]\nmax_shows_per_image = 2\n"});
   EXPECT_THAT(complaint_of_export({}), HasSubstr("procedure: wanted constant stimuli"));
-  EXPECT_TRUE(export_to("adaptive", {.serve = true}).adaptive);
+  EXPECT_TRUE(export_to("adaptive", {.host = Origin::serve}).adaptive);
   const Json study = Json::parse(read_file(folder / "adaptive/study.json"));
   EXPECT_TRUE(study.at("adaptive"));
   EXPECT_FALSE(fs::exists(folder / "adaptive/orders"));

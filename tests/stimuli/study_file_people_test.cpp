@@ -198,7 +198,7 @@ TEST(StudyFilePeople, EveryPhraseStandsOnceInTheTableInOrder) {
     EXPECT_TRUE(keys.insert(entry.key).second) << entry.key;
     EXPECT_FALSE(entry.english.empty()) << entry.key;
   }
-  EXPECT_EQ(every_phrase().back().phrase, Phrase::online_browser) << "a phrase is missing at the end";
+  EXPECT_EQ(every_phrase().back().phrase, Phrase::online_host) << "a phrase is missing at the end";
 }
 
 TEST(StudyFilePeople, EveryPhraseCanBeTranslated) {

@@ -24,7 +24,7 @@ struct ExportOptions {
   std::string source;
   std::string web, csv, psych_ds, bids;
   std::optional<int> slots, k;
-  bool serve = false, pilot = false, anonymise = false;
+  bool serve = false, jatos = false, pilot = false, anonymise = false;
 };
 
 void run_tables(const ExportOptions& options, const std::string& folder, TableLayout layout) {
@@ -66,7 +66,9 @@ void run_export(const ExportOptions& options, const OtherPage& other) {
   const WebSummary summary = export_web({.set_folder = options.source,
                                          .out_folder = options.web,
                                          .slots = options.slots,
-                                         .serve = options.serve,
+                                         .host = options.serve   ? Origin::serve
+                                                 : options.jatos ? Origin::jatos
+                                                                 : Origin::static_host,
                                          .pilot = options.pilot});
   fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.web, summary.files,
              static_cast<double>(summary.bytes) / 1e6, summary.pictures,
@@ -89,7 +91,7 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
       ->required();
   CLI::Option* web = command->add_option(
       "--web", options->web,
-      "folder for the page, for any static host, JATOS or `seamline serve`; whole or not at all");
+      "folder for the page, for a host of files unless --serve or --jatos is said; whole or not at all");
   command->add_option("--csv", options->csv,
                       "folder for tables: answers, catch answers, participants, dictionary");
   command->add_option("--psych-ds", options->psych_ds,
@@ -105,10 +107,10 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   add_number(*command, "--slots", options->slots, {1, most_slots},
              "orders to plan (the study's session.orders, else 200)")
       ->needs(web);
-  command
-      ->add_flag("--serve", options->serve,
-                 "only `seamline serve` will host it, which an adaptive study needs")
-      ->needs(web);
+  CLI::Option* serve = command->add_flag("--serve", options->serve,
+                                         "`seamline serve` will host it, which an adaptive study needs");
+  serve->needs(web);
+  command->add_flag("--jatos", options->jatos, "JATOS will host it")->needs(web)->excludes(serve);
   command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent")
       ->needs(web);
   const OtherPage other = add_other_page(*command);

@@ -9,9 +9,11 @@
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
+#include "support/files/hash.h"
 #include "support/files/temporary_folder.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "support/text/html.h"
 #include "support/text/limits.h"
 
 namespace seamline::study::online {
@@ -39,7 +41,7 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                              "screen its pixels are (the window does: seamline study SET --participant)",
                          .found = "\"" + std::string(word(scene.view.kind)) + "\""});
   const bool adaptive = std::holds_alternative<QuestPlusDefinition>(set.study.procedure);
-  if (adaptive && !request.serve)
+  if (adaptive && request.host != Origin::serve)
     throw input_error({.file = study_file_name(set),
                        .field = "procedure",
                        .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
@@ -73,8 +75,31 @@ std::string without_source_map(std::string script) {
   return at == std::string::npos ? script : script.substr(0, at + 1);
 }
 
-/// The page itself: what is the same for every study.
-void add_page(WebFiles& files) {
+void put(std::string& page, const std::string& place, const std::string& value) {
+  page.replace(page.find(place), place.size(), value);
+}
+
+/// A script within a page, as the page's policy names it (Content Security Policy, hash-source).
+std::string hash_source(const std::string& script) {
+  std::string digest;
+  const std::string hex = sha256(script);
+  for (std::size_t at = 0; at < hex.size(); at += 2)
+    digest += static_cast<char>(std::stoi(hex.substr(at, 2), nullptr, 16));
+  return "'sha256-" + base64(digest) + "'";
+}
+
+/// `index.html`: it speaks the study's language before anything else has arrived, and has the script within
+/// itself that asks again for everything else.
+std::string first_page(std::string page, const std::string& start, const StudyDefinition& study) {
+  put(page, "@language@", html_escape(study.session.language));
+  put(page, "@script@", hash_source(start));
+  put(page, "@wait@", html_escape(phrase_text(study.texts, Phrase::online_wait)));
+  put(page, "@start@", start);
+  return page;
+}
+
+/// The page itself: what is the same for every study, but for a few words.
+void add_page(WebFiles& files, const StudyDefinition& study) {
   const fs::path folder = web_page_folder();
   std::error_code error;
   if (!fs::is_regular_file(folder / "jspsych.js", error) ||
@@ -87,7 +112,12 @@ void add_page(WebFiles& files) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).generic_string());
   std::sort(names.begin(), names.end());
-  for (const std::string& name : names) files.add(name, without_source_map(read_file(folder / name)));
+  for (const std::string& name : names) {
+    const std::string bytes = read_file(folder / name);
+    if (name == "start.js") continue;
+    files.add(name, name == "index.html" ? first_page(bytes, read_file(folder / "start.js"), study)
+                                         : without_source_map(bytes));
+  }
 }
 
 fs::path beside_study(const RenderedSet& set, const std::string& name, const char* field) {
@@ -128,7 +158,7 @@ WebSummary export_web(const WebRequest& request) {
   fs::create_directory(folder);
 
   WebFiles files(folder);
-  add_page(files);
+  add_page(files, set.study);
   const TrialRules rules = make_trial_rules(set);
   const WebPictures pictures = add_pictures(set, files);
   const ShownNames names(set);
@@ -145,6 +175,7 @@ WebSummary export_web(const WebRequest& request) {
                                           .pictures = pictures,
                                           .files = files.files(),
                                           .slots = slots,
+                                          .host = request.host,
                                           .pilot = request.pilot,
                                           .font = font,
                                           .instruction_files = instructions}));

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "study/log/origin.h"
+
 namespace seamline::study::online {
 
 /// What `seamline export SET --web DIR` asks for.
@@ -10,7 +12,7 @@ struct WebRequest {
   std::filesystem::path set_folder = {};
   std::filesystem::path out_folder = {};  ///< not there yet, or empty
   std::optional<int> slots = {};          ///< orders that participants get; none: the study's, else 200
-  bool serve = false;                     ///< only `seamline serve` will host it: it may place trials
+  Origin host = Origin::static_host;      ///< what will host it, the only thing that its page talks to
   bool pilot = false;                     ///< everybody is a trial run
 };
 
@@ -24,8 +26,8 @@ struct WebSummary {
 
 /// Writes a folder that shows the study in a browser: whole or not at all, the same bytes for the same set,
 /// request and program. Throws InputError when the program was built without the page, the set is not whole,
-/// the shipped consent text would be shown to somebody who is no pilot, the study is adaptive and `serve` is
-/// not asked for, there are more slots than orders, or the folder holds something.
+/// the shipped consent text would be shown to somebody who is no pilot, the study is adaptive and `serve` not
+/// its host, there are more slots than orders, or the folder holds something.
 [[nodiscard]] WebSummary export_web(const WebRequest& request);
 
 }  // namespace seamline::study::online

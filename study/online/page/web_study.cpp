@@ -124,6 +124,7 @@ std::string web_study_text(const WebStudy& web) {
       {"study_name", study.name},
       {"title", study.name},
       {"language", study.session.language},
+      {"host", word(web.host)},
       {"pilot", web.pilot},
       {"adaptive", web.rules.quest_plus != nullptr},
       {"slots", web.slots},

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 
+#include "study/log/origin.h"
 #include "study/online/messages/shown_names.h"
 #include "study/online/page/web_pictures.h"
 #include "study/trials/participant_trials.h"
@@ -17,6 +18,7 @@ struct WebStudy {
   const WebPictures& pictures;
   const std::map<std::string, WebFile>& files;  ///< of the pictures, at least
   int slots = 0;
+  Origin host = Origin::static_host;
   bool pilot = false;
   std::string font = {};                                         ///< its file; empty: none
   std::vector<std::vector<std::string>> instruction_files = {};  ///< by page

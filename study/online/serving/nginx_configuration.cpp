@@ -1,5 +1,11 @@
 #include "study/online/serving/nginx_configuration.h"
 
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "study/online/serving/study_service.h"
+
 namespace seamline::study::online {
 
 std::string nginx_configuration(int port) {
@@ -7,8 +13,10 @@ std::string nginx_configuration(int port) {
       R"conf(# nginx before `seamline serve`, for people outside the laboratory's network. Put it into
 # /etc/nginx/conf.d/seamline.conf, write the host's own name and certificate where it says study.example.org,
 # and let nothing but this computer reach port @PORT@ (which is so unless seamline was given --listen).
-limit_req_zone  $binary_remote_addr zone=seamline_requests:10m rate=50r/s;
-limit_req_zone  $binary_remote_addr zone=seamline_newcomers:10m rate=30r/m;
+# A class may come at once from one address; of HTTP/2, each file on its way is a connection to limit_conn. For more than
+# a hundred people at a time give nginx itself 4096 worker_connections (/etc/nginx/nginx.conf).
+limit_req_zone  $binary_remote_addr zone=seamline_requests:10m rate=@ADDRESS_A_SECOND@r/s;
+limit_req_zone  $binary_remote_addr zone=seamline_newcomers:10m rate=@NEWCOMERS_A_SECOND@r/s;
 limit_conn_zone $binary_remote_addr zone=seamline_connections:10m;
 
 # Neither addresses nor what a link carries behind its question mark (an invitation) are kept. Every line of
@@ -51,8 +59,9 @@ server {
   send_timeout                60s;
   keepalive_timeout           75s;
   large_client_header_buffers 4 8k;
-  limit_conn        seamline_connections 100;
-  limit_req         zone=seamline_requests burst=500 nodelay;
+  http2_max_concurrent_streams 16;
+  limit_conn        seamline_connections 1000;
+  limit_req         zone=seamline_requests burst=@ADDRESS_AT_ONCE@ nodelay;
   limit_req_status  429;
   limit_conn_status 429;
 
@@ -64,7 +73,7 @@ server {
   proxy_read_timeout 60s;
 
   location = /api/enrol {
-    limit_req zone=seamline_newcomers burst=60 nodelay;
+    limit_req zone=seamline_newcomers burst=@NEWCOMERS_AT_ONCE@ nodelay;
     proxy_pass http://seamline;
   }
   location = /health {
@@ -73,15 +82,29 @@ server {
     deny  all;
     proxy_pass http://seamline;
   }
+  location = / {
+    error_page 429 502 503 504 @again;
+    proxy_pass http://seamline;
+  }
+  # Everything else is asked for again by the page.
+  location @again {
+    default_type text/html;
+    return 503 '<!doctype html><html lang="en"><meta http-equiv="refresh" content="5"><title>Please wait</title><p>The study cannot be reached. This page tries again by itself.';
+  }
   location / {
     proxy_pass http://seamline;
   }
 }
 )conf";
+  const ServiceLimits limits;
   std::string written = text;
-  const std::string place = "@PORT@", number = std::to_string(port);
-  for (std::size_t at = written.find(place); at != std::string::npos; at = written.find(place))
-    written.replace(at, place.size(), number);
+  for (const auto& [place, number] : {std::pair<std::string, double>("@PORT@", port),
+                                      {"@ADDRESS_A_SECOND@", limits.address.a_second},
+                                      {"@ADDRESS_AT_ONCE@", limits.address.at_once},
+                                      {"@NEWCOMERS_A_SECOND@", limits.newcomers.a_second},
+                                      {"@NEWCOMERS_AT_ONCE@", limits.newcomers.at_once}})
+    for (std::size_t at = written.find(place); at != std::string::npos; at = written.find(place))
+      written.replace(at, place.size(), fmt::format("{:.0f}", number));
   return written;
 }
 

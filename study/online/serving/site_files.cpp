@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "study/log/origin.h"
 #include "study/online/messages/message.h"
 #include "study/online/messages/message_reader.h"
 #include "study/online/messages/strict_json.h"
@@ -81,13 +82,15 @@ std::shared_ptr<const SentFile> read_sent_file(const fs::path& path, const std::
   return file;
 }
 
+const JsonValue* member_of(const JsonValue& object, const std::string& key) {
+  const auto found = std::find(object.keys.begin(), object.keys.end(), key);
+  if (object.kind != JsonValue::Kind::object || found == object.keys.end()) return nullptr;
+  return &object.items[static_cast<std::size_t>(found - object.keys.begin())];
+}
+
 const JsonValue& field(const JsonValue& object, const std::string& key, JsonValue::Kind kind,
                        const fs::path& file) {
-  const auto found = std::find(object.keys.begin(), object.keys.end(), key);
-  if (object.kind == JsonValue::Kind::object && found != object.keys.end())
-    if (const JsonValue& value = object.items[static_cast<std::size_t>(found - object.keys.begin())];
-        value.kind == kind)
-      return value;
+  if (const JsonValue* value = member_of(object, key); value != nullptr && value->kind == kind) return *value;
   throw input_error({.file = file.string(),
                      .field = key,
                      .wanted = "a file that seamline export --web wrote",
@@ -110,6 +113,13 @@ void read_study(const fs::path& file, SiteFiles& site) {
                        .field = "format",
                        .wanted = fmt::format("\"{}\"", message_format),
                        .found = "\"" + printable(text_of(study, "format", file), 40) + "\""});
+  // Older pages do not say who hosts them, and ask.
+  const JsonValue* host = member_of(study, "host");
+  if (host != nullptr && host->text != word(Origin::serve))
+    throw input_error({.file = file.string(),
+                       .field = "host",
+                       .wanted = "\"serve\" (export the page with --serve)",
+                       .found = "\"" + printable(host->text, 40) + "\""});
   site.study_hash = text_of(study, "study_hash", file);
   site.set_hash = text_of(study, "set_hash", file);
   site.slots = static_cast<int>(

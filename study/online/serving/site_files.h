@@ -20,8 +20,8 @@ struct SiteFiles {
 };
 
 /// Reads `files.json` of a folder and every file that it names, which stay as they are now, whatever becomes
-/// of the folder. Throws InputError when the folder is none of export's, or a file is missing, leads out of
-/// the folder, or has another size or hash.
+/// of the folder. Throws InputError when the folder is none of export's, was exported for another host, or a
+/// file is missing, leads out of the folder, or has another size or hash.
 [[nodiscard]] SiteFiles read_site_files(const std::filesystem::path& folder);
 
 }  // namespace seamline::study::online

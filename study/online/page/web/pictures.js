@@ -1,14 +1,9 @@
 // Pictures: loaded one after another ahead of need, their hashes checked, decoded before they are due.
-import { persistently } from "./keeping/courier.js";
+import { fetchFile, fetchJson, persistently } from "./keeping/patience.js";
+import { NotNow } from "./keeping/verdict.js";
 import { unpackMap } from "./core/place.js";
 
 const MOST_DECODED = 3;
-
-async function fetchBytes(file, cache) {
-  const response = await fetch(file, { cache });
-  if (!response.ok) throw new Error(file + ": HTTP " + response.status);
-  return response.arrayBuffer();
-}
 
 /** SHA-256 in hexadecimal; null where the browser has none to offer (no https, no localhost). */
 async function sha256(bytes) {
@@ -26,10 +21,10 @@ async function isRight(bytes, wanted) {
 /** Throws when it is not what was exported, also not past the browser's cache: then it is tried again. */
 async function fetchChecked(wanted) {
   for (const cache of ["default", "reload"]) {
-    const bytes = await fetchBytes(wanted.file, cache);
+    const bytes = await fetchFile(wanted.file, (response) => response.arrayBuffer(), cache);
     if (await isRight(bytes, wanted)) return bytes;
   }
-  throw new Error(wanted.file + " is not the picture that was exported");
+  throw new NotNow(wanted.file + ": not the picture that was exported");
 }
 
 async function decode(bytes) {
@@ -41,7 +36,7 @@ async function decode(bytes) {
   return image;
 }
 
-/** `known` lists the study's pictures; `away` is told when one cannot be reached, `progress` how many are here. */
+/** `known` lists the study's pictures; `away` hears of one that cannot be reached, `progress` how many are here. */
 export function makePictures(known, { away, progress }) {
   const facts = new Map(known.map((picture) => [picture.file, picture]));
   const bytes = new Map(); // as they came, compressed
@@ -61,8 +56,7 @@ export function makePictures(known, { away, progress }) {
     if (!bytes.has(file)) bytes.set(file, await persistently(() => fetchChecked(facts.get(file)), away));
     const mapFile = facts.get(file).map;
     if (!maps.has(mapFile)) {
-      const text = await persistently(() => fetchBytes(mapFile, "default"), away);
-      maps.set(mapFile, unpackMap(JSON.parse(new TextDecoder().decode(text))));
+      maps.set(mapFile, unpackMap(await persistently(() => fetchJson(mapFile, "default"), away)));
     }
     progress(bytes.size, facts.size);
   }

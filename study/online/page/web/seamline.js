@@ -6,10 +6,12 @@ import { placedTrials, plannedTrials } from "./core/trials.js";
 import { direction, fillIn } from "./core/texts.js";
 import { FORMAT, makeMessage, nanoseconds, progressOf } from "./core/messages.js";
 import { beginVisit, next, resumeVisit, sessionOnScreen } from "./core/visit.js";
-import { makeCourier, persistently } from "./keeping/courier.js";
-import { findHost, Refused } from "./keeping/hosts.js";
+import { makeCourier } from "./keeping/courier.js";
+import { findHost, wrongHost } from "./keeping/hosts.js";
 import { onlyTab } from "./keeping/one_tab.js";
+import { fetchFile, fetchJson, persistently } from "./keeping/patience.js";
 import { askForPersistence, openStore } from "./keeping/store.js";
+import { NotNow, Refused } from "./keeping/verdict.js";
 import { makePictures } from "./pictures.js";
 import { canBeExact, watchScreen } from "./exact.js";
 import { makeGuard } from "./guard.js";
@@ -20,21 +22,16 @@ import * as pages from "./screens/pages.js";
 import { screenPlugin } from "./screens/plugin.js";
 import { emOf, setTextSize } from "./screens/text_size.js";
 import { drawFeedback, drawStudyTrial, drawTraining } from "./screens/trial.js";
-import { card, paragraphs } from "./screens/dom.js";
+import { card, element, paragraphs } from "./screens/dom.js";
 
 const addressed = new URLSearchParams(location.search + "&" + location.hash.slice(1));
 const token = addressed.get("token");
 const statusLine = document.getElementById("status");
 const spoken = document.getElementById("spoken");
 
-async function load(file) {
-  const response = await fetch(file, { cache: "no-cache" });
-  const complaint = file + ": HTTP " + response.status;
-  const passing = response.status >= 500 || response.status === 408 || response.status === 429;
-  if (!response.ok) throw passing ? new Error(complaint) : new Refused(complaint);
-  return response;
-}
-const loadJson = async (file) => (await load(file)).json();
+/** What to say while `problem` is waited out: somebody answers, or nobody does. */
+const waitingWords = (texts, problem) =>
+  problem instanceof NotNow ? fillIn(texts.online_refusing, { message: problem.message }) : texts.online_away;
 
 /** Words in place of the study, for good. */
 function refuse(study, text) {
@@ -67,9 +64,10 @@ class Study {
   visit = null;
   host = null;
   courier = null;
+  kept = 0; // messages of former visits, and the enrolment
   textScale = 1;
   #listeners = new Set();
-  #awayCount = 0;
+  #problems = new Set(); // that are waited out
   #loading = false;
 
   constructor(study, store, host) {
@@ -108,11 +106,13 @@ class Study {
     setTimeout(() => node?.isConnected && node.focus({ preventScroll: true }), 0);
   }
 
-  /** Whether the host, or the network, is out of reach. */
-  away = (is) => {
-    this.#awayCount += is ? 1 : -1;
-    if (is && this.#awayCount === 1) this.note("network_away");
-    if (!is && this.#awayCount === 0) this.note("network_back");
+  /** What the host, or the network, is waited for: as persistently calls it. */
+  away = (before, now) => {
+    const were = this.#problems.size;
+    this.#problems.delete(before);
+    if (now !== null) this.#problems.add(now);
+    if (were === 0 && now !== null) this.note("network_away", now instanceof NotNow ? now.message : "");
+    if (were > 0 && this.#problems.size === 0) this.note("network_back");
     this.#showStatus();
   };
   showLoading(is) {
@@ -120,10 +120,21 @@ class Study {
     this.#showStatus();
   }
   #showStatus() {
-    const words = this.#awayCount > 0 ? "online_away" : this.#loading ? "online_loading" : null;
-    const text = words === null ? "" : this.phrase(words, this.pictures.count());
+    const loading = this.#loading ? this.phrase("online_loading", this.pictures.count()) : "";
+    const [problem] = this.#problems;
+    const text = problem ? waitingWords(this.study.texts, problem) : loading;
     if (statusLine.textContent !== text) statusLine.textContent = text;
     statusLine.hidden = text === "";
+  }
+
+  /** A picture of the instructions, there as soon as it can be had. */
+  shown(file, alt) {
+    const image = element("img", { class: "shown", alt });
+    persistently(() => fetchFile(file, (response) => response.blob(), "default"), this.away).then((blob) => {
+      image.onload = image.onerror = () => URL.revokeObjectURL(image.src);
+      image.src = URL.createObjectURL(blob);
+    });
+    return image;
   }
 
   // Events.
@@ -222,7 +233,11 @@ class Study {
 
   /** With an enrolment that is kept here, and perhaps not yet known to the host. */
   async #takePlace(messages) {
+    this.kept = messages.length;
     let identity = await this.store.fact("identity");
+    this.stream.participant = identity?.participant ?? messages[0].participant;
+    const wrong = wrongHost(this.study, messages[0].body.origin, this.host.kind);
+    if (wrong) throw wrong;
     if (!identity) {
       identity = await persistently(() => this.host.enrol(messages[0]), this.away);
       await this.store.keepFact("identity", identity);
@@ -247,7 +262,7 @@ class Study {
       return placedTrials(due, answered, this.study.most_trials);
     }
     const file = "orders/" + String(identity.slot).padStart(4, "0") + ".json";
-    return plannedTrials(await persistently(() => loadJson(file), this.away), answered);
+    return plannedTrials(await persistently(() => fetchJson(file), this.away), answered);
   }
 
   /** Begins, or goes on where the kept messages end. */
@@ -299,9 +314,14 @@ class Study {
 
   // The end.
 
-  /** Everything of this visit as a file; returns its name. */
+  /** Whether this browser holds answers that nobody else has, or may. */
+  holdsMore() {
+    return this.kept > 0 && (this.host.kind === "static" || !this.courier || this.courier.unsent() > 0);
+  }
+
+  /** Everything of this visit as a file; returns its name. A server knows its enrolments, and takes none from a file. */
   async saveAnswers() {
-    const messages = await this.store.messages();
+    const messages = (await this.store.messages()).filter((message) => message.participant !== "");
     const text = messages.map((message) => JSON.stringify(message) + "\n").join("");
     const name = this.stream.participant + ".jsonl";
     const link = document.createElement("a");
@@ -378,14 +398,18 @@ function listenToKeys(app) {
 }
 
 async function main() {
-  globalThis.seamlineArrived();
-  // No words yet in which a lost network could be told.
-  const study = readStudy(await persistently(() => loadJson("study.json"), () => {}));
+  await globalThis.seamlineParts();
+  // The words of the first page stand until the study has its own.
+  const study = readStudy(await persistently(() => fetchJson("study.json"), () => {}));
   document.documentElement.lang = study.language;
   document.documentElement.dir = direction(study.language);
   document.title = study.title;
+  const away = (before, now) => {
+    statusLine.textContent = now === null ? "" : waitingWords(study.texts, now);
+    statusLine.hidden = now === null;
+  };
   if (study.font) {
-    const bytes = await persistently(async () => (await load(study.font)).arrayBuffer(), () => {});
+    const bytes = await persistently(() => fetchFile(study.font, (response) => response.arrayBuffer()), away);
     document.fonts.add(await new FontFace("study", bytes).load());
   }
   const reason = unfit(study);
@@ -400,15 +424,15 @@ async function main() {
     return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
   }
   const identity = { token, secret: null };
-  let app = null;
-  const away = (is) => {
-    statusLine.textContent = is ? study.texts.online_away : "";
-    statusLine.hidden = !is;
-  };
-  const host = await persistently(() => findHost(study, identity), away);
-  if (study.adaptive && host.kind !== "serve") throw new Refused("this study needs its own server (seamline serve)");
+  let host;
+  try {
+    host = await persistently(() => findHost(study, identity), away);
+  } catch (error) {
+    if (error instanceof Refused) return refuse(study, fillIn(study.texts.online_stopped, { message: error.message }));
+    throw error;
+  }
   host.identity = identity;
-  app = new Study(study, store, host);
+  const app = new Study(study, store, host);
   globalThis.seamline = app; // for tests, and for who looks
   try {
     await app.begin();

@@ -1,51 +1,43 @@
-// Before everything else. Where a script or the style did not arrive, because the network was cut, the page is loaded
-// again as soon as its host answers. What the study itself asks for is asked for again by the study.
+// Within the first page, before everything else: a script or a style that does not arrive, for whatever reason, is asked for again until it
+// does, while the words of #wait stand. What the study itself asks for is asked for again by the study.
 (() => {
   "use strict";
-  const WAIT_MS = 1000;
-  const MOST_LOADS = 20; // in a row, of a tab: then something else is wrong
-  const COUNT = "seamline-loads";
-  let isOver = false; // all is there, or is being waited for
+  const FIRST_WAIT_MS = 400;
+  const LONGEST_WAIT_MS = 15000;
+  const brought = []; // promises of the parts that were missing
+  const second = new Set(); // elements of ours
 
-  function loads() {
-    try {
-      return Number(sessionStorage.getItem(COUNT) ?? 0);
-    } catch {
-      return 0;
-    }
-  }
-  function setLoads(count) {
-    try {
-      sessionStorage.setItem(COUNT, String(count));
-    } catch {
-      // Then there is no bound.
-    }
+  function copyOf(lost) {
+    const part = document.createElement(lost.localName);
+    for (const { name, value } of lost.attributes) part.setAttribute(name, value);
+    part.async = false;
+    second.add(part);
+    return part;
   }
 
-  /** seamline.js is there, with everything that it needs. */
-  globalThis.seamlineArrived = () => {
-    isOver = true;
-    setLoads(0);
-  };
-
-  async function loadAgain(address) {
-    for (;;) {
-      await new Promise((resolve) => setTimeout(resolve, WAIT_MS));
-      const answer = await fetch(address, { cache: "no-store" }).catch(() => null);
-      if (answer === null || answer.status >= 500) continue;
-      if (!answer.ok || loads() >= MOST_LOADS) return;
-      setLoads(loads() + 1);
-      return location.reload();
+  async function bring(lost) {
+    for (let failures = 0; ; ++failures) {
+      const wait_ms = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** failures) * (0.5 + Math.random());
+      await new Promise((resolve) => setTimeout(resolve, wait_ms));
+      const part = copyOf(lost);
+      const isThere = await new Promise((resolve) => {
+        part.onload = () => resolve(true);
+        part.onerror = () => resolve(false);
+        document.head.append(part);
+      });
+      if (isThere) return;
+      part.remove();
     }
   }
+
+  /** Resolves when every part that was missing is there. */
+  globalThis.seamlineParts = () => Promise.all(brought);
 
   addEventListener(
     "error",
     ({ target }) => {
-      const address = target instanceof HTMLScriptElement ? target.src : target instanceof HTMLLinkElement ? target.href : "";
-      if (isOver || address === "" || target.rel === "icon") return;
-      isOver = true;
-      loadAgain(address);
+      const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
+      if (isPart && !second.has(target) && target.closest("head") && !globalThis.seamline) brought.push(bring(target));
     },
     true
   );

@@ -1,45 +1,22 @@
 // Carries messages: numbered, on this computer's disk first, then to the host until it has acknowledged them.
 import { makeMessage } from "../core/messages.js";
-import { Refused } from "./hosts.js";
+import { persistently } from "./patience.js";
 
 const MOST_AT_ONCE = 64;
-const FIRST_WAIT_MS = 400;
-const LONGEST_WAIT_MS = 15000;
+const MOST_BYTES = 1 << 19; // a letter as UTF-8 has at most three bytes; a host takes a million
 const EVENTS_AFTER_MS = 8000;
 
-/** Waits, but not past the moment the network comes back. */
-function pauseFor(milliseconds) {
-  return new Promise((resolve) => {
-    const over = () => {
-      clearTimeout(timer);
-      removeEventListener("online", over);
-      resolve();
-    };
-    const timer = setTimeout(over, milliseconds);
-    addEventListener("online", over);
-  });
-}
-
-/** Tries until it works or is Refused; `away(true)` after the first failure, `away(false)` once it worked. */
-export async function persistently(work, away) {
-  let failures = 0;
-  for (;;) {
-    try {
-      const result = await work();
-      if (failures > 0) away(false);
-      return result;
-    } catch (error) {
-      if (error instanceof Refused) throw error;
-      if (failures === 0) away(true);
-      await pauseFor(Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** failures));
-      ++failures;
-    }
-  }
+/** As many messages, from the first on, as one request may carry. */
+function groupOf(unsent) {
+  let bytes = 0;
+  const isWithin = (message, at) => (bytes += JSON.stringify(message).length * 3) <= MOST_BYTES || at === 0;
+  const over = unsent.findIndex((message, at) => at >= MOST_AT_ONCE || !isWithin(message, at));
+  return over < 0 ? unsent : unsent.slice(0, over);
 }
 
 /**
  * `stream` is {study_hash, set_hash, participant}; `messages` those that are kept already; `acknowledged` how many of
- * them, from the first on, the host has. `away` is called with whether the host is out of reach.
+ * them, from the first on, the host has. `away` as persistently calls it.
  */
 export function makeCourier({ store, host, stream, messages, acknowledged, away }) {
   let sequence = messages.length === 0 ? 0 : messages[messages.length - 1].sequence + 1;
@@ -63,7 +40,7 @@ export function makeCourier({ store, host, stream, messages, acknowledged, away 
 
   async function sendAll() {
     while (unsent.length > 0) {
-      const group = unsent.slice(0, MOST_AT_ONCE);
+      const group = groupOf(unsent);
       const count = await persistently(async () => {
         const stored = await host.send(group);
         if (stored === 0) throw new Error("nothing was stored");

@@ -1,11 +1,10 @@
-// Who hosts the page, and how a message is acknowledged there. A host is
+// Who hosts the page, which its export said, and how a message is acknowledged there. A host is
 //   {kind, enrol(message) -> {participant, slot, secret?}, decline(message), send(messages) -> number acknowledged,
 //    where() -> facts or null, nextTrial() -> trial or null, leave()}
 // and throws Refused for what will never be accepted; any other error means: try again.
 import { drawCode, drawSlot } from "../core/messages.js";
-
-/** The host understood, and will not have it. */
-export class Refused extends Error {}
+import { fillIn } from "../core/texts.js";
+import { NotNow, Refused, verdict } from "./verdict.js";
 
 const PATIENCE_MS = 20000;
 const lines = (messages) => messages.map((message) => JSON.stringify(message) + "\n").join("");
@@ -21,28 +20,45 @@ async function ask(path, secret, body) {
     credentials: "same-origin",
     signal: AbortSignal.timeout(PATIENCE_MS),
   });
-  const answer = await response.json().catch(() => ({}));
-  if (response.ok) return answer;
-  const sentence = answer.error ?? "HTTP " + response.status;
-  const passing = response.status >= 500 || response.status === 408 || response.status === 429;
-  throw passing ? new Error(sentence) : new Refused(sentence);
+  const answer = await response.json().catch((error) => {
+    if (error instanceof SyntaxError) return null; // not our server: a login page, say
+    throw error;
+  });
+  const sentence = typeof answer?.error === "string" ? answer.error : null;
+  const no = verdict(response.status, { sentence, of: path });
+  if (no) throw no;
+  return expect(path, answer !== null && typeof answer === "object", answer);
+}
+
+/** An answer of success counts when it is one of `seamline serve`: only that says that something is stored. */
+function expect(path, isOurs, answer) {
+  if (!isOurs) throw new NotNow(path + ": an answer, but not of the study's server");
+  return answer;
 }
 
 /** `seamline serve`. `identity` holds {token, secret}; the secret comes with the enrolment. */
 function serveHost(identity) {
   return {
     kind: "serve",
-    enrol: (message) => ask("api/enrol", null, JSON.stringify({ token: identity.token, message })),
+    async enrol(message) {
+      const given = await ask("api/enrol", null, JSON.stringify({ token: identity.token, message }));
+      return expect("api/enrol", given.participant && given.secret && Number.isInteger(given.slot), given);
+    },
     decline: (message) => ask("api/enrol", null, JSON.stringify({ token: identity.token, message })),
     async send(messages) {
-      const { stored } = await ask("api/messages", identity.secret, lines(messages));
+      const answer = await ask("api/messages", identity.secret, lines(messages));
+      const { stored } = expect("api/messages", Array.isArray(answer.stored), answer);
       const known = new Set(stored);
       const first = messages.findIndex((message) => !known.has(message.id));
       return first < 0 ? messages.length : first;
     },
-    where: () => ask("api/where", identity.secret),
+    async where() {
+      const at = await ask("api/where", identity.secret);
+      return expect("api/where", Number.isInteger(at.next_sequence), at);
+    },
     async nextTrial() {
-      const { trial } = await ask("api/next", identity.secret, "");
+      const answer = await ask("api/next", identity.secret, "");
+      const { trial } = expect("api/next", answer.trial || answer.done === true, answer);
       return trial ?? null;
     },
     leave() {},
@@ -96,32 +112,37 @@ function jatosHost(study, jatos) {
   };
 }
 
-/** Null where there is none. A network that is cut is not "none": then the answers would stay in the browser. */
+/** JATOS's own script. Whatever else answers, it is waited for: else the answers would stay in the browser. */
 async function loadJatos() {
-  const response = await fetch("jatos.js", { cache: "no-cache" });
-  if (response.status >= 500) throw new Error("jatos.js: HTTP " + response.status);
-  if (!response.ok) return null;
+  const response = await fetch("jatos.js", { cache: "no-cache", signal: AbortSignal.timeout(PATIENCE_MS) });
+  const no = verdict(response.status, { of: "jatos.js" });
+  if (no) throw no;
   return new Promise((resolve, reject) => {
     const script = document.createElement("script");
     script.src = "jatos.js";
-    script.onload = () => (globalThis.jatos ? globalThis.jatos.onLoad(() => resolve(globalThis.jatos)) : resolve(null));
+    script.onload = () =>
+      globalThis.jatos
+        ? globalThis.jatos.onLoad(() => resolve(globalThis.jatos))
+        : reject(new NotNow("jatos.js: an answer, but not JATOS's"));
     script.onerror = () => reject(new Error("jatos.js did not arrive"));
     document.head.append(script);
   });
 }
 
-/** Asks who is there. JATOS serves everything below /publix/. */
+/** How a person knows a host: for words about the wrong one. */
+const NAMES = { serve: "seamline serve", jatos: "JATOS", static: "a host of files" };
+
+/** Why answers of a visit that was begun at one kind of host must not go to another, with the study's words; or null. */
+export function wrongHost(study, begun, here) {
+  if (begun === here) return null;
+  const words = { wanted: NAMES[begun] ?? begun, found: NAMES[here] ?? here };
+  return new Refused(fillIn(study.texts.online_host, words));
+}
+
+/** The host that the page was exported for, and no other. JATOS serves everything below /publix/. */
 export async function findHost(study, identity) {
-  if (location.pathname.includes("/publix/")) {
-    const jatos = await loadJatos();
-    if (jatos) return jatosHost(study, jatos);
-  }
-  const response = await fetch("host.json", { cache: "no-store" });
-  if (response.ok) {
-    const host = await response.json().catch(() => ({}));
-    if (host.kind === "serve") return serveHost(identity);
-  } else if (response.status >= 500) {
-    throw new Error("HTTP " + response.status);
-  }
+  if (study.host === "serve") return serveHost(identity);
+  if (study.host === "jatos") return jatosHost(study, await loadJatos());
+  if (location.pathname.includes("/publix/")) throw wrongHost(study, "static", "jatos");
   return staticHost(study);
 }

@@ -5,7 +5,12 @@ const PATIENCE_MS = 1500; // a page that is being reloaded gives its lock back a
 function byLock(name) {
   return new Promise((resolve) => {
     const waiting = new AbortController();
-    const patience = setTimeout(() => waiting.abort(), PATIENCE_MS);
+    const look = async () => {
+      const { held } = await navigator.locks.query();
+      if (held.some((lock) => lock.name === name)) waiting.abort();
+      else patience = setTimeout(look, PATIENCE_MS); // nobody has it: this computer is slow
+    };
+    let patience = setTimeout(look, PATIENCE_MS);
     navigator.locks
       .request(name, { signal: waiting.signal }, () => {
         clearTimeout(patience);

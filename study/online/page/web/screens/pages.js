@@ -36,7 +36,7 @@ export function drawInstructions(app, display) {
       app.phrase("instructions_title"),
       pictures.length > 0 ? "wide" : "middle",
       ...paragraphs(text),
-      ...pictures.map((file) => element("img", { class: "shown", src: file, alt: text ? "" : app.phrase("page_of", pageWords(page, pages)) })),
+      ...pictures.map((file) => app.shown(file, text ? "" : app.phrase("page_of", pageWords(page, pages)))),
       element("p", { class: "note" }, app.phrase("page_of", pageWords(page, pages))),
       buttonRow(buttons)
     )
@@ -70,8 +70,9 @@ export function drawBreak(app, display) {
 }
 
 /** Where nobody but this browser has the answers: a way to take them out, at any time. */
-function saveWords(app) {
-  if (app.host.kind !== "static") return [];
+const saveWords = (app) => (app.host.kind === "static" ? saving(app, "online_save_text") : []);
+
+function saving(app, words) {
   const said = element("p", { class: "note", role: "status" });
   const save = async () => {
     const file = await app.saveAnswers();
@@ -79,7 +80,7 @@ function saveWords(app) {
   };
   return [
     element("hr"),
-    element("p", { class: "note" }, app.phrase("online_save_text")),
+    element("p", { class: "note" }, app.phrase(words)),
     buttonRow([{ text: app.phrase("online_save"), id: "save", action: save }]),
     said,
   ];
@@ -130,13 +131,7 @@ export const drawDeclined = (app, display) =>
 export function drawStopped(app, display) {
   const { message } = app.visit.screen;
   // Whom the host did not let in has answered nothing.
-  if (app.stream.participant === "") drawLast(app, display, app.phrase("online_refused_title"), message);
-  else
-    drawLast(
-      app,
-      display,
-      app.phrase("stopped_title"),
-      app.phrase("stopped_text", { message }),
-      app.host ? saveWords(app) : []
-    );
+  if (app.stream.participant === "") return drawLast(app, display, app.phrase("online_refused_title"), message);
+  const more = app.holdsMore() ? saving(app, "online_unsent") : [];
+  drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_stopped", { message }), more);
 }
