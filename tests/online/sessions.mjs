@@ -188,6 +188,40 @@ const tests = {
     }
   },
 
+  async "a visit that was begun at another kind of host does not go on, says so, and can be saved"() {
+    const host = await fakeServe(folderOf("tiny"), { trouble: 0 });
+    await visiting(host.address, async (page) => {
+      const { participant } = await actUntil(page, ["trial"], {});
+      const study = await page.evaluate(async () => (await fetch("study.json")).json());
+      const other = JSON.stringify({ ...study, host: "static" });
+      host.instead = (method, path) => (path === "/study.json" ? { status: 200, type: "application/json", body: other } : null);
+      const before = host.lines.length;
+      await page.reload();
+      await actUntil(page, ["stopped"], {});
+      assert.match(await page.textContent("#study"), /wanted seamline serve, found a host of files/);
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+      assert.equal(download.suggestedFilename(), participant + ".jsonl");
+      const saved = messagesOf(readFileSync(await download.path(), "utf8").trimEnd().split("\n"), participant);
+      assert.ok(saved.length > 2 && saved.every((message) => message.kind !== "enrol"), "a server has the enrolments of its own");
+      assert.equal(host.lines.length, before);
+      host.instead = null;
+      await page.reload();
+      await actUntil(page, ["thanks"], {});
+    });
+    await host.stop();
+  },
+
+  async "a page for a host of files says that it stands at JATOS"() {
+    const host = await jatosHost(folderOf("tiny"), 0);
+    const study = JSON.parse(readFileSync(join(folderOf("tiny") + "-static", "study.json"), "utf8"));
+    host.instead = (method, path) => (path.endsWith("/study.json") ? { status: 200, type: "application/json", body: JSON.stringify(study) } : null);
+    await visiting(host.address, async (page) => {
+      await page.waitForSelector("#study .card");
+      assert.match(await page.textContent("#study"), /wanted a host of files, found JATOS/);
+    });
+    await host.stop();
+  },
+
   async "a second tab says that there is a first"() {
     const host = await staticHost(folderOf("tiny"));
     await visiting(host.address, async (page, browser) => {

@@ -1,5 +1,5 @@
 // Pictures: loaded one after another ahead of need, their hashes checked, decoded before they are due.
-import { fetchFile, fetchJson, persistently } from "./keeping/patience.js";
+import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patience.js";
 import { NotNow } from "./keeping/verdict.js";
 import { unpackMap } from "./core/place.js";
 
@@ -18,12 +18,10 @@ async function isRight(bytes, wanted) {
   return found === null || found === wanted.sha256;
 }
 
-/** Throws when it is not what was exported, also not past the browser's cache: then it is tried again. */
-async function fetchChecked(wanted) {
-  for (const cache of ["default", "reload"]) {
-    const bytes = await fetchFile(wanted.file, (response) => response.arrayBuffer(), cache);
-    if (await isRight(bytes, wanted)) return bytes;
-  }
+/** Throws when it is not what was exported: then it is tried again. */
+async function fetchChecked(wanted, cache) {
+  const bytes = await fetchFile(wanted.file, (response) => response.arrayBuffer(), cache);
+  if (await isRight(bytes, wanted)) return bytes;
   throw new NotNow(wanted.file + ": not the picture that was exported");
 }
 
@@ -53,10 +51,11 @@ export function makePictures(known, { away, progress }) {
   }
 
   async function fetchAll(file) {
-    if (!bytes.has(file)) bytes.set(file, await persistently(() => fetchChecked(facts.get(file)), away));
+    const patiently = (ask) => persistently((failures) => ask(cacheAfter(failures)), away);
+    if (!bytes.has(file)) bytes.set(file, await patiently((cache) => fetchChecked(facts.get(file), cache)));
     const mapFile = facts.get(file).map;
     if (!maps.has(mapFile)) {
-      maps.set(mapFile, unpackMap(await persistently(() => fetchJson(mapFile, "default"), away)));
+      maps.set(mapFile, unpackMap(await patiently((cache) => fetchJson(mapFile, cache))));
     }
     progress(bytes.size, facts.size);
   }

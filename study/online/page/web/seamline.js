@@ -9,7 +9,7 @@ import { beginVisit, next, resumeVisit, sessionOnScreen } from "./core/visit.js"
 import { makeCourier } from "./keeping/courier.js";
 import { findHost, wrongHost } from "./keeping/hosts.js";
 import { onlyTab } from "./keeping/one_tab.js";
-import { fetchFile, fetchJson, persistently } from "./keeping/patience.js";
+import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patience.js";
 import { askForPersistence, openStore } from "./keeping/store.js";
 import { NotNow, Refused } from "./keeping/verdict.js";
 import { makePictures } from "./pictures.js";
@@ -130,7 +130,8 @@ class Study {
   /** A picture of the instructions, there as soon as it can be had. */
   shown(file, alt) {
     const image = element("img", { class: "shown", alt });
-    persistently(() => fetchFile(file, (response) => response.blob(), "default"), this.away).then((blob) => {
+    const ask = (failures) => fetchFile(file, (response) => response.blob(), cacheAfter(failures));
+    persistently(ask, this.away).then((blob) => {
       image.onload = image.onerror = () => URL.revokeObjectURL(image.src);
       image.src = URL.createObjectURL(blob);
     });
@@ -398,7 +399,7 @@ function listenToKeys(app) {
 }
 
 async function main() {
-  await globalThis.seamlineParts();
+  await globalThis.seamlineParts?.(); // a host may forbid scripts within pages
   // The words of the first page stand until the study has its own.
   const study = readStudy(await persistently(() => fetchJson("study.json"), () => {}));
   document.documentElement.lang = study.language;

@@ -19,6 +19,9 @@
     for (let failures = 0; ; ++failures) {
       const wait_ms = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** failures) * (0.5 + Math.random());
       await new Promise((resolve) => setTimeout(resolve, wait_ms));
+      // Past the browser's cache, which also keeps refusals (410 for good).
+      const answer = await fetch(lost.src || lost.href, { cache: "reload" }).catch(() => null);
+      if (!answer?.ok) continue;
       const part = copyOf(lost);
       const isThere = await new Promise((resolve) => {
         part.onload = () => resolve(true);

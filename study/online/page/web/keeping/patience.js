@@ -21,7 +21,10 @@ function pauseFor(milliseconds) {
 /** Half to one and a half times the wait that is due: a class that was sent away together does not come back together. */
 const waitAfter = (failures) => Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** failures) * (0.5 + Math.random());
 
-/** Tries until it works or is Refused. `away(before, now)` hears which error is waited out, null: none. */
+/**
+ * Tries `work(failures so far)` until it works or is Refused. `away(before, now)` hears which error is waited out, null:
+ * none.
+ */
 export async function persistently(work, away) {
   let problem = null;
   const tell = (now) => {
@@ -32,7 +35,7 @@ export async function persistently(work, away) {
   try {
     for (let failures = 0; ; ++failures) {
       try {
-        return await work();
+        return await work(failures);
       } catch (error) {
         if (error instanceof Refused) throw error;
         tell(error);
@@ -56,3 +59,6 @@ export async function fetchFile(file, read, cache = "no-cache") {
   }
 }
 export const fetchJson = (file, cache) => fetchFile(file, (response) => response.json(), cache);
+
+/** How to ask for a file that the browser may have: it also keeps refusals (410 for good), so from the second time on anew. */
+export const cacheAfter = (failures) => (failures === 0 ? "default" : "reload");
