@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::int64_t tenth_of_a_second_ns = 100'000'000;
 constexpr const char* rare_answer = "other";
+constexpr const char* withheld_answer = "withheld";
 
 std::int64_t coarse(std::int64_t time_ns) {
   return (time_ns + tenth_of_a_second_ns / 2) / tenth_of_a_second_ns * tenth_of_a_second_ns;
@@ -68,12 +69,19 @@ std::string& answer_of(ParticipantRecord& participant, const std::string& field)
   return participant.form.back().value;
 }
 
+using People = std::vector<ParticipantRecord*>;
+
+std::map<std::string, int> counts_of(const People& people, const std::string& field) {
+  std::map<std::string, int> counts;
+  for (ParticipantRecord* person : people) ++counts[answer_of(*person, field)];
+  return counts;
+}
+
 /// Rare answers to one question become "other".
-GroupedField group_rare(std::vector<ParticipantRecord>& participants, const std::string& field, int k) {
-  std::map<std::string, int> people;
-  for (ParticipantRecord& participant : participants) ++people[answer_of(participant, field)];
+void group_rare(const People& people, const std::string& field, int k) {
+  const std::map<std::string, int> counts = counts_of(people, field);
   std::vector<std::pair<int, std::string>> rarest_first;
-  for (const auto& [value, count] : people) rarest_first.emplace_back(count, value);
+  for (const auto& [value, count] : counts) rarest_first.emplace_back(count, value);
   std::sort(rarest_first.begin(), rarest_first.end());
   std::set<std::string> rare;
   int others = 0;
@@ -82,37 +90,149 @@ GroupedField group_rare(std::vector<ParticipantRecord>& participants, const std:
       rare.insert(value);
       others += count;
     }
-  for (ParticipantRecord& participant : participants)
-    if (rare.contains(answer_of(participant, field))) answer_of(participant, field) = rare_answer;
-  GroupedField grouped{.field = field, .smallest_group = others > 0 ? others : rarest_first.front().first};
-  for (const auto& [value, count] : people)
-    if (!rare.contains(value)) grouped.smallest_group = std::min(grouped.smallest_group, count);
-  grouped.withheld = rare.size() == people.size();
-  return grouped;
+  for (ParticipantRecord* person : people)
+    if (rare.contains(answer_of(*person, field))) answer_of(*person, field) = rare_answer;
 }
 
-int smallest_combination(const std::vector<ParticipantRecord>& participants) {
-  std::map<std::string, int> people;
-  for (const ParticipantRecord& participant : participants) {
-    std::string all;
-    for (const FormAnswer& answer : participant.form) all += answer.field + "=" + answer.value + "\n";
-    ++people[all];
+/// Everything of a person's row but the code and the form, as far as the table keeps it.
+std::string state_of(const ParticipantRecord& person, bool with_origin) {
+  return fmt::format("{} {} {} {}", person.completed, person.excluded, person.pilot,
+                     with_origin ? word(person.origin) : "");
+}
+
+/// The answers of the form, the first `withheld` of `fields` withheld.
+std::string row_of(ParticipantRecord& person, const std::vector<std::string>& fields, std::size_t withheld) {
+  std::string row;
+  for (std::size_t i = withheld; i < fields.size(); ++i) row += answer_of(person, fields[i]) + "\n";
+  return row;
+}
+
+void withhold(const People& people, const std::vector<std::string>& fields, std::size_t count) {
+  for (ParticipantRecord* person : people)
+    for (std::size_t i = 0; i < count; ++i) answer_of(*person, fields[i]) = withheld_answer;
+}
+
+/// Withholds answers of at least `k` people until everybody's row is that of `k`. Each keeps as many
+/// questions as go with `k` - 1 others who are left; those who are left over at last take others with them.
+void withhold_until_alike(People left, std::vector<std::string> fields, int k) {
+  const auto size = static_cast<std::size_t>(k);
+  std::map<std::string, std::size_t> different;
+  for (const std::string& field : fields) different[field] = counts_of(left, field).size();
+  std::stable_sort(fields.begin(), fields.end(),
+                   [&](const std::string& a, const std::string& b) { return different[a] > different[b]; });
+  std::vector<People> groups;
+  for (std::size_t withheld = 0; withheld <= fields.size() && !left.empty(); ++withheld) {
+    std::map<std::string, People> alike;
+    for (ParticipantRecord* person : left) alike[row_of(*person, fields, withheld)].push_back(person);
+    left.clear();
+    for (auto& [row, people] : alike)
+      if (people.size() >= size) {
+        withhold(people, fields, withheld);
+        groups.push_back(std::move(people));
+      } else {
+        left.insert(left.end(), people.begin(), people.end());
+      }
   }
-  int smallest = 0;
-  for (const auto& [all, count] : people) smallest = smallest == 0 ? count : std::min(smallest, count);
-  return smallest;
+  if (left.empty()) return;
+  // Fewer than k have nothing in common with k others: some of the largest group, or all of it.
+  People& largest = *std::max_element(groups.begin(), groups.end(),
+                                      [](const People& a, const People& b) { return a.size() < b.size(); });
+  const std::size_t missing = size - left.size();
+  const std::size_t taken = largest.size() >= size + missing ? missing : largest.size();
+  left.insert(left.end(), largest.end() - static_cast<std::ptrdiff_t>(taken), largest.end());
+  withhold(left, fields, fields.size());
 }
 
-template <class Rows>
-void rename_and_sort(Rows& rows, const std::map<std::string, std::string>& renamed) {
-  for (auto& row : rows) {
-    row.participant = renamed.at(row.participant);
+int smallest(const std::map<std::string, int>& counts) {
+  int found = 0;
+  for (const auto& [what, count] : counts) found = found == 0 ? count : std::min(found, count);
+  return found;
+}
+
+People people_of(LogContents& log) {
+  People people;
+  for (ParticipantRecord& participant : log.participants)
+    if (!participant.simulated) people.push_back(&participant);
+  return people;
+}
+
+/// Forgets whoever `leave_out` says, with their answers.
+template <class LeaveOut>
+void leave_out_people(LogContents& log, const LeaveOut& leave_out) {
+  std::set<std::string> codes;
+  for (const ParticipantRecord& participant : log.participants)
+    if (leave_out(participant)) codes.insert(participant.code);
+  const auto is_theirs = [&](const auto& row) { return codes.contains(row.participant); };
+  std::erase_if(log.answers, is_theirs);
+  std::erase_if(log.catches, is_theirs);
+  std::erase_if(log.participants,
+                [&](const ParticipantRecord& participant) { return codes.contains(participant.code); });
+}
+
+Anonymity leave_out_rare_states(LogContents& log, int k) {
+  Anonymity anonymity{.k = k};
+  std::map<std::string, int> in_state, in_state_by_origin;
+  for (const ParticipantRecord* person : people_of(log)) ++in_state[state_of(*person, false)];
+  const auto people = people_of(log).size();
+  leave_out_people(log, [&](const ParticipantRecord& participant) {
+    return !participant.simulated && in_state.at(state_of(participant, false)) < k;
+  });
+  anonymity.left_out_people = static_cast<int>(people - people_of(log).size());
+  if (log.participants.empty() && people > 0)
+    throw input_error(
+        {.file = log.file.string(),
+         .field = "--anonymise",
+         .wanted = fmt::format("at least {} people (--k) who are alike in being finished, excluded "
+                               "or on a trial run",
+                               k),
+         .found = fmt::format("{} in all", people)});
+  for (const ParticipantRecord* person : people_of(log)) ++in_state_by_origin[state_of(*person, true)];
+  anonymity.keeps_origin = people_of(log).empty() || smallest(in_state_by_origin) >= k;
+  std::set<std::string> unfinished;
+  for (const ParticipantRecord* person : people_of(log))
+    if (!person->completed) unfinished.insert(person->code);
+  const auto is_unfinished = [&](const auto& row) { return unfinished.contains(row.participant); };
+  std::erase_if(log.answers, is_unfinished);
+  std::erase_if(log.catches, is_unfinished);
+  anonymity.unfinished_people = static_cast<int>(unfinished.size());
+  return anonymity;
+}
+
+/// Answers in an order that the participants did not see.
+void number_again(LogContents& log) {
+  const auto coarse_times = [](auto& row) {
     row.choice_ns = coarse(row.choice_ns);
     row.rating_ns = coarse(row.rating_ns);
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.participant, a.trial_index) < std::tie(b.participant, b.trial_index);
+  };
+  std::map<std::string, int> next;
+  for (Answer& answer : log.answers) coarse_times(answer);
+  std::sort(log.answers.begin(), log.answers.end(), [](const Answer& a, const Answer& b) {
+    return std::tie(a.participant, a.stimulus_id, a.chosen_index, a.rating, a.choice_ns, a.rating_ns) <
+           std::tie(b.participant, b.stimulus_id, b.chosen_index, b.rating, b.choice_ns, b.rating_ns);
   });
+  for (Answer& answer : log.answers) answer.trial_index = next[answer.participant]++;
+  for (CatchTrialAnswer& answer : log.catches) coarse_times(answer);
+  std::sort(log.catches.begin(), log.catches.end(), [](const CatchTrialAnswer& a, const CatchTrialAnswer& b) {
+    const bool a_right = a.right(), b_right = b.right();
+    return std::tie(a.participant, a.kind, a_right, a.rating, a.choice_ns, a.rating_ns) <
+           std::tie(b.participant, b.kind, b_right, b.rating, b.choice_ns, b.rating_ns);
+  });
+  for (CatchTrialAnswer& answer : log.catches) answer.trial_index = next[answer.participant]++;
+}
+
+void rename(LogContents& log) {
+  const std::map<std::string, std::string> renamed = new_codes(log);
+  for (ParticipantRecord& participant : log.participants) {
+    participant.code = renamed.at(participant.code);
+    participant.last_seen_unix_s = 0;
+    participant.in_progress = false;
+    participant.slot = 0;
+    participant.restarts = 0;
+  }
+  for (Answer& answer : log.answers) answer.participant = renamed.at(answer.participant);
+  for (CatchTrialAnswer& answer : log.catches) answer.participant = renamed.at(answer.participant);
+  std::sort(log.participants.begin(), log.participants.end(),
+            [](const auto& a, const auto& b) { return a.code < b.code; });
 }
 
 }  // namespace
@@ -121,28 +241,41 @@ AnonymisedLog anonymise(LogContents log, int k) {
   if (k < 2)
     throw input_error(
         {.field = "--k", .wanted = "a group of at least 2 people", .found = fmt::format("{}", k)});
-  const std::map<std::string, std::string> renamed = new_codes(log);
+  AnonymisedLog out{.anonymity = leave_out_rare_states(log, k)};
+  rename(log);
+  number_again(log);
   const std::set<std::string> numbers = number_fields(log);
   std::set<std::string> fields;
-  for (ParticipantRecord& participant : log.participants) {
-    participant.code = renamed.at(participant.code);
-    participant.last_seen_unix_s = 0;
-    participant.in_progress = false;
+  for (ParticipantRecord& participant : log.participants)
     for (FormAnswer& answer : participant.form) {
       fields.insert(answer.field);
       if (numbers.contains(answer.field)) answer.value = decade(answer.value);
     }
+  const People everybody = people_of(log);
+  std::map<std::string, People> in_state;
+  for (ParticipantRecord* person : everybody)
+    in_state[state_of(*person, out.anonymity.keeps_origin)].push_back(person);
+  for (const std::string& field : fields) group_rare(everybody, field, k);
+  for (const auto& [state, people] : in_state)
+    withhold_until_alike(people, {fields.begin(), fields.end()}, k);
+  for (const std::string& field : fields) {
+    const std::map<std::string, int> counts = counts_of(everybody, field);
+    const auto withheld = counts.find(withheld_answer);
+    out.fields.push_back({.field = field,
+                          .smallest_group = smallest(counts),
+                          .withheld_answers = withheld == counts.end() ? 0 : withheld->second,
+                          .withheld = std::all_of(counts.begin(), counts.end(), [](const auto& one) {
+                            return one.first == rare_answer || one.first == withheld_answer;
+                          })});
   }
-  std::sort(log.participants.begin(), log.participants.end(),
-            [](const auto& a, const auto& b) { return a.code < b.code; });
-  rename_and_sort(log.answers, renamed);
-  rename_and_sort(log.catches, renamed);
-  AnonymisedLog out;
-  for (const std::string& field : fields) out.fields.push_back(group_rare(log.participants, field, k));
-  for (ParticipantRecord& participant : log.participants)
-    std::sort(participant.form.begin(), participant.form.end(),
+  std::map<std::string, int> rows;
+  for (ParticipantRecord* person : everybody) {
+    std::sort(person->form.begin(), person->form.end(),
               [](const FormAnswer& a, const FormAnswer& b) { return a.field < b.field; });
-  out.smallest_combination = smallest_combination(log.participants);
+    ++rows[state_of(*person, out.anonymity.keeps_origin) + "\n" +
+           row_of(*person, {fields.begin(), fields.end()}, 0)];
+  }
+  out.smallest_group = smallest(rows);
   out.log = std::move(log);
   return out;
 }

@@ -1,6 +1,9 @@
 #include "study/exchange/answer_tables.h"
 
+#include <cstddef>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace seamline::study {
 namespace {
@@ -56,14 +59,15 @@ CsvTable table_of_catches(const LogContents& log) {
                   {"scene", "", "name of the scene"},
                   {"right_index", "", "1 to 3; 0 where nothing is right"},
                   {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
+                  {"correct", "", "1 where that is right_index"},
                   {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
                   {"choice_s", "s", "from the picture's onset to the choice"},
                   {"rating_s", "s", "from the picture's onset to the rating"}},
       .rows = {}};
   for (const CatchTrialAnswer& c : log.catches)
     table.rows.push_back({as_text(c.participant), whole(c.trial_index), as_text(word(c.kind)),
-                          as_text(c.scene), whole(c.right_index), whole(c.chosen_index), whole(c.rating),
-                          in_seconds(c.choice_ns), in_seconds(c.rating_ns)});
+                          as_text(c.scene), whole(c.right_index), whole(c.chosen_index), yes_or_no(c.right()),
+                          whole(c.rating), in_seconds(c.choice_ns), in_seconds(c.rating_ns)});
   return table;
 }
 
@@ -101,8 +105,24 @@ CsvTable table_of_participants(const LogContents& log) {
 
 }  // namespace
 
-std::vector<CsvTable> answer_tables(const LogContents& log) {
+CsvTable without_order(CsvTable table, const Anonymity& anonymity) {
+  // Which catch trials somebody had follows from their order, as `trial_index` does from `slot`.
+  std::set<std::string> hidden = {"slot", "restarts", "trial_index", "image_scale"};
+  if (!anonymity.keeps_origin) hidden.insert("origin");
+  if (table.name == "catch_answers") hidden.insert({"scene", "right_index", "chosen_index"});
+  for (std::size_t i = table.columns.size(); i-- > 0;) {
+    if (!hidden.contains(table.columns[i].name)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    table.columns.erase(table.columns.begin() + at);
+    for (std::vector<CsvValue>& row : table.rows) row.erase(row.begin() + at);
+  }
+  return table;
+}
+
+std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
+  if (anonymity)
+    for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   tables.push_back(data_dictionary(tables));
   return tables;
 }

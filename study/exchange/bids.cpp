@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "study/exchange/answer_tables.h"
 #include "study/exchange/dataset.h"
@@ -69,18 +70,19 @@ BehRow beh_row(const Answer& a) {
           a.image_scale};
 }
 
-BehRow beh_row(const CatchTrialAnswer& c) {
+BehRow beh_row(const CatchTrialAnswer& c, bool is_anonymous) {
   const CsvValue none;
+  const auto unless_anonymous = [&](CsvValue value) { return is_anonymous ? none : std::move(value); };
   return {whole_cell(c.trial_index),
           std::string(word(c.kind)),
           none,
-          c.scene,
+          unless_anonymous(c.scene),
           none,
           none,
-          whole_cell(c.right_index),
+          unless_anonymous(whole_cell(c.right_index)),
           none,
           none,
-          whole_cell(c.chosen_index),
+          unless_anonymous(whole_cell(c.chosen_index)),
           whole_cell(c.right() ? 1 : 0),
           whole_cell(c.rating),
           none,
@@ -90,10 +92,11 @@ BehRow beh_row(const CatchTrialAnswer& c) {
 }
 
 /// The trials of each participant, in their order.
-std::map<std::string, std::vector<BehRow>> rows_by_participant(const LogContents& log) {
+std::map<std::string, std::vector<BehRow>> rows_by_participant(const LogContents& log, bool is_anonymous) {
   std::map<std::string, std::vector<BehRow>> rows;
   for (const Answer& answer : log.answers) rows[answer.participant].push_back(beh_row(answer));
-  for (const CatchTrialAnswer& answer : log.catches) rows[answer.participant].push_back(beh_row(answer));
+  for (const CatchTrialAnswer& answer : log.catches)
+    rows[answer.participant].push_back(beh_row(answer, is_anonymous));
   for (auto& [participant, trials] : rows)
     std::stable_sort(trials.begin(), trials.end(), [](const BehRow& a, const BehRow& b) {
       return std::get<std::int64_t>(a.front()) < std::get<std::int64_t>(b.front());
@@ -111,8 +114,9 @@ BidsJson columns_json(const CsvTable& table) {
   return json;
 }
 
-CsvTable participants_table(const LogContents& log, const std::vector<std::string>& subjects) {
-  CsvTable table = std::move(answer_tables(log)[2]);
+CsvTable participants_table(const LogContents& log, const std::vector<std::string>& subjects,
+                            const std::optional<Anonymity>& anonymity) {
+  CsvTable table = std::move(answer_tables(log, anonymity)[2]);
   table.columns.front() = {"code", "", "code of the participant in the log"};
   table.columns.insert(table.columns.begin(), {"participant_id", "", "name of the participant's folder"});
   for (std::size_t i = 0; i < table.rows.size(); ++i)
@@ -122,7 +126,7 @@ CsvTable participants_table(const LogContents& log, const std::vector<std::strin
 
 }  // namespace
 
-std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<int>& anonymise_k) {
+std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   const std::string task = file_label(log.study_name);
   const auto digits = std::max<std::size_t>(3, std::to_string(log.participants.size()).size());
   std::vector<std::string> subjects;
@@ -131,18 +135,20 @@ std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<
 
   std::vector<DatasetFile> files;
   CsvTable beh = empty_beh_table(log);
-  std::map<std::string, std::vector<BehRow>> rows = rows_by_participant(log);
+  std::map<std::string, std::vector<BehRow>> rows = rows_by_participant(log, anonymity.has_value());
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     beh.rows = std::move(rows[log.participants[i].code]);
-    files.push_back({fmt::format("{0}/beh/{0}_task-{1}_beh.tsv", subjects[i], task), tsv_text(beh)});
+    files.push_back({fmt::format("{0}/beh/{0}_task-{1}_beh.tsv", subjects[i], task),
+                     tsv_text(anonymity ? without_order(beh, *anonymity) : beh)});
   }
+  if (anonymity) beh = without_order(std::move(beh), *anonymity);
   BidsJson sidecar = {
       {"TaskName", task},
       {"TaskDescription", "Say which of three objects was inserted, and how noticeable it is"}};
   sidecar.update(columns_json(beh));
   files.push_back({fmt::format("task-{}_beh.json", task), bids_json_text(sidecar)});
 
-  const CsvTable people = participants_table(log, subjects);
+  const CsvTable people = participants_table(log, subjects, anonymity);
   files.push_back({"participants.tsv", tsv_text(people)});
   files.push_back({"participants.json", bids_json_text(columns_json(people))});
   files.push_back(
@@ -151,7 +157,7 @@ std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<
                        {"BIDSVersion", "1.9.0"},
                        {"DatasetType", "raw"},
                        {"GeneratedBy", {{{"Name", "Seamline"}, {"Version", program_version()}}}}})});
-  files.push_back({"README", dataset_readme(log, "BIDS 1.9 (behaviour alone)", anonymise_k)});
+  files.push_back({"README", dataset_readme(log, "BIDS 1.9 (behaviour alone)", anonymity)});
   files.push_back({"CHANGES", fmt::format("1.0.0\n\n  - Written by Seamline {}.\n", program_version())});
   return files;
 }

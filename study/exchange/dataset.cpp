@@ -16,9 +16,10 @@ bool ascii_letter_or_figure(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-std::vector<DatasetFile> plain_files(const LogContents& log) {
+std::vector<DatasetFile> plain_files(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   std::vector<DatasetFile> files;
-  for (const CsvTable& table : answer_tables(log)) files.push_back({table.name + ".csv", csv_text(table)});
+  for (const CsvTable& table : answer_tables(log, anonymity))
+    files.push_back({table.name + ".csv", csv_text(table)});
   return files;
 }
 
@@ -31,12 +32,12 @@ std::string file_label(const std::string& name) {
 }
 
 std::string dataset_readme(const LogContents& log, const std::string& layout,
-                           const std::optional<int>& anonymise_k) {
+                           const std::optional<Anonymity>& anonymity) {
   const auto simulated = std::count_if(log.participants.begin(), log.participants.end(),
                                        [](const ParticipantRecord& p) { return p.simulated; });
   std::string text = fmt::format(
       "# {}\n\nAnswers to the study \"{}\", written by Seamline {} in the layout of {}.\n\n"
-      "- People: {}{}. Everybody is in it, also the excluded and trial runs, each marked.\n"
+      "- People: {}{}. {}, each marked.\n"
       "- Answers: {} to stimuli, {} to catch trials. A trial is a picture with three objects; the "
       "participant "
       "says which one\n  was inserted by a computer, and how noticeable that is, from 1 (slightly) to 4 "
@@ -44,28 +45,34 @@ std::string dataset_readme(const LogContents& log, const std::string& layout,
       "- Study file: SHA-256 of its settings {}. Stimuli: SHA-256 of their manifest {}.\n",
       clean_text(log.study_name), clean_text(log.study_name), program_version(), layout,
       log.participants.size(), simulated > 0 ? fmt::format(", {} of them simulated", simulated) : "",
+      anonymity ? "The excluded and trial runs are among them"
+                : "Everybody is in it, also the excluded and trial runs",
       log.answers.size(), log.catches.size(), log.study_hash, log.set_hash);
-  text += anonymise_k
-              ? fmt::format(
-                    "- Anonymised: codes are new, times are rounded to a tenth of a second, "
-                    "and no answer to a single\n  question of the form is shared by "
-                    "fewer than {} people.\n",
-                    *anonymise_k)
-              : "- Not anonymised: codes are those of the log, and answers of the form are as given.\n";
+  text +=
+      anonymity
+          ? fmt::format(
+                "- Anonymised: codes are new, times are rounded to a tenth of a second, answers stand in "
+                "an order that\n  nobody saw, and of everybody at least {} people have the same row in "
+                "the table of participants (answers of the\n  form are \"other\" or \"withheld\" where "
+                "they would tell who it is).\n"
+                "- Left out: {} people, because fewer than {} had finished, been excluded or made a trial "
+                "run as they had,\n  and the answers of {} who did not finish.\n",
+                anonymity->k, anonymity->left_out_people, anonymity->k, anonymity->unfinished_people)
+          : "- Not anonymised: codes are those of the log, and answers of the form are as given.\n";
   return text +
          "- Not said here, because the program does not know it: authors, licence, ethics approval. Add them "
          "before\n  you share this folder.\n";
 }
 
 std::vector<DatasetFile> dataset_files(const LogContents& log, TableLayout layout,
-                                       const std::optional<int>& anonymise_k) {
+                                       const std::optional<Anonymity>& anonymity) {
   switch (layout) {
     case TableLayout::plain:
-      return plain_files(log);
+      return plain_files(log, anonymity);
     case TableLayout::psych_ds:
-      return psych_ds_files(log, anonymise_k);
+      return psych_ds_files(log, anonymity);
     case TableLayout::bids:
-      return bids_files(log, anonymise_k);
+      return bids_files(log, anonymity);
   }
   return {};
 }

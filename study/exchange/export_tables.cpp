@@ -14,8 +14,9 @@ TableSummary export_tables(const TableRequest& request) {
   if (request.anonymise_k) {
     AnonymisedLog anonymised = anonymise(std::move(log), *request.anonymise_k);
     log = std::move(anonymised.log);
+    summary.anonymity = anonymised.anonymity;
     summary.fields = std::move(anonymised.fields);
-    summary.smallest_combination = anonymised.smallest_combination;
+    summary.smallest_group = anonymised.smallest_group;
   }
   summary.participants = static_cast<int>(log.participants.size());
   summary.answers = static_cast<int>(log.answers.size());
@@ -24,7 +25,7 @@ TableSummary export_tables(const TableRequest& request) {
   const fs::path folder = work / "tables";
   fs::create_directory(folder);
   const Readers readers = request.anonymise_k ? Readers::everybody : Readers::owner;
-  for (const DatasetFile& file : dataset_files(log, request.layout, request.anonymise_k)) {
+  for (const DatasetFile& file : dataset_files(log, request.layout, summary.anonymity)) {
     fs::create_directories((folder / file.path).parent_path());
     write_file_atomically(folder / file.path, file.text, readers);
   }

@@ -18,8 +18,9 @@ struct TableRequest {
 struct TableSummary {
   int participants = 0;
   int answers = 0;
+  std::optional<Anonymity> anonymity = {};
   std::vector<GroupedField> fields = {};  ///< of an anonymised log
-  int smallest_combination = 0;
+  int smallest_group = 0;
 };
 
 /// Writes the tables of `answer_tables` in the layout: whole or not at all, the same bytes for the same log

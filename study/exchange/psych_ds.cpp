@@ -34,8 +34,8 @@ std::string json_text(const SchemaJson& json) {
 
 }  // namespace
 
-std::vector<DatasetFile> psych_ds_files(const LogContents& log, const std::optional<int>& anonymise_k) {
-  std::vector<CsvTable> tables = answer_tables(log);
+std::vector<DatasetFile> psych_ds_files(const LogContents& log, const std::optional<Anonymity>& anonymity) {
+  std::vector<CsvTable> tables = answer_tables(log, anonymity);
   tables.pop_back();  // the dictionary: here it is in JSON
   SchemaJson whole =
       described(log.study_name,
@@ -60,7 +60,7 @@ std::vector<DatasetFile> psych_ds_files(const LogContents& log, const std::optio
   }
   whole["variableMeasured"] = std::move(all_variables);
   files.push_back({"dataset_description.json", json_text(whole)});
-  files.push_back({"README.md", dataset_readme(log, "Psych-DS 1.0", anonymise_k)});
+  files.push_back({"README.md", dataset_readme(log, "Psych-DS 1.0", anonymity)});
   files.push_back({"CHANGES.md", fmt::format("# 1.0.0\n\n- Written by Seamline {}.\n", program_version())});
   return files;
 }

@@ -34,13 +34,26 @@ void run_tables(const ExportOptions& options, const std::string& folder, TableLa
        .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt,
        .layout = layout});
   fmt::print("{}: {} answers of {} participants\n", folder, summary.answers, summary.participants);
-  if (!options.anonymise) return;
+  if (!summary.anonymity) return;
+  const Anonymity& anonymity = *summary.anonymity;
   for (const GroupedField& field : summary.fields)
-    fmt::print("  {}: every answer is shared by at least {}{}\n", field.field, field.smallest_group,
+    fmt::print("  {}: every answer is shared by at least {}{}{}\n", field.field, field.smallest_group,
+               field.withheld_answers > 0 ? fmt::format(", {} withheld", field.withheld_answers) : "",
                field.withheld ? " (so few people that none is kept)" : "");
-  if (!summary.fields.empty())
-    fmt::print("  all answers of the form together: the smallest group is {}\n",
-               summary.smallest_combination);
+  if (summary.smallest_group > 0)
+    fmt::print("  whole rows of the table of participants: the smallest group is {}\n",
+               summary.smallest_group);
+  if (anonymity.left_out_people > 0)
+    fmt::print(
+        "  left out: {} people, since fewer than {} have finished, been excluded or made a trial run as they "
+        "have\n",
+        anonymity.left_out_people, anonymity.k);
+  if (anonymity.unfinished_people > 0)
+    fmt::print("  left out: the answers of {} people who did not finish, which would tell their order\n",
+               anonymity.unfinished_people);
+  if (!anonymity.keeps_origin)
+    fmt::print("  left out: how people came (origin), since fewer than {} came one of the ways\n",
+               anonymity.k);
 }
 
 void run_export(const ExportOptions& options, const OtherPage& other) {
@@ -100,8 +113,8 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
                       "folder for the same answers in the layout of BIDS (behaviour)");
   CLI::Option* anonymise =
       command->add_flag("--anonymise", options->anonymise,
-                        "of tables: new codes, times to a tenth of a second, no days, rare answers of the "
-                        "form grouped");
+                        "of tables: new codes, times to a tenth of a second, nothing that tells who came "
+                        "when, rows of people grouped");
   add_number(*command, "--k", options->k, {2, 1000}, "of --anonymise: the smallest group (else 5)")
       ->needs(anonymise);
   add_number(*command, "--slots", options->slots, {1, most_slots},
