@@ -114,4 +114,28 @@ globalThis.location = { pathname: "/publix/1/index.html" };
 await assert.rejects(findHost({ ...words, host: "static" }, {}), Refused);
 assert.equal(wrongHost(words, "serve", "serve"), null);
 assert.equal(wrongHost(words, "static", "serve").message, "a host of files seamline serve");
+// What is kept while a request is under way is sent after it, none is left out, and no request is larger than a host takes.
+const { makeCourier } = await importPart(web, "keeping/courier.js");
+const arrived = [];
+let sizes = [];
+const courier = makeCourier({
+  store: { append: async () => {}, keepFact: async () => {} },
+  host: {
+    async send(group) {
+      if (arrived.length < 40) for (let i = 0; i < 3; ++i) await courier.keep("event", { detail: "é".repeat(20000) });
+      sizes.push(Buffer.byteLength(group.map((one) => JSON.stringify(one) + "\n").join("")));
+      arrived.push(...group.map((one) => one.sequence));
+      return group.length;
+    },
+  },
+  stream: { participant: "w-a" },
+  messages: [],
+  acknowledged: 0,
+  away() {},
+});
+await courier.deliver("form", {});
+await courier.deliver("completion", {});
+assert.deepEqual(arrived, arrived.map((_, at) => at));
+assert.ok(arrived.length > 40 && courier.unsent() === 0);
+assert.ok(Math.max(...sizes) < 2 ** 20, Math.max(...sizes));
 console.log("the page's parts keep their laws");

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { fakeServe, jatosHost, realServe, staticHost } from "./hosts.mjs";
+import { fakeServe, jatosHost, onTheWayTo, realServe, staticHost } from "./hosts.mjs";
 import { actUntil, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
@@ -209,6 +209,31 @@ const tests = {
       await actUntil(page, ["thanks"], {});
     });
     await host.stop();
+  },
+
+  async "what a server would not have arrives by the file that its page saves"() {
+    const log = join(mkdtempSync(join(work, "log-")), "log.sqlite");
+    const set = join(work, "tiny-set");
+    const host = await onTheWayTo(await realServe(process.env.SEAMLINE_PROGRAM, folderOf("tiny"), set, log));
+    const file = join(mkdtempSync(join(work, "import-")), "saved.jsonl");
+    let participant;
+    await visiting(host.address, async (page) => {
+      await actUntil(page, ["trial"], {});
+      const refusal = { status: 409, type: "application/json", body: '{"error":"not this one"}' };
+      host.instead = (method, path) => (path === "/api/messages" ? refusal : null);
+      ({ participant } = await actUntil(page, ["stopped"], {}));
+      const said = await page.textContent("#study");
+      assert.match(said, /not this one/);
+      assert.doesNotMatch(said, /safe|are stored/);
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+      await download.saveAs(file);
+    });
+    await host.stop();
+    const ask = (...words) => execFileSync(process.env.SEAMLINE_PROGRAM, words, { encoding: "utf8" });
+    assert.match(ask("log", log, "--status"), / 0 of +8/);
+    console.log("  " + ask("import", log, file, "--set", set).trim().split("\n").join("\n  "));
+    const status = ask("log", log, "--status");
+    assert.ok(status.includes(participant) && / 1 of +8/.test(status), status);
   },
 
   async "a page for a host of files says that it stands at JATOS"() {

@@ -6,12 +6,12 @@ const MOST_AT_ONCE = 64;
 const MOST_BYTES = 1 << 19; // a letter as UTF-8 has at most three bytes; a host takes a million
 const EVENTS_AFTER_MS = 8000;
 
-/** As many messages, from the first on, as one request may carry. */
+/** As many messages, from the first on, as one request may carry: a list of its own, for others come meanwhile. */
 function groupOf(unsent) {
   let bytes = 0;
   const isWithin = (message, at) => (bytes += JSON.stringify(message).length * 3) <= MOST_BYTES || at === 0;
   const over = unsent.findIndex((message, at) => at >= MOST_AT_ONCE || !isWithin(message, at));
-  return over < 0 ? unsent : unsent.slice(0, over);
+  return unsent.slice(0, over < 0 ? unsent.length : over);
 }
 
 /**
