@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
-
+#include "pages.h"
 #include "run_program.h"
 
 namespace seamline {
@@ -15,40 +14,19 @@ using testing::HasSubstr;
 
 const fs::path documentation = fs::path(SEAMLINE_SOURCE_DIR) / "documentation";
 
-struct Block {
-  std::string kind;  ///< what stands behind the fence: "sh", "toml", "sh by hand"
-  std::string text;
-};
-
-std::vector<Block> fenced_blocks(const fs::path& page) {
-  std::ifstream in(page);
-  std::vector<Block> blocks;
-  bool inside = false;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("```")) {
-      if (!inside) blocks.push_back({.kind = line.substr(3), .text = {}});
-      inside = !inside;
-    } else if (inside) {
-      blocks.back().text += line + "\n";
-    }
-  }
-  EXPECT_FALSE(inside) << page << " ends in a block";
-  return blocks;
-}
-
 /// The page's study in smaller pictures, of fewer samples: what its commands do does not depend on them.
 std::string smaller(const std::string& study) {
-  return test::with_replaced(
-      study, {{"width_px = 480", "width_px = 96"},
-              {"height_px = 270", "height_px = 54"},
-              {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"}});
+  return test::with_replaced(study,
+                             {{"width_px = 480", "width_px = 96"},
+                              {"height_px = 270", "height_px = 54"},
+                              {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"}});
 }
 
 TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
   const fs::path folder = test::fresh_folder("tutorial");
   fs::copy(documentation / "tutorial" / "room.gltf", folder);
   int studies = 0, lines_run = 0, by_hand = 0;
-  for (const Block& block : fenced_blocks(documentation / "tutorial.md")) {
+  for (const test::PageBlock& block : test::read_page(documentation / "tutorial.md").blocks) {
     if (block.kind == "toml") {
       test::write_text(folder / "my_study.toml", smaller(block.text));
       ++studies;
@@ -73,31 +51,6 @@ TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
   EXPECT_GE(lines_run, 6);
   EXPECT_TRUE(fs::is_regular_file(folder / "my_set" / "contact-receiver.png"));
   EXPECT_THAT(test::read_text(folder / "report" / "report.html"), HasSubstr("20 simulated observers"));
-}
-
-TEST(Documentation, EveryLinkLeadsToAFileAndEveryPageIsOnTheFirst) {
-  const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
-  int links = 0;
-  std::vector<fs::path> pages = {fs::path(SEAMLINE_SOURCE_DIR) / "README.md"};
-  const std::string first = test::read_text(documentation / "README.md");
-  for (const auto& entry : fs::directory_iterator(documentation))
-    if (entry.path().extension() == ".md") {
-      pages.push_back(entry.path());
-      const std::string name = entry.path().filename().string();
-      if (name != "README.md") {
-        EXPECT_THAT(first, HasSubstr("(" + name)) << "not on documentation/README.md";
-      }
-    }
-  for (const fs::path& page : pages) {
-    const std::string text = test::read_text(page);
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), link); it != std::sregex_iterator(); ++it) {
-      const std::string target = (*it)[1];
-      if (target.find("://") != std::string::npos) continue;
-      EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << " links to " << target;
-      ++links;
-    }
-  }
-  EXPECT_GE(links, 40);
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "run_program.h"
+
+/// The pages that people read, taken apart.
+namespace seamline::test {
+
+struct PageBlock {
+  std::string kind;  ///< what stands behind the fence: "sh", "toml", "sh by hand", nothing
+  std::string text;
+};
+
+struct Page {
+  std::filesystem::path file;
+  std::string prose;                  ///< what is outside of blocks
+  std::vector<PageBlock> blocks;      ///< fenced ones
+  std::vector<std::string> headings;  ///< without their marks
+};
+
+inline Page read_page(const std::filesystem::path& file) {
+  Page page{.file = file, .prose = {}, .blocks = {}, .headings = {}};
+  std::ifstream in(file);
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```")) {
+      if (!inside) page.blocks.push_back({.kind = line.substr(3), .text = {}});
+      inside = !inside;
+    } else if (inside) {
+      page.blocks.back().text += line + "\n";
+    } else {
+      page.prose += line + "\n";
+      if (line.starts_with("#")) page.headings.push_back(line.substr(line.find_first_not_of("# ")));
+    }
+  }
+  if (inside) throw std::runtime_error(file.string() + " ends in a block");
+  return page;
+}
+
+/// Every page of the repository for people: documentation/, README and CONTRIBUTING, by path from its root.
+inline const std::map<std::string, Page>& pages() {
+  static const std::map<std::string, Page> read = [] {
+    const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
+    std::map<std::string, Page> found;
+    for (const char* name : {"README.md", "CONTRIBUTING.md", "tests/data/README.md"})
+      found[name] = read_page(root / name);
+    for (const auto& entry : std::filesystem::directory_iterator(root / "documentation"))
+      if (entry.path().extension() == ".md")
+        found["documentation/" + entry.path().filename().string()] = read_page(entry.path());
+    return found;
+  }();
+  return read;
+}
+
+/// The pieces of text in backticks, outside of blocks.
+inline std::vector<std::string> code_spans(const Page& page) {
+  std::vector<std::string> spans;
+  const std::string& text = page.prose;
+  for (std::size_t open = text.find('`'); open != std::string::npos;) {
+    const std::size_t close = text.find('`', open + 1);
+    if (close == std::string::npos) break;
+    spans.push_back(text.substr(open + 1, close - open - 1));
+    open = text.find('`', close + 1);
+  }
+  return spans;
+}
+
+}  // namespace seamline::test
