@@ -220,7 +220,7 @@ void number_again(LogContents& log) {
   for (CatchTrialAnswer& answer : log.catches) answer.trial_index = next[answer.participant]++;
 }
 
-void rename(LogContents& log) {
+void give_new_codes(LogContents& log) {
   const std::map<std::string, std::string> renamed = new_codes(log);
   for (ParticipantRecord& participant : log.participants) {
     participant.code = renamed.at(participant.code);
@@ -242,7 +242,7 @@ AnonymisedLog anonymise(LogContents log, int k) {
     throw input_error(
         {.field = "--k", .wanted = "a group of at least 2 people", .found = fmt::format("{}", k)});
   AnonymisedLog out{.anonymity = leave_out_rare_states(log, k)};
-  rename(log);
+  give_new_codes(log);
   number_again(log);
   const std::set<std::string> numbers = number_fields(log);
   std::set<std::string> fields;

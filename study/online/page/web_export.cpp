@@ -160,8 +160,8 @@ WebSummary export_web(const WebRequest& request) {
   WebFiles files(folder);
   add_page(files, set.study);
   const TrialRules rules = make_trial_rules(set);
-  const WebPictures pictures = add_pictures(set, files);
   const ShownNames names(set);
+  const WebPictures pictures = add_pictures(set, names, files);
   const int slots = slots_of(set, request);
   for (int slot = 0; !rules.quest_plus && slot < slots; ++slot) {
     stop_if_interrupted();
@@ -180,6 +180,7 @@ WebSummary export_web(const WebRequest& request) {
                                           .font = font,
                                           .instruction_files = instructions}));
   write_file_atomically(folder / "files.json", files.index_text());
+  files.give_one_time();
   publish_folder(folder, out);
 
   WebSummary summary{.slots = slots,

@@ -1,5 +1,6 @@
 #include "study/online/page/web_files.h"
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "study/online/page/web_format.h"
@@ -22,6 +23,13 @@ std::string WebFiles::add_by_content(const std::string& folder, std::string_view
   const std::string name = folder + "/" + sha256(bytes).substr(0, digits) + ending;
   if (!files_.contains(name)) add(name, bytes);
   return name;
+}
+
+void WebFiles::give_one_time() const {
+  const auto now = std::chrono::floor<std::chrono::seconds>(fs::file_time_type::clock::now());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_))
+    fs::last_write_time(entry.path(), now);
+  fs::last_write_time(folder_, now);
 }
 
 std::string WebFiles::index_text() const {

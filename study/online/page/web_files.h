@@ -27,6 +27,10 @@ class WebFiles {
   [[nodiscard]] std::string add_by_content(const std::string& folder, std::string_view bytes,
                                            const std::string& ending);
 
+  /// Everything in the folder bears the time of this call: hosts say when a file was last changed, and that
+  /// would be the order in which pictures were made.
+  void give_one_time() const;
+
   [[nodiscard]] const std::map<std::string, WebFile>& files() const { return files_; }
 
   /// `files.json`: every file with its size and SHA-256, in the order of their names.

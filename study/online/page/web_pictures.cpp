@@ -1,5 +1,6 @@
 #include "study/online/page/web_pictures.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "stimuli/set/manifest_pictures.h"
@@ -56,8 +57,9 @@ std::string subject_of(const RenderedSet& set, const Trial& trial) {
   return {};
 }
 
-/// Stimuli first; catch trials of every stimulus, where the study has any.
-std::vector<Trial> every_trial(const RenderedSet& set) {
+/// Stimuli, and catch trials of every stimulus where the study has any, in the order of their shown names:
+/// files are made in it, and a host may say which was made first.
+std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) {
   std::vector<Trial> trials;
   for (const TrialKind kind : every_trial_kind) {
     if (kind == TrialKind::attention && set.study.catches.attention == 0) continue;
@@ -65,6 +67,8 @@ std::vector<Trial> every_trial(const RenderedSet& set) {
     for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
       trials.push_back({.kind = kind, .stimulus = i});
   }
+  std::sort(trials.begin(), trials.end(),
+            [&](const Trial& a, const Trial& b) { return names.name_of(a) < names.name_of(b); });
   return trials;
 }
 
@@ -91,10 +95,10 @@ std::string packed_map(const ObjectMap& map) {
          "\n";
 }
 
-WebPictures add_pictures(const RenderedSet& set, WebFiles& files) {
+WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files) {
   WebPictures pictures;
   std::map<std::string, std::string> of_subject, map_of_ids;
-  for (const Trial& trial : every_trial(set)) {
+  for (const Trial& trial : every_trial(set, names)) {
     stop_if_interrupted();
     std::string& file = of_subject[subject_of(set, trial)];
     if (file.empty()) file = files.add_by_content("pictures", picture_bytes(set, trial), ".png");

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "study/online/messages/shown_names.h"
 #include "study/online/page/web_files.h"
 #include "study/placement/trial.h"
 #include "study/trials/object_map.h"
@@ -20,7 +21,7 @@ struct WebPictures {
 /// references are copied byte for byte after their bytes were compared with the manifest's; those of
 /// attention trials are made as the window makes them. Throws InputError naming the picture that is missing
 /// or changed.
-[[nodiscard]] WebPictures add_pictures(const RenderedSet& set, WebFiles& files);
+[[nodiscard]] WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files);
 
 /// An object map as JSON: size, frames, and `runs`: count and object by turns, row after row.
 [[nodiscard]] std::string packed_map(const ObjectMap& map);
