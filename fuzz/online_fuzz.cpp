@@ -40,6 +40,7 @@ void read_request(std::string_view text) {
   if (const auto* good = std::get_if<RequestHead>(&head)) {
     if (good->content_bytes < 0 || good->content_bytes > most_request_bytes || good->path.front() != '/')
       abort();
+    if (good->host.empty()) abort();
     if (!good->secret.empty() && !is_sha256(good->secret)) abort();
   } else if (std::get<HeadFault>(head).status < 400) {
     abort();

@@ -52,7 +52,8 @@ class BehindNginx:
             # As nginx comes: 512 connections of one worker, Debian's 768.
             file.write(f"worker_processes 1;\npid {self.path('nginx.pid')};\nerror_log {self.path('log/of_nginx_itself.log')} emerg;\nevents {{}}\n"
                        f"http {{\naccess_log off;\n{folders}{written}}}\n")
-        self.command = [program, "serve", page, "--log", log, "--set", rendered_set, "--port", str(self.inner), *more]
+        self.command = [program, "serve", page, "--log", log, "--set", rendered_set, "--port", str(self.inner),
+                        "--host", NAME, *more]
 
     def path(self, name):
         return os.path.join(self.work, name)

@@ -74,6 +74,22 @@ TEST_F(GatheringTest, AFileIsImportedOnceHoweverOften) {
   EXPECT_THAT(import_text(report, path), HasSubstr("2 participants complete, 0 incomplete"));
 }
 
+TEST_F(GatheringTest, DownloadsOfPagesBeforeShownNamesAreReadAsTodays) {
+  std::vector<std::string> logs;
+  for (const bool is_old : {false, true}) {
+    Page page = page_elsewhere(set, 1);
+    page.is_old = is_old;
+    const std::string text = lines_of(page.whole_stream());
+    EXPECT_EQ(text.find(set.manifest.stimuli[0].id) != std::string::npos, is_old);
+    const fs::path own = folder / (is_old ? "old.sqlite" : "new.sqlite");
+    const ImportReport report = import_messages(set, own, {file("download.jsonl", text)});
+    EXPECT_TRUE(report.people.at(0).completed);
+    EXPECT_THAT(report.people.at(0).refused, IsEmpty());
+    logs.push_back(contents(own));
+  }
+  EXPECT_EQ(logs[0], logs[1]);
+}
+
 TEST_F(GatheringTest, LinesInAnyOrderAndTwiceGiveTheSameLog) {
   Page one = page_elsewhere(set, 1), two = page_elsewhere(set, 2);
   std::vector<Message> messages = one.whole_stream();

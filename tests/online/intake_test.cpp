@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "online_people.h"
 #include "study/log/log.h"
 #include "study/log/log_admin.h"
@@ -101,36 +103,25 @@ TEST_F(IntakeTest, AWholeVisitIsInTheLogAsOneOfTheWindowWouldBe) {
   EXPECT_EQ(database.execAndGet("SELECT count(*) FROM online_messages").getInt(), 1 + 1 + 1 + 2 + 2 * 26 + 1);
 }
 
-TEST_F(IntakeTest, ShownNamesAndIdsOfOlderPagesAreTheSameAnswers) {
-  const ShownNames names(set);
-  const auto said_by_todays_page = [&](const Page& page, Message message) {
-    if (auto* training = std::get_if<TrainingBody>(&message.body))
-      training->answer.stimulus_id =
-          names.name_of(training_trials(set)[static_cast<std::size_t>(training->training_index)]);
-    if (auto* answer = std::get_if<AnswerBody>(&message.body))
-      answer->answer.stimulus_id = names.name_of(page.order()[static_cast<std::size_t>(answer->trial_index)]);
-    return message;
-  };
-  std::vector<std::string> logs;
-  for (const bool today : {false, true}) {
-    const fs::path own = folder / (today ? "today.sqlite" : "older.sqlite");
-    Intake intake(set, own);
-    Page page = enrolled(intake, 1);
-    std::vector<Message> messages = page.the_rest();
-    if (today)
-      for (Message& message : messages) message = said_by_todays_page(page, message);
-    take_all(intake, messages);
-    EXPECT_TRUE(intake.where(page.code).completed);
-    std::string& text = logs.emplace_back();
-    const LogContents log = read_log(own);
-    for (const Answer& answer : log.answers)
-      text += fmt::format("{} {} {} {}\n", answer.trial_index, answer.stimulus_id, answer.chosen_index,
-                          answer.rating);
-    for (const CatchTrialAnswer& answer : log.catches)
-      text += fmt::format("{} {} {}\n", answer.trial_index, answer.chosen_index, answer.rating);
+TEST_F(IntakeTest, NobodyWhoHearsTheReplyLearnsTheRightAnswer) {
+  Intake server(set, path);
+  Page page = enrolled(server, 1);
+  const Trial due = page.order()[0];
+  Message guess = page.answer(0);
+  std::vector<std::string> sentences;
+  for (const ManifestStimulus& stimulus : set.manifest.stimuli) {  // the id of the planned one among them
+    std::get<AnswerBody>(guess.body).answer.stimulus_id = stimulus.id;
+    std::string sentence = refusal(server, guess);
+    EXPECT_THAT(sentence, HasSubstr("wanted the planned"));
+    sentence.replace(sentence.find(stimulus.id), stimulus.id.size(), "GUESS");
+    sentences.push_back(sentence);
   }
-  EXPECT_EQ(logs[0], logs[1]);
-  EXPECT_THAT(logs[0], HasSubstr(set.manifest.stimuli[0].id));
+  EXPECT_EQ(std::set(sentences.begin(), sentences.end()).size(), 1U) << "all are the same to who asks";
+  EXPECT_THAT(sentences.front(), HasSubstr(ShownNames(set).name_of(due)));
+  Message practice = page.training(0);
+  std::get<TrainingBody>(practice.body).answer.stimulus_id = page.id_of(training_trials(set)[0]);
+  EXPECT_THAT(refusal(server, practice), HasSubstr("wanted the planned"));
+  EXPECT_EQ(rows("answers") + rows("training_answers"), 0);
 }
 
 TEST_F(IntakeTest, ARefusalDoesNotTellTheRightAnswer) {
@@ -261,7 +252,7 @@ TEST_F(IntakeTest, EverythingThatContradictsTheStudyOrTheLogIsRefusedAndStoresNo
   Message other_stimulus = page.answer(trials[1], page.answer_to(0));
   EXPECT_THAT(refusal(intake, other_stimulus), HasSubstr("wanted the planned"));
   Message other_kind = other_stimulus;
-  std::get<AnswerBody>(other_kind.body).answer.stimulus_id = page.id_of(trials[0]);
+  std::get<AnswerBody>(other_kind.body).answer.stimulus_id = ShownNames(set).name_of(trials[0]);
   std::get<AnswerBody>(other_kind.body).answer.kind = TrialKind::attention;
   EXPECT_THAT(refusal(intake, other_kind), HasSubstr("wanted the planned"));
   Message too_far = page.answer(trials[0], page.answer_to(26));

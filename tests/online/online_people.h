@@ -8,6 +8,7 @@
 #include "study/observers/observer.h"
 #include "study/online/messages/message.h"
 #include "study/online/messages/message_writer.h"
+#include "study/online/messages/shown_names.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/training_trials.h"
 #include "support/arithmetic/random.h"
@@ -40,6 +41,7 @@ struct Page {
   std::int64_t sequence = 0;
   std::int64_t accepted_unix_s = 1'700'000'000;
   bool pilot = false;
+  bool is_old = false;  ///< of a version before shown names
 
   [[nodiscard]] Message say(MessageBody body) {
     const std::int64_t own = sequence++;
@@ -80,6 +82,7 @@ struct Page {
                            .refresh_hz = 59.94,
                            .gamma_confirmed = true});
   }
+  /// The set's own id, which pages of older versions say.
   [[nodiscard]] std::string id_of(const Trial& trial) const {
     return set->manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].id;
   }
@@ -94,7 +97,7 @@ struct Page {
   }
   [[nodiscard]] PictureAnswer picture_answer(const Trial& trial, const TrialAnswer& answer) const {
     return {.kind = trial.kind,
-            .stimulus_id = id_of(trial),
+            .stimulus_id = is_old ? id_of(trial) : ShownNames(*set).name_of(trial),
             .chosen_index = answer.chosen_index,
             .rating = answer.rating,
             .choice_ns = answer.choice_ns,

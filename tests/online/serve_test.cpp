@@ -142,6 +142,38 @@ TEST_F(ServeTest, NobodyReadsOrWritesForSomebodyElse) {
   EXPECT_EQ(untouched.at("form_done"), false);
 }
 
+TEST_F(ServeTest, NoReplyTellsTheRightAnswer) {
+  ServerProcess server(request);
+  HttpClient client(server.port());
+  Visitor one = visitor(client, 1);
+  Message guess = one.page.answer(0);
+  std::set<std::string> replies;
+  for (const ManifestStimulus& stimulus : set.manifest.stimuli) {
+    std::get<AnswerBody>(guess.body).answer.stimulus_id = stimulus.id;
+    const auto reply = client.request("POST", "/api/messages", lines_of({guess}), one.secret);
+    EXPECT_EQ(reply->status, 409) << stimulus.id;
+    std::string body = reply->body;
+    if (const std::size_t at = body.find(stimulus.id); at != std::string::npos)
+      body.replace(at, stimulus.id.size(), "GUESS");
+    replies.insert(body);
+  }
+  EXPECT_EQ(replies.size(), 1U);
+  EXPECT_EQ(client.request("GET", "/api/where", {}, one.secret)->json().at("next_sequence"), 1);
+  server.end(SIGKILL);
+  // A page of the version before, whose names are the set's: its people would tell each other.
+  std::string study = read_file(folder / "site" / "study.json"),
+              list = read_file(folder / "site" / "files.json");
+  const std::string hash = sha256(study), bytes = std::to_string(study.size());
+  const std::string name = ShownNames(set).name_of({.stimulus = 0}), id = set.manifest.stimuli[0].id;
+  study.replace(study.find(name), name.size(), id);
+  list.replace(list.find(hash), hash.size(), sha256(study));
+  list.replace(list.find("\"bytes\":" + bytes), 8 + bytes.size(),
+               "\"bytes\":" + std::to_string(study.size()));
+  write_file_atomically(folder / "site" / "study.json", study);
+  write_file_atomically(folder / "site" / "files.json", list);
+  EXPECT_THAT(ServerProcess(request).first_line(), HasSubstr("export the page again"));
+}
+
 TEST_F(ServeTest, OddRequestsAreRefusedAndOthersAreServedOn) {
   ServerProcess server(request);
   const std::string host = "Host: localhost\r\n";
@@ -215,6 +247,54 @@ TEST_F(ServeTest, OddRequestsAreRefusedAndOthersAreServedOn) {
   EXPECT_THAT(said, Not(HasSubstr("passwd")));
 }
 
+TEST_F(ServeTest, WhatTwoProgramsCouldReadInTwoWaysIsRefused) {
+  ServerProcess server(request);
+  const auto status_of = [&](const std::string& bytes) {
+    HttpClient client(server.port(), 3000);
+    const auto answer = client.exchange(bytes);
+    return answer ? answer->status : 0;
+  };
+  const std::string nul(1, '\0'), first = "GET /health HTTP/1.1\r\n", host = "Host: localhost\r\n";
+  for (const std::string& good :
+       {first + host + "\r\n", first + "X:\r\n" + host + "\r\n", first + host + "X: a b\r\nY: c\r\n\r\n",
+        "GET /health?a=b&c HTTP/1.1\r\n" + host + "\r\n", "GET /health? HTTP/1.1\r\n" + host + "\r\n"})
+    EXPECT_EQ(status_of(good), 200) << good;
+  for (const std::string& odd :
+       {first + host + "X: a" + nul + "b\r\n\r\n", first + host + "X: a" + nul + "\r\n\r\n",
+        first + host + "X" + nul + "Y: a\r\n\r\n",
+        first + "Host: localhost" + nul + ".rebound.example\r\n\r\n",
+        "GET /health" + nul + " HTTP/1.1\r\n" + host + "\r\n",
+        "GET /health?a" + nul + " HTTP/1.1\r\n" + host + "\r\n",
+        std::string("GET /health HTTP/1.1\nHost: localhost\n\n"), "GET /health HTTP/1.1\n" + host + "\r\n",
+        first + "Host: localhost\n\r\n", first + host + "\n", first + host + "X: a\nY: b\r\n\r\n",
+        first + host + "X: a\r\n folded: b\r\n\r\n", first + host + "X: a\rY: b\r\n\r\n"}) {
+    const int status = status_of(odd);
+    EXPECT_TRUE(status == 400 || status == 404 || status == 0) << status << ": " << odd;
+  }
+}
+
+TEST_F(ServeTest, NobodyReachesItUnderAnotherName) {
+  request.hosts = {"study.example.org"};
+  ServerProcess server(request);
+  const auto status_of = [&](const std::string& host, const std::string& path) {
+    HttpClient client(server.port());
+    const auto answer = client.exchange("GET " + path + " HTTP/1.1\r\n" + host + "\r\n");
+    return answer ? answer->status : 0;
+  };
+  for (const char* own : {"localhost", "LOCALHOST:8080", "127.0.0.1", "127.0.0.1:8080", "192.168.1.20:80",
+                          "[::1]:8080", "[::1]", "study.example.org", "Study.Example.ORG.:443"})
+    EXPECT_EQ(status_of(std::string("Host: ") + own + "\r\n", "/"), 200) << own;
+  for (const char* other :
+       {"rebound.example", "rebound.example:8080", "localhost.rebound.example", "127.0.0.1.rebound.example",
+        "study.example.org.rebound.example", "xstudy.example.org", "x", "[rebound.example]", "127.1", "[::1"})
+    for (const char* path : {"/", "/study.json", "/health", "/api/where"})
+      EXPECT_EQ(status_of(std::string("Host: ") + other + "\r\n", path), 421) << other << path;
+  for (const char* none : {"", "Host:\r\n", "Host: \r\n", "Host: :80\r\n"})
+    EXPECT_EQ(status_of(none, "/"), 400) << none;
+  for (const char* wrong : {"", ".", "-a", "a b", "a;b", "a..b", "a/b", "a:80", "a\n"})
+    EXPECT_FALSE(is_host_name(wrong)) << wrong;
+}
+
 TEST_F(ServeTest, OnlyFilesOfThePageAreSentAsTheyWere) {
   ServerProcess server(request);
   HttpClient client(server.port());
@@ -233,10 +313,10 @@ TEST_F(ServeTest, OnlyFilesOfThePageAreSentAsTheyWere) {
   const std::size_t at = large->head.find("ETag: ");
   ASSERT_NE(at, std::string::npos);
   const std::string version = large->head.substr(at + 6, large->head.find("\r\n", at) - at - 6);
-  ASSERT_TRUE(
-      client.send("GET /pictures/large.png HTTP/1.1\r\nHost: x\r\nIf-None-Match: " + version + "\r\n\r\n"));
+  ASSERT_TRUE(client.send("GET /pictures/large.png HTTP/1.1\r\nHost: localhost\r\nIf-None-Match: " + version +
+                          "\r\n\r\n"));
   EXPECT_EQ(client.receive(false)->status, 304);
-  ASSERT_TRUE(client.send("HEAD /pictures/large.png HTTP/1.1\r\nHost: x\r\n\r\n"));
+  ASSERT_TRUE(client.send("HEAD /pictures/large.png HTTP/1.1\r\nHost: localhost\r\n\r\n"));
   EXPECT_THAT(client.receive(false)->head, HasSubstr("Content-Length: 3145728"));
   // What is added to the folder, or changed in it, is not sent.
   write_file_atomically(folder / "site" / "new.html", "new");
@@ -288,6 +368,128 @@ TEST_F(ServeTest, InvitationsAreGoodOnceEach) {
   write_file_atomically(folder / "wrong", "no hash\n");
   EXPECT_THAT(complaint_of([&] { (void)read_token_hashes(folder / "wrong"); }),
               HasSubstr("the hash of an invitation"));
+}
+
+TEST_F(ServeTest, WhatIsDecidedBesideARunningServerCountsAtOnce) {
+  request.tokens = folder / "tokens";
+  const std::vector<std::string> before = make_tokens(2, request.tokens);
+  ServerProcess server(request);
+  HttpClient client(server.port());
+  Visitor one = visitor(client, 1, before[0]);
+  const std::vector<std::string> later = make_tokens(1, request.tokens);
+  Visitor two = visitor(client, 2, later[0]);
+  const auto enrol = [&](std::uint64_t number, const std::string& token) {
+    return client.enrol(Page{.set = &set, .number = number}.enrol(), token)->status;
+  };
+  EXPECT_EQ(enrol(3, std::string(32, 'a')), 403);
+  write_file_atomically(request.tokens, sha256(before[0]) + "\n" + sha256(later[0]) + "\n");
+  EXPECT_EQ(enrol(3, before[1]), 403) << "an invitation that was taken back";
+  write_file_atomically(request.tokens, "no hash\n");
+  EXPECT_EQ(enrol(3, before[1]), 403) << "a file that cannot be read changes nothing";
+
+  const auto send = [&](Visitor& who, const Message& message) {
+    return client.request("POST", "/api/messages", lines_of({message}), who.secret);
+  };
+  EXPECT_EQ(send(one, one.page.form())->status, 200);
+  EXPECT_EQ(send(two, two.page.form())->status, 200);
+  exclude_participant(log, one.page.code);
+  const auto refused = send(one, one.page.display());
+  EXPECT_EQ(refused->status, 409);
+  EXPECT_THAT(refused->body, HasSubstr("who is excluded"));
+  EXPECT_EQ(send(two, two.page.display())->status, 200);
+  EXPECT_EQ(server.end(SIGTERM), 0);
+  EXPECT_THAT(server.rest(), HasSubstr("the invitations read before still count"));
+}
+
+TEST_F(ServeTest, AParticipantStoresNoMoreThanTheirShare) {
+  request.service.stored = {.base_bytes = 100'000, .bytes_a_trial = 0};
+  std::int64_t stored = 0;
+  std::string last;
+  Visitor one;
+  for (int start = 0; start < 2; ++start) {  // what is stored counts after a restart, too
+    ServerProcess server(request);
+    HttpClient client(server.port());
+    if (start == 0) one = visitor(client, 1);
+    for (int i = 0; i < 40; ++i) {
+      const Message event = one.page.say(EventBody{.kind = "note", .detail = std::string(3900, 'x')});
+      const auto reply = client.request("POST", "/api/messages", lines_of({event}), one.secret);
+      if (reply->status == 200) {
+        stored += 3900 + 512;
+        EXPECT_EQ(start, 0);
+        continue;
+      }
+      EXPECT_EQ(reply->status, 413);
+      last = reply->body;
+      --one.page.sequence;
+    }
+    EXPECT_EQ(client.request("GET", "/api/where", {}, one.secret)->json().at("next_sequence"),
+              one.page.sequence);
+    Visitor other = visitor(client, static_cast<std::uint64_t>(2 + start));
+    EXPECT_EQ(client.request("POST", "/api/messages", lines_of(other.page.the_rest()), other.secret)->status,
+              200);
+    EXPECT_EQ(server.end(SIGTERM), 0);
+  }
+  EXPECT_LE(stored, 100'000);
+  EXPECT_GT(stored, 90'000);
+  EXPECT_THAT(last, HasSubstr("messages: wanted at most 100000 bytes of a participant"));
+}
+
+TEST_F(ServeTest, WhoeverWasForgottenOrExcludedIsToldWhy) {
+  ServerProcess server(request);
+  HttpClient client(server.port());
+  Visitor one = visitor(client, 1), two = visitor(client, 2);
+  const auto asks = [](HttpClient& asking, Visitor& who) {
+    return asking.request("POST", "/api/messages", lines_of({who.page.form()}), who.secret)->json();
+  };
+  exclude_participant(log, two.page.code);
+  EXPECT_EQ(asks(client, two).at("reason"), "excluded");
+  EXPECT_EQ(server.end(SIGTERM), 0);
+  forget_participant(log, one.page.code);
+  ServerProcess later(request);
+  HttpClient again(later.port());
+  EXPECT_EQ(asks(again, one).at("reason"), "forgotten");
+  EXPECT_EQ(again.request("GET", "/api/where", {}, one.secret)->json().at("reason"), "forgotten");
+  EXPECT_FALSE(again.request("POST", "/api/messages", "{}", one.secret)->json().contains("stored"));
+}
+
+TEST_F(ServeTest, ACodeIsKeptBesideItsInvitationWhereThatIsAskedFor) {
+  request.tokens = folder / "tokens";
+  request.codes = folder / "codes";
+  const std::vector<std::string> tokens = make_tokens(3, request.tokens);
+  std::string first, second;
+  {
+    ServerProcess server(request);
+    HttpClient client(server.port());
+    first = visitor(client, 1, tokens[0]).page.code;
+    EXPECT_EQ(visitor(client, 1, tokens[0]).page.code, first);  // the same enrolment again
+    second = visitor(client, 2, tokens[1]).page.code;
+    EXPECT_EQ(server.end(SIGTERM), 0);
+  }
+  EXPECT_EQ(code_of_invitation(request.codes, tokens[0]), first);
+  EXPECT_EQ(code_of_invitation(request.codes, "https://study.example.org/?token=" + tokens[1] + "#visit=2"),
+            second);
+  EXPECT_THAT(complaint_of([&] { (void)code_of_invitation(request.codes, tokens[2]); }),
+              HasSubstr("wanted an invitation by which somebody came"));
+  EXPECT_EQ(fs::status(request.codes).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  const std::string kept = read_file(request.codes);
+  for (const std::string& token : tokens) EXPECT_EQ(kept.find(token), std::string::npos);
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), '\n'), 2);
+  const std::string in_log = read_file(log);
+  EXPECT_EQ(in_log.find(sha256(tokens[0]) + " "), std::string::npos);
+
+  // Where it cannot be kept nobody is enrolled: they may come again.
+  write_file_atomically(request.codes, "something else\n");
+  EXPECT_THAT(ServerProcess(request).first_line(),
+              HasSubstr("codes:1: wanted the hash of an invitation and a code"));
+  fs::remove(request.codes);
+  ServerProcess server(request);
+  HttpClient client(server.port());
+  fs::create_directory(request.codes);
+  EXPECT_EQ(client.enrol(Page{.set = &set, .number = 3}.enrol(), tokens[2])->status, 503);
+  fs::remove(request.codes);
+  (void)visitor(client, 3, tokens[2]);
+  EXPECT_EQ(client.request("GET", "/health")->json().at("participants"), 3);
+  EXPECT_EQ(read_log(log).participants.size(), 3U);
 }
 
 TEST_F(ServeTest, AnAdaptiveStudyIsPlacedByTheServer) {
@@ -391,8 +593,8 @@ TEST_F(ServeTest, SlowClientsAreShutOutAndKeepNobodyWaiting) {
   for (int i = 0; i < 200; ++i) {
     slow.push_back(std::make_unique<HttpClient>(server.port(), 8000));
     ASSERT_TRUE(slow.back()->send(
-        i % 2 == 0 ? "GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "
-                   : "POST /api/enrol HTTP/1.1\r\nHost: x\r\nContent-Length: 100\r\n\r\n{"));
+        i % 2 == 0 ? "GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: "
+                   : "POST /api/enrol HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100\r\n\r\n{"));
   }
   HttpClient client(server.port());
   Visitor one = visitor(client, 1);
@@ -413,9 +615,9 @@ TEST_F(ServeTest, AStopAnswersWhatHasComeIn) {
   ServerProcess server(request);
   HttpClient second(server.port());
   Visitor two = visitor(second, 2);
-  ASSERT_TRUE(second.send("POST /api/messages HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer " + two.secret +
-                          "\r\nContent-Length: " + std::to_string(lines_of({two.page.form()}).size()) +
-                          "\r\n\r\n"));
+  ASSERT_TRUE(
+      second.send("POST /api/messages HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer " + two.secret +
+                  "\r\nContent-Length: " + std::to_string(lines_of({two.page.form()}).size()) + "\r\n\r\n"));
   ::usleep(200000);
   ::kill(server.process(), SIGTERM);
   --two.page.sequence;
@@ -454,6 +656,14 @@ TEST(Nginx, AClassBehindOneAddressIsLetInAsTheServerLetsIt) {
   EXPECT_GE(number_after("limit_conn        seamline_connections "), 60 * 7);
   EXPECT_GE(server.address.at_once, 60 * 7);
   EXPECT_GE(server.newcomers.at_once, 60);
+}
+
+TEST(Nginx, TheConfigurationIsForTheHost) {
+  const std::string text = nginx_configuration(8123, {"a.example.org", "b.example.org"});
+  EXPECT_THAT(text, HasSubstr("server_name a.example.org b.example.org;"));
+  EXPECT_THAT(text, HasSubstr("/etc/letsencrypt/live/a.example.org/"));
+  EXPECT_THAT(text, Not(HasSubstr("study.example.org")));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("@[A-Z]")));
 }
 
 TEST(Nginx, NoServerOfItKeepsAddresses) {

@@ -27,10 +27,14 @@ inline std::filesystem::path write_site(const RenderedSet& set, const std::files
   study["pilot"] = false;
   study["adaptive"] = set.study.procedure.index() != 0;
   auto stimuli = nlohmann::ordered_json::array(), catches = nlohmann::ordered_json::array();
-  for (const ManifestStimulus& one : set.manifest.stimuli) {
-    stimuli.push_back({{"id", one.id}, {"file", "pictures/" + one.id + ".png"}});
-    for (const char* kind : {"attention", "reference"})
-      catches.push_back({{"kind", kind}, {"stimulus_id", one.id}, {"picture", "pictures/catch.png"}});
+  const ShownNames names(set);
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+    const std::string name = names.name_of({.stimulus = i});
+    stimuli.push_back({{"id", name}, {"file", "pictures/" + name + ".png"}});
+    for (const TrialKind kind : {TrialKind::attention, TrialKind::reference})
+      catches.push_back({{"kind", word(kind)},
+                         {"stimulus_id", names.name_of({.kind = kind, .stimulus = i})},
+                         {"picture", "pictures/catch.png"}});
   }
   study["stimuli"] = stimuli;
   study["catches"] = catches;

@@ -190,15 +190,29 @@ TEST_F(WebExport, WhoReadsThePagesSourceFindsNoNameOfAStimulus) {
   }
 }
 
+TEST_F(WebExport, NoTimeOfAFileTellsTheSetsOrder) {
+  make_set();
+  export_to("web");
+  std::set<fs::file_time_type> times = {fs::last_write_time(folder / "web")};
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "web"))
+    times.insert(entry.last_write_time());
+  EXPECT_EQ(times.size(), 1U);
+}
+
 TEST_F(WebExport, NamesAreOfTheSetAndOfTheKindOfTrial) {
   const RenderedSet set = make_set();
   const ShownNames names(set);
   const Trial trial{.kind = TrialKind::stimulus, .stimulus = 1};
   EXPECT_EQ(names.name_of(trial), ShownNames(set).name_of(trial));
-  EXPECT_TRUE(names.is_name_of(trial, names.name_of(trial)));
-  EXPECT_TRUE(names.is_name_of(trial, set.manifest.stimuli[1].id));  // as older pages say
-  EXPECT_FALSE(names.is_name_of(trial, names.name_of({.kind = TrialKind::attention, .stimulus = 1})));
-  EXPECT_FALSE(names.is_name_of(trial, names.name_of({.kind = TrialKind::stimulus, .stimulus = 2})));
+  const std::string& id = set.manifest.stimuli[1].id;  // as older pages say
+  EXPECT_TRUE(names.is_name_of(trial, id, KnownNames::also_of_the_set));
+  EXPECT_FALSE(names.is_name_of(trial, id, KnownNames::shown));
+  for (const KnownNames known : {KnownNames::shown, KnownNames::also_of_the_set}) {
+    EXPECT_TRUE(names.is_name_of(trial, names.name_of(trial), known));
+    for (const Trial& other :
+         {Trial{.kind = TrialKind::attention, .stimulus = 1}, {.kind = TrialKind::stimulus, .stimulus = 2}})
+      EXPECT_FALSE(names.is_name_of(trial, names.name_of(other), known));
+  }
   Manifest other = set.manifest;  // another set of the same study
   other.stimuli.back().rays += 1;
   fs::create_directories(folder / "other");

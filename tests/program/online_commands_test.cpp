@@ -37,6 +37,9 @@ TEST(OnlineCommands, AConfigurationForNginxIsWritten) {
   EXPECT_EQ(written.status, 0) << written.output;
   EXPECT_THAT(read_text(file), HasSubstr("server 127.0.0.1:8123;"));
   expect_refused("serve --nginx " + file + " --log x.sqlite", "nothing served by the same");
+  const Outcome named = run_seamline("serve --nginx " + file + " --host a.example.org --host b.example.org");
+  EXPECT_EQ(named.status, 0) << named.output;
+  EXPECT_THAT(read_text(file), HasSubstr("server_name a.example.org b.example.org;"));
 }
 
 TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {
@@ -48,6 +51,12 @@ TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {
   expect_refused("serve " + none + " --log " + none,
                  "none: wanted a folder that seamline export --web wrote");
   expect_refused("serve " + none + " --log " + none + " --port 70000", "--port");
+  expect_refused("serve " + none + " --log " + none + " --host 'a;b'",
+                 "--host: wanted a name like study.example.org");
+  expect_refused("serve " + none + " --log " + none + " --codes " + text, "--codes: wanted --tokens FILE");
+  expect_refused("serve --code-of abc", "--code-of: wanted --codes FILE");
+  expect_refused("serve --code-of abc --codes " + text, "wanted the hash of an invitation and a code");
+  expect_refused("serve --code-of abc --codes " + none, "none: wanted a readable file");
   expect_refused("import " + none + ".sqlite " + text, "--set: wanted the rendered set");
   expect_refused("merge " + none + " " + none, "no such file");
   EXPECT_FALSE(std::filesystem::exists(none + ".sqlite"));

@@ -51,7 +51,12 @@ std::optional<OnlinePerson> OnlineLog::find(const std::string& code) {
               WHERE sessions.participant = participants.participant),
              EXISTS (SELECT 1 FROM online_messages
                      WHERE online_messages.participant = participants.participant AND kind = 'form'),
-             (SELECT coalesce(max(accepted_unix_s), 0) FROM consents WHERE consents.participant = participants.participant)
+             (SELECT coalesce(max(accepted_unix_s), 0) FROM consents WHERE consents.participant = participants.participant),
+             (SELECT count(*) FROM online_messages WHERE online_messages.participant = participants.participant),
+             (SELECT coalesce(sum(length(CAST(kind AS BLOB)) + length(CAST(detail AS BLOB))), 0) FROM events JOIN sessions USING (session)
+              WHERE sessions.participant = participants.participant)
+             + (SELECT coalesce(sum(length(CAST(user_agent AS BLOB))), 0) FROM online_sittings JOIN sessions USING (session)
+                WHERE sessions.participant = participants.participant)
       FROM participants WHERE code = ?)sql");
   SQLite::bind(row, code);
   if (!row.executeStep()) return std::nullopt;
@@ -73,7 +78,8 @@ std::optional<OnlinePerson> OnlineLog::find(const std::string& code) {
       .origin = *origin,
       .accepted_unix_s = row.getColumn(11).getInt64(),
       .training_done = row.getColumn(9).getInt(),
-      .next_sequence = row.getColumn(8).getInt64()};
+      .next_sequence = row.getColumn(8).getInt64(),
+      .stored_bytes = row.getColumn(12).getInt64() * stored_bytes_of(0) + row.getColumn(13).getInt64()};
   if (!tables.claims.claim(person.place.participant))
     throw input_error({.file = tables.path.string(),
                        .field = "participant " + code,
@@ -95,6 +101,18 @@ std::optional<OnlinePerson> OnlineLog::find(const std::string& code) {
   }
   person.place.answered = static_cast<int>(person.answered.size());
   return person;
+}
+
+std::optional<std::set<std::string>> OnlineLog::excluded_since() {
+  SQLite::Database& database = log_.tables_->database;
+  const std::int64_t version = database.execAndGet("PRAGMA data_version").getInt64();
+  if (version == seen_version_) return std::nullopt;
+  seen_version_ = version;
+  std::set<std::string> codes;
+  for (SQLite::Statement row(database, "SELECT code FROM participants WHERE excluded = 1");
+       row.executeStep();)
+    codes.insert(row.getColumn(0).getString());
+  return codes;
 }
 
 std::vector<HeldSlot> OnlineLog::held_slots(bool pilot) {
@@ -185,6 +203,7 @@ void OnlineLog::note_message(OnlinePerson& person, const MessageNote& note) {
   insert.exec();
   insert.tryReset();
   person.next_sequence = std::max(person.next_sequence, note.sequence + 1);
+  person.stored_bytes += stored_bytes_of(note.free_text_bytes);
 }
 
 void OnlineLog::note_decline(const MessageNote& note) {

@@ -24,6 +24,7 @@ struct OnlinePerson {
   std::set<int> answered = {};       ///< indices of trials with an answer
   int training_done = 0;             ///< practice trials with an answer, from the first on
   std::int64_t next_sequence = 0;    ///< one after the highest stored
+  std::int64_t stored_bytes = 0;     ///< of their messages, about: `stored_bytes_of`
 };
 
 /// A message that is stored.
@@ -39,7 +40,13 @@ struct MessageNote {
   std::string kind;
   std::optional<int> trial_index = {};
   std::string content_sha256;
+  std::size_t free_text_bytes = 0;  ///< of an event's kind and detail, or a browser's user agent
 };
+
+/// What a message takes in the log, about: its rows, and the text that it may choose freely.
+[[nodiscard]] constexpr std::int64_t stored_bytes_of(std::size_t free_text_bytes) {
+  return 512 + static_cast<std::int64_t>(free_text_bytes);
+}
 
 /// Whom to enter.
 struct OnlineNewcomer {
@@ -66,6 +73,9 @@ class OnlineLog {
   /// Who has this code; none: nobody. Throws InputError when they take part in the window, or in a session
   /// elsewhere.
   [[nodiscard]] std::optional<OnlinePerson> find(const std::string& code);
+  /// Codes of those who are excluded, if another program has written into the log since the last call; none:
+  /// nobody has.
+  [[nodiscard]] std::optional<std::set<std::string>> excluded_since();
   [[nodiscard]] std::vector<HeldSlot> held_slots(bool pilot);
   [[nodiscard]] OnlinePerson enter(const OnlineNewcomer& newcomer);
   void set_secret(const OnlinePerson& person, const std::string& secret_sha256);
@@ -105,6 +115,7 @@ class OnlineLog {
   struct Statements;
   LogWriter log_;
   std::unique_ptr<Statements> sql_;
+  std::int64_t seen_version_ = 0;  ///< of the file, as SQLite counts what others wrote
 };
 
 }  // namespace seamline::study

@@ -8,19 +8,22 @@
 
 #include "study/log/online/log_merge.h"
 #include "study/online/intake/import.h"
+#include "study/online/serving/http_request.h"
 #include "study/online/serving/nginx_configuration.h"
 #include "study/online/serving/serve.h"
 #include "study/online/serving/tokens.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
+#include "support/text/printable.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
 namespace {
 
 struct ServeOptions {
-  std::string folder, log, set, address = "127.0.0.1", tokens, nginx;
+  std::string folder, log, set, address = "127.0.0.1", tokens, codes, code_of, nginx;
+  std::vector<std::string> hosts;
   int port = 8080, make_tokens = 0;
 };
 
@@ -38,6 +41,11 @@ void refuse_beside(const ServeOptions& options, const std::string& flag) {
 }
 
 void run_serve(const ServeOptions& options) {
+  for (const std::string& host : options.hosts)
+    if (!is_host_name(host))
+      throw input_error({.field = "--host",
+                         .wanted = "a name like study.example.org, without a port",
+                         .found = "\"" + printable(host, 80) + "\""});
   if (options.make_tokens > 0) {
     refuse_beside(options, "--make-tokens");
     if (options.tokens.empty())
@@ -47,11 +55,22 @@ void run_serve(const ServeOptions& options) {
       fmt::print("{}\n", token);
     return;
   }
+  if (!options.code_of.empty()) {
+    refuse_beside(options, "--code-of");
+    if (options.codes.empty())
+      throw input_error({.field = "--code-of", .wanted = "--codes FILE that a server kept", .found = "none"});
+    fmt::print("{}\n", code_of_invitation(options.codes, options.code_of));
+    return;
+  }
+  if (!options.codes.empty() && options.tokens.empty())
+    throw input_error({.field = "--codes",
+                       .wanted = "--tokens FILE, since a code is kept beside an invitation",
+                       .found = "none"});
   if (!options.nginx.empty()) {
     refuse_beside(options, "--nginx");
-    write_file_atomically(options.nginx, nginx_configuration(options.port));
-    fmt::print("{}: written for port {}; fill in the host's name and certificate\n", options.nginx,
-               options.port);
+    write_file_atomically(options.nginx, nginx_configuration(options.port, options.hosts));
+    fmt::print("{}: written for port {}; fill in the host's {}certificate\n", options.nginx, options.port,
+               options.hosts.empty() ? "name and " : "");
     return;
   }
   if (options.folder.empty() || options.log.empty())
@@ -63,7 +82,9 @@ void run_serve(const ServeOptions& options) {
          .set = options.set,
          .address = options.address,
          .port = options.port,
-         .tokens = options.tokens},
+         .hosts = options.hosts,
+         .tokens = options.tokens,
+         .codes = options.codes},
         [](const std::string& line) {
           fmt::print("{}\n", line);
           std::fflush(stdout);
@@ -93,9 +114,15 @@ void add_serve_command(CLI::App& app) {
   command
       ->add_option("--listen", options->address, "address of this computer; the default is for itself alone")
       ->capture_default_str();
+  command->add_option("--host", options->hosts,
+                      "name by which browsers reach it, like study.example.org; may be given again");
   command->add_option("--tokens", options->tokens, "hashes of invitations: only who has one may take part");
   add_number(*command, "--make-tokens", options->make_tokens, {1, 100000},
              "print so many new invitations, and add their hashes to --tokens FILE");
+  command->add_option("--codes", options->codes,
+                      "keep in this file whose code each invitation became; else that is known to nobody");
+  command->add_option("--code-of", options->code_of,
+                      "print the code of whoever came by this invitation or link, from --codes FILE");
   command->add_option("--nginx", options->nginx, "write a configuration for nginx, for a wider network");
   command->callback([options] { run_serve(*options); });
 }

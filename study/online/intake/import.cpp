@@ -150,7 +150,7 @@ ImportReport import_messages(const RenderedSet& set, const fs::path& log,
     throw input_error({.file = files.empty() ? "seamline import" : files.front().string(),
                        .wanted = "lines of messages",
                        .found = "none"});
-  Intake intake(set, log);
+  Intake intake(set, log, KnownNames::also_of_the_set);
   intake.transaction([&] {
     for (const std::string& code : in_order(all)) {
       std::vector<FiledMessage>& messages = all.of_participant[code];

@@ -32,12 +32,20 @@ std::optional<int> trial_of(const MessageBody& body) {
   return std::nullopt;
 }
 
+std::size_t free_text_bytes_of(const MessageBody& body) {
+  if (const auto* event = std::get_if<EventBody>(&body)) return event->kind.size() + event->detail.size();
+  if (const auto* begin = std::get_if<BeginBody>(&body)) return begin->user_agent.size();
+  if (const auto* enrol = std::get_if<EnrolBody>(&body)) return enrol->user_agent.size();
+  return 0;
+}
+
 MessageNote note_of(const Message& message, const std::string& content) {
   return {.id = message.id,
           .sequence = message.sequence,
           .kind = std::string(kind_word(message.body)),
           .trial_index = trial_of(message.body),
-          .content_sha256 = content};
+          .content_sha256 = content,
+          .free_text_bytes = free_text_bytes_of(message.body)};
 }
 
 std::string in_quotes(const std::string& text) {
@@ -86,9 +94,10 @@ std::string_view text(FormFault fault) {
 
 }  // namespace
 
-Intake::Intake(const RenderedSet& set, const std::filesystem::path& log)
+Intake::Intake(const RenderedSet& set, const std::filesystem::path& log, KnownNames known)
     : set_(set),
       names_(set),
+      known_names_(known),
       rules_(make_trial_rules(set)),
       script_(make_visit_script(set)),
       consent_sha256_(sha256(set.study.consent.text)),
@@ -96,12 +105,20 @@ Intake::Intake(const RenderedSet& set, const std::filesystem::path& log)
 
 void Intake::transaction(const std::function<void()>& work) {
   try {
-    log_.transaction(work);
+    log_.transaction([&] {
+      look_who_is_excluded();
+      work();
+    });
   } catch (...) {
     people_.clear();  // what is remembered of them may not be stored
     sequences_ = 0;
     throw;
   }
+}
+
+void Intake::look_who_is_excluded() {
+  if (const auto excluded = log_.excluded_since())
+    for (auto& [code, one] : people_) one.stored.place.excluded = excluded->contains(code);
 }
 
 Intake::Person* Intake::find(const std::string& code) {
@@ -121,6 +138,15 @@ Intake::Person& Intake::person(const std::string& code) {
   if (Person* found = find(code)) return *found;
   throw Refusal(RefusalKind::unknown,
                 {.field = "participant", .wanted = "one who is enrolled", .found = in_quotes(code)});
+}
+
+Intake::Person& Intake::participant(const std::string& code) {
+  Person& found = person(code);
+  if (found.stored.place.excluded)
+    throw Refusal(RefusalKind::excluded, {.field = "participant",
+                                          .wanted = "one who takes part",
+                                          .found = in_quotes(code) + ", who is excluded"});
+  return found;
 }
 
 void Intake::check_study(const Message& message) const {
@@ -152,6 +178,17 @@ void Intake::check_sequence(const Person& person, const Message& message) {
   if (!log_.has_sequence(person.stored, message.sequence)) return;
   throw conflict("sequence", "a number of its own",
                  fmt::format("{}, which another message of {} has", message.sequence, person.stored.code));
+}
+
+void Intake::check_quota(const Person& person, const MessageNote& note) const {
+  if (!quota_) return;
+  const std::int64_t most =
+      quota_->base_bytes +
+      quota_->bytes_a_trial * static_cast<std::int64_t>(person.stored.place.trials.size());
+  if (person.stored.stored_bytes + stored_bytes_of(note.free_text_bytes) <= most) return;
+  throw Refusal(RefusalKind::too_much, {.field = "messages",
+                                        .wanted = fmt::format("at most {} bytes of a participant", most),
+                                        .found = "more"});
 }
 
 Intake::Person& Intake::enter(const OnlineNewcomer& newcomer, const EnrolBody& body) {
@@ -227,12 +264,12 @@ bool Intake::take(const Message& message) {
     return true;
   }
   if (std::holds_alternative<EnrolBody>(message.body)) return enrol_elsewhere(message, content);
-  Person& who = person(message.participant);
-  if (who.stored.place.excluded)
-    throw conflict("participant", "one who takes part", in_quotes(who.stored.code) + ", who is excluded");
+  Person& who = participant(message.participant);
   check_sequence(who, message);
+  const MessageNote note = note_of(message, content);
+  check_quota(who, note);
   store(who, message.body);
-  log_.note_message(who.stored, note_of(message, content));
+  log_.note_message(who.stored, note);
   return true;
 }
 
@@ -274,7 +311,7 @@ void Intake::store(Person& who, const DisplayBody& body) {
 }
 
 void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
-  if (answer.kind == planned.kind && names_.is_name_of(planned, answer.stimulus_id)) return;
+  if (answer.kind == planned.kind && names_.is_name_of(planned, answer.stimulus_id, known_names_)) return;
   // Whoever asks may be the participant: the set's own id would tell them the right answer.
   throw conflict(which, fmt::format("the planned {} {}", word(planned.kind), names_.name_of(planned)),
                  fmt::format("{} {}", word(answer.kind), in_quotes(answer.stimulus_id)));
@@ -366,7 +403,7 @@ Whereabouts Intake::where(const std::string& code) {
 }
 
 std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code) {
-  Person& who = person(code);
+  Person& who = participant(code);
   if (!rules_.quest_plus)
     throw wrong("seamline", "a study that places trials by the answers", "one whose orders are fixed");
   if (who.stored.place.completed) return std::nullopt;

@@ -58,7 +58,16 @@ struct EnrolledPerson {
 class Intake {
  public:
   /// Opens or makes the log. `set` must live as long as this. Throws InputError as LogWriter does.
-  Intake(const RenderedSet& set, const std::filesystem::path& log);
+  Intake(const RenderedSet& set, const std::filesystem::path& log, KnownNames known = KnownNames::shown);
+
+  /// How much a participant may store: some `base_bytes` and `bytes_a_trial` for every trial that is planned
+  /// (`stored_bytes_of` a message). A session takes a few KiB a trial; whoever imports files decides for
+  /// themselves.
+  struct Quota {
+    std::int64_t base_bytes = std::int64_t{8} << 20;
+    std::int64_t bytes_a_trial = std::int64_t{16} << 10;
+  };
+  void limit(const Quota& quota) { quota_ = quota; }
 
   /// Runs `work` as one transaction, on the disk when this returns. When it fails (InputError) nothing is
   /// stored, and nobody's progress is remembered wrongly.
@@ -77,7 +86,8 @@ class Intake {
   [[nodiscard]] Whereabouts where(const std::string& code);
 
   /// The trial that a participant of an adaptive study gets next, decided and stored before it is told; none
-  /// when the session is over. Throws Refusal when there is none of that code, or the study is not adaptive.
+  /// when the session is over. Throws Refusal when there is none of that code, they are excluded, or the
+  /// study is not adaptive.
   [[nodiscard]] std::optional<std::pair<int, Trial>> next_trial(const std::string& code);
 
   /// Numbers of a participant's messages that are missing below the highest stored.
@@ -94,13 +104,17 @@ class Intake {
     std::optional<TrialSequence> sequence = {};  ///< of an adaptive study, as far as it is remembered
   };
 
+  /// `seamline log LOG --exclude CODE` may have been called since the last transaction.
+  void look_who_is_excluded();
   Person& person(const std::string& code);
+  Person& participant(const std::string& code);  ///< who is not excluded
   Person* find(const std::string& code);
   void check_study(const Message& message) const;
   void check_consent(const EnrolBody& body) const;
   /// Whether this very message is stored. Throws Refusal when another with its id is.
   bool is_known(const Message& message, const std::string& content);
   void check_sequence(const Person& person, const Message& message);
+  void check_quota(const Person& person, const MessageNote& note) const;
   Person& enter(const OnlineNewcomer& newcomer, const EnrolBody& body);
   bool enrol_elsewhere(const Message& message, const std::string& content);
   void store(Person& person, const MessageBody& body);
@@ -117,9 +131,11 @@ class Intake {
 
   const RenderedSet& set_;
   ShownNames names_;
+  KnownNames known_names_;
   TrialRules rules_;
   VisitScript script_;
   std::string consent_sha256_;
+  std::optional<Quota> quota_ = {};
   OnlineLog log_;
   std::unordered_map<std::string, Person> people_;
   std::size_t sequences_ = 0;  ///< remembered

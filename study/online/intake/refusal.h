@@ -8,6 +8,8 @@ enum class RefusalKind {
   wrong,     ///< it is not what a page of this study sends
   unknown,   ///< nobody has this code or secret
   conflict,  ///< it contradicts what is stored
+  excluded,  ///< the study has ended for this participant
+  too_much,  ///< the participant has stored as much as anybody may
   failed     ///< the log could not take it; the same message may come again
 };
 

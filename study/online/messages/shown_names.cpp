@@ -26,8 +26,8 @@ std::string ShownNames::name_of(const Trial& trial) const {
   return "t-" + sha256(fmt::format("{}\n{}\n{}", key_, word(trial.kind), id_of(trial))).substr(0, digits);
 }
 
-bool ShownNames::is_name_of(const Trial& trial, std::string_view name) const {
-  return name == id_of(trial) || name == name_of(trial);
+bool ShownNames::is_name_of(const Trial& trial, std::string_view name, KnownNames known) const {
+  return name == name_of(trial) || (known == KnownNames::also_of_the_set && name == id_of(trial));
 }
 
 }  // namespace seamline::study::online

@@ -1,5 +1,8 @@
 #include "study/online/serving/http_request.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+
 #include <algorithm>
 #include <map>
 
@@ -30,6 +33,21 @@ std::int64_t length_of(const std::string& text) {
   return std::stoll(text);
 }
 
+/// Lower case, without a port and without the dot at the end.
+std::string without_port(const std::string& host) {
+  std::string name = lower(host);
+  const std::size_t colon = name.rfind(':');
+  if (colon != std::string::npos && name.find_first_not_of("0123456789", colon + 1) == std::string::npos)
+    name.erase(colon);
+  if (name.ends_with('.')) name.pop_back();
+  return name;
+}
+
+bool is_address(int family, const std::string& text) {
+  in6_addr bits = {};
+  return ::inet_pton(family, text.c_str(), &bits) == 1;
+}
+
 /// host[:port] of http://host[:port] or https://...; empty: it is not one.
 std::string host_of(const std::string& origin) {
   for (const std::string scheme : {"http://", "https://"})
@@ -38,6 +56,29 @@ std::string host_of(const std::string& origin) {
 }
 
 }  // namespace
+
+bool is_host_name(const std::string& name) {
+  return !name.empty() && name.size() <= 253 && name.find("..") == std::string::npos && name.front() != '.' &&
+         name.front() != '-' &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-") ==
+             std::string::npos;
+}
+
+bool is_own_host(const std::string& host, const std::vector<std::string>& names) {
+  if (host == "localhost" || is_address(AF_INET, host)) return true;
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']')
+    return is_address(AF_INET6, host.substr(1, host.size() - 2));
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return without_port(name) == host; });
+}
+
+std::size_t plain_head_bytes(std::size_t method_bytes, std::size_t target_bytes, const HeaderFields& fields) {
+  constexpr std::size_t line_end = 2, version_bytes = 8;  // HTTP/1.1
+  std::size_t bytes = method_bytes + 1 + target_bytes + 1 + version_bytes + line_end + line_end;
+  for (const auto& [name, value] : fields)
+    bytes += name.size() + (value.empty() ? 1 : 2 + value.size()) + line_end;
+  return bytes;
+}
 
 std::variant<RequestHead, HeadFault> read_head(const std::string& method, const std::string& path,
                                                const HeaderFields& fields) {
@@ -63,6 +104,8 @@ std::variant<RequestHead, HeadFault> read_head(const std::string& method, const 
       if (!once.emplace(key, value).second) return HeadFault{400, key + ": wanted it once, found it twice"};
   }
   RequestHead head{.method = method, .path = path};
+  if (const auto host = once.find("host"); host != once.end()) head.host = without_port(host->second);
+  if (head.host.empty()) return HeadFault{400, "Host: wanted one, found none"};
   const auto length = once.find("content-length");
   if (method == "POST") {
     if (length == once.end()) return HeadFault{411, "Content-Length: wanted one, found none"};

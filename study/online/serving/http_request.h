@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,6 +20,7 @@ struct RequestHead {
   std::int64_t content_bytes = 0;
   std::string secret = {};         ///< of `Authorization: Bearer`; empty: none
   std::string known_version = {};  ///< of `If-None-Match`
+  std::string host = {};           ///< of `Host`: lower case, without its port; [::1] in its brackets
 };
 
 /// Why a request is not answered.
@@ -35,6 +37,21 @@ inline constexpr std::int64_t most_request_bytes = std::int64_t{1} << 20;
 [[nodiscard]] std::variant<RequestHead, HeadFault> read_head(const std::string& method,
                                                              const std::string& path,
                                                              const HeaderFields& fields);
+
+/// Whether a browser that says `host` asked for this server: an address in figures, `localhost`, or one of
+/// `names`. Under any other name a page from elsewhere could have its name lead here (DNS rebinding), and
+/// read what this server tells its own pages.
+[[nodiscard]] bool is_own_host(const std::string& host, const std::vector<std::string>& names);
+
+/// Whether a name can stand in `Host` and in a configuration: letters, digits, dots and dashes.
+[[nodiscard]] bool is_host_name(const std::string& name);
+
+/// How many bytes a request's first lines have when each ends with CR LF, a field is `Name: value` or
+/// `Name:`, and nothing else is between them. A library that cuts values at a NUL, takes a bare LF for the
+/// end of a line or joins folded lines understood something else than what another program on the way may
+/// have: then as many have not come in.
+[[nodiscard]] std::size_t plain_head_bytes(std::size_t method_bytes, std::size_t target_bytes,
+                                           const HeaderFields& fields);
 
 struct HttpRequest {
   RequestHead head;

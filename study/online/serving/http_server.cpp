@@ -19,6 +19,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <unordered_set>
 
@@ -49,6 +50,8 @@ struct Exchange {
   std::optional<HttpResponse> response;  ///< what `later` was answered with
   bool is_late = false;                  ///< `later` was asked
   std::int64_t held_bytes = 0;           ///< of its body
+  std::size_t target_bytes = 0;          ///< of its first line: path and query
+  bool is_begun = false;                 ///< its first lines were read
 };
 
 /// No name of ours needs an escape, and one that has a zero would end there.
@@ -140,10 +143,11 @@ struct HttpServer::State {
 
   MHD_Response* response_of(const HttpResponse& response);
   MHD_Result send(MHD_Connection* connection, const HttpResponse& response, bool close);
-  MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** context);
+  MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, Exchange& exchange);
   MHD_Result proceed(MHD_Connection* connection, Exchange& exchange, const char* data, std::size_t* bytes);
   MHD_Result refuse(MHD_Connection* connection, const Exchange& exchange, HttpResponse response);
 
+  static void* on_target(void* self, const char* target, MHD_Connection* connection);
   static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
                                const char* version, const char* data, std::size_t* bytes, void** context);
   static void on_completed(void* self, MHD_Connection* connection, void** context,
@@ -217,21 +221,35 @@ MHD_Result HttpServer::State::refuse(MHD_Connection* connection, const Exchange&
 }
 
 MHD_Result HttpServer::State::begin(MHD_Connection* connection, const char* url, const char* method,
-                                    void** context) {
-  auto* exchange = new Exchange;
-  *context = exchange;
+                                    Exchange& exchange) {
+  exchange.is_begun = true;
   ++exchanges;
   HeaderFields fields;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, take_field, &fields);
+  const MHD_ConnectionInfo* head_size =
+      MHD_get_connection_info(connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE);
+  if (head_size == nullptr ||
+      head_size->header_size != plain_head_bytes(std::strlen(method), exchange.target_bytes, fields))
+    return refuse(connection, exchange,
+                  {.status = 400,
+                   .body = "{\"error\":\"headers: wanted lines like Name: value that end with CR LF, found "
+                           "others\"}"});
   auto head = read_head(method, url, fields);
   if (const auto* fault = std::get_if<HeadFault>(&head))  // its sentence is of our own words alone
-    return refuse(connection, *exchange,
+    return refuse(connection, exchange,
                   {.status = fault->status, .body = "{\"error\":\"" + fault->sentence + "\"}"});
-  exchange->request.head = std::move(std::get<RequestHead>(head));
-  exchange->request.address = address_of(connection);
-  if (std::optional<HttpResponse> no = handler.admit(exchange->request.head))
-    return refuse(connection, *exchange, *std::move(no));
+  exchange.request.head = std::move(std::get<RequestHead>(head));
+  exchange.request.address = address_of(connection);
+  if (std::optional<HttpResponse> no = handler.admit(exchange.request.head))
+    return refuse(connection, exchange, *std::move(no));
   return MHD_YES;
+}
+
+/// The first that is heard of a request: what its first line asks for, as it came.
+void* HttpServer::State::on_target(void*, const char* target, MHD_Connection*) {
+  auto* exchange = new (std::nothrow) Exchange;
+  if (exchange != nullptr) exchange->target_bytes = std::strlen(target);
+  return exchange;
 }
 
 MHD_Result HttpServer::State::proceed(MHD_Connection* connection, Exchange& exchange, const char* data,
@@ -275,8 +293,10 @@ MHD_Result HttpServer::State::on_request(void* self, MHD_Connection* connection,
                                          std::size_t* bytes, void** context) {
   auto& state = *static_cast<State*>(self);
   try {
-    if (*context == nullptr) return state.begin(connection, url, method, context);
-    return state.proceed(connection, *static_cast<Exchange*>(*context), data, bytes);
+    if (*context == nullptr) return MHD_NO;
+    auto& exchange = *static_cast<Exchange*>(*context);
+    return exchange.is_begun ? state.proceed(connection, exchange, data, bytes)
+                             : state.begin(connection, url, method, exchange);
   } catch (const std::exception&) {
     return MHD_NO;  // out of memory: the connection is closed
   }
@@ -288,10 +308,12 @@ void HttpServer::State::on_completed(void* self, MHD_Connection* connection, voi
   auto* exchange = static_cast<Exchange*>(*context);
   if (exchange == nullptr) return;
   state.bodies_bytes -= exchange->held_bytes;
+  if (exchange->is_begun) {
+    --state.exchanges;
+    state.mark(connection, false);
+  }
   delete exchange;
   *context = nullptr;
-  --state.exchanges;
-  state.mark(connection, false);
 }
 
 void HttpServer::State::on_connection(void* self, MHD_Connection* connection, void** context,
@@ -323,14 +345,14 @@ HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler
   ::getsockname(state.listener, reinterpret_cast<sockaddr*>(&bound), &bytes);
   state.port = ntohs(bound.ss_family == AF_INET ? reinterpret_cast<const sockaddr_in*>(&bound)->sin_port
                                                 : reinterpret_cast<const sockaddr_in6*>(&bound)->sin6_port);
-  state.daemon =
-      MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr,
-                       &State::on_request, &state, MHD_OPTION_LISTEN_SOCKET, state.listener,
-                       MHD_OPTION_THREAD_POOL_SIZE, limits.threads, MHD_OPTION_CONNECTION_LIMIT, connections,
-                       MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
-                       memory_a_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_UNESCAPE_CALLBACK,
-                       &keep_as_it_is, nullptr, MHD_OPTION_NOTIFY_COMPLETED, &State::on_completed, &state,
-                       MHD_OPTION_NOTIFY_CONNECTION, &State::on_connection, &state, MHD_OPTION_END);
+  state.daemon = MHD_start_daemon(
+      MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &State::on_request,
+      &state, MHD_OPTION_LISTEN_SOCKET, state.listener, MHD_OPTION_THREAD_POOL_SIZE, limits.threads,
+      MHD_OPTION_CONNECTION_LIMIT, connections, MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, memory_a_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1,
+      MHD_OPTION_UNESCAPE_CALLBACK, &keep_as_it_is, nullptr, MHD_OPTION_URI_LOG_CALLBACK, &State::on_target,
+      &state, MHD_OPTION_NOTIFY_COMPLETED, &State::on_completed, &state, MHD_OPTION_NOTIFY_CONNECTION,
+      &State::on_connection, &state, MHD_OPTION_END);
   if (state.daemon != nullptr) return;
   ::close(state.listener);
   throw input_error({.field = "seamline serve",

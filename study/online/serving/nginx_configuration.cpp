@@ -2,16 +2,18 @@
 
 #include <fmt/core.h>
 
+#include <string>
 #include <utility>
 
 #include "study/online/serving/study_service.h"
 
 namespace seamline::study::online {
 
-std::string nginx_configuration(int port) {
+std::string nginx_configuration(int port, const std::vector<std::string>& hosts) {
   constexpr const char* text =
       R"conf(# nginx before `seamline serve`, for people outside the laboratory's network. Put it into
-# /etc/nginx/conf.d/seamline.conf, write the host's own name and certificate where it says study.example.org,
+# /etc/nginx/conf.d/seamline.conf, write the host's own name and certificate where it says @HOST@,
+# start `seamline serve` with --host @HOST@ (it answers under no other name),
 # and let nothing but this computer reach port @PORT@ (which is so unless seamline was given --listen).
 # A class may come at once from one address; of HTTP/2, each file on its way is a connection to limit_conn. For more than
 # a hundred people at a time give nginx itself 4096 worker_connections (/etc/nginx/nginx.conf).
@@ -31,7 +33,7 @@ upstream seamline {
 server {
   listen 80;
   listen [::]:80;
-  server_name study.example.org;
+  server_name @HOSTS@;
   access_log off;
   error_log /var/log/nginx/seamline_error.log emerg;
   return 301 https://$host$request_uri;
@@ -40,9 +42,9 @@ server {
 server {
   listen 443 ssl http2;
   listen [::]:443 ssl http2;
-  server_name study.example.org;
-  ssl_certificate     /etc/letsencrypt/live/study.example.org/fullchain.pem;
-  ssl_certificate_key /etc/letsencrypt/live/study.example.org/privkey.pem;
+  server_name @HOSTS@;
+  ssl_certificate     /etc/letsencrypt/live/@HOST@/fullchain.pem;
+  ssl_certificate_key /etc/letsencrypt/live/@HOST@/privkey.pem;
   ssl_protocols       TLSv1.2 TLSv1.3;
   ssl_session_cache   shared:seamline_tls:10m;
   ssl_session_tickets off;
@@ -97,14 +99,19 @@ server {
 }
 )conf";
   const ServiceLimits limits;
-  std::string written = text;
-  for (const auto& [place, number] : {std::pair<std::string, double>("@PORT@", port),
-                                      {"@ADDRESS_A_SECOND@", limits.address.a_second},
-                                      {"@ADDRESS_AT_ONCE@", limits.address.at_once},
-                                      {"@NEWCOMERS_A_SECOND@", limits.newcomers.a_second},
-                                      {"@NEWCOMERS_AT_ONCE@", limits.newcomers.at_once}})
+  const std::string host = hosts.empty() ? "study.example.org" : hosts.front();
+  std::string written = text, names = host;
+  for (std::size_t i = 1; i < hosts.size(); ++i) names += " " + hosts[i];
+  const auto whole = [](double number) { return fmt::format("{:.0f}", number); };
+  for (const auto& [place, value] : {std::pair<std::string, std::string>("@PORT@", std::to_string(port)),
+                                     {"@HOSTS@", names},
+                                     {"@HOST@", host},
+                                     {"@ADDRESS_A_SECOND@", whole(limits.address.a_second)},
+                                     {"@ADDRESS_AT_ONCE@", whole(limits.address.at_once)},
+                                     {"@NEWCOMERS_A_SECOND@", whole(limits.newcomers.a_second)},
+                                     {"@NEWCOMERS_AT_ONCE@", whole(limits.newcomers.at_once)}})
     for (std::size_t at = written.find(place); at != std::string::npos; at = written.find(place))
-      written.replace(at, place.size(), fmt::format("{:.0f}", number));
+      written.replace(at, place.size(), value);
   return written;
 }
 

@@ -6,10 +6,12 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "study/online/intake/import.h"
+#include "study/online/messages/shown_names.h"
 #include "study/online/serving/tokens.h"
 #include "support/running/interrupt.h"
 
@@ -34,6 +36,21 @@ void check_same_study(const ServeRequest& request, const SiteFiles& site, const 
                        .field = "slots",
                        .wanted = fmt::format("at least {} orders", std::max(1, orders)),
                        .found = std::to_string(site.slots)});
+  // Ids of the set name the inserted object, and the server does not know them.
+  const ShownNames names(set);
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+    if (!site.picture_of.contains("stimulus " + names.name_of({.stimulus = i})))
+      throw input_error({.file = (request.folder / "study.json").string(),
+                         .field = "stimuli",
+                         .wanted = "the names that a page shows today (export the page again)",
+                         .found = "those of an older version, which tell the right answers"});
+}
+
+std::optional<HttpResponse> not_this_host() {
+  return HttpResponse{.status = 421,
+                      .body =
+                          "{\"error\":\"Host: wanted an address in figures, localhost or a name of "
+                          "--host, found another one\"}"};
 }
 
 /// What was refused, counted, so that a flood of requests is not a flood of lines.
@@ -59,10 +76,11 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   const SiteFiles site = read_site_files(request.folder);
   const RenderedSet set = set_for_log(request.log, request.set);
   check_same_study(request, site, set);
-  std::set<std::string> token_hashes;
-  if (!request.tokens.empty()) token_hashes = read_token_hashes(request.tokens);
+  std::optional<Invitations> invitations;
+  if (!request.tokens.empty()) invitations.emplace(request.tokens, say, request.codes);
   Intake intake(set, request.log);
-  StudyService service(site, intake, request.tokens.empty() ? nullptr : &token_hashes, request.service);
+  intake.limit(request.service.stored);
+  StudyService service(site, intake, invitations ? &*invitations : nullptr, request.service);
   Refusals refusals;
   const auto noted = [&](const std::string& path, const std::optional<HttpResponse>& response) {
     if (response && response->status >= 400) refusals.count(loggable_path(path), response->status);
@@ -70,7 +88,10 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   };
   HttpServer server(
       request.address, request.port,
-      {.admit = [&](const RequestHead& head) { return service.admit(head); },
+      {.admit =
+           [&](const RequestHead& head) {
+             return is_own_host(head.host, request.hosts) ? service.admit(head) : not_this_host();
+           },
        .now = [&](const HttpRequest& asked) { return noted(asked.head.path, service.now(asked)); },
        .later =
            [&](HttpRequest asked, Reply reply) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "study/online/serving/http_server.h"
 #include "study/online/serving/study_service.h"
@@ -15,7 +16,9 @@ struct ServeRequest {
   std::filesystem::path set = {};  ///< empty: where the log says
   std::string address = "127.0.0.1";
   int port = 8080;
-  std::filesystem::path tokens = {};  ///< empty: nobody needs an invitation
+  std::vector<std::string> hosts = {};  ///< names by which browsers reach it, besides its address
+  std::filesystem::path tokens = {};    ///< empty: nobody needs an invitation
+  std::filesystem::path codes = {};     ///< where codes are kept beside invitations; empty: nowhere
   HttpLimits http = {};
   ServiceLimits service = {};
 };

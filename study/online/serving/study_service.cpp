@@ -19,8 +19,18 @@ HttpResponse answer(const Json& json, int status = 200) {
   return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-HttpResponse error(int status, const std::string& sentence) {
-  return answer({{"error", printable(sentence)}}, status);
+/// `reason`: what the page has words of its own for, in the study's language; empty: nothing.
+HttpResponse error(int status, const std::string& sentence, const std::string& reason = {}) {
+  Json json;
+  json["error"] = printable(sentence);
+  if (!reason.empty()) json["reason"] = reason;
+  return answer(json, status);
+}
+
+/// Whoever had a secret and was forgotten, and whoever never had one, are the same here: nothing is left of
+/// them.
+HttpResponse nobody() {
+  return error(401, "Authorization: wanted the secret of a participant, found another one", "forgotten");
 }
 
 int status_of(RefusalKind kind) {
@@ -31,15 +41,28 @@ int status_of(RefusalKind kind) {
       return 403;
     case RefusalKind::conflict:
       return 409;
+    case RefusalKind::excluded:
+      return 409;
+    case RefusalKind::too_much:
+      return 413;
     case RefusalKind::failed:
       return 503;
   }
   return 500;
 }
 
+std::string reason_of(RefusalKind kind) {
+  return kind == RefusalKind::excluded ? "excluded" : "";
+}
+
+HttpResponse error(const Refusal& refusal) {
+  return error(status_of(refusal.kind()), refusal.what(), reason_of(refusal.kind()));
+}
+
 HttpResponse messages_answer(const std::vector<std::string>& stored, const Refusal* refusal) {
   Json json;
   if (refusal != nullptr) json["error"] = printable(refusal->what());
+  if (refusal != nullptr && !reason_of(refusal->kind()).empty()) json["reason"] = reason_of(refusal->kind());
   json["stored"] = stored;
   return answer(json, refusal == nullptr ? 200 : status_of(refusal->kind()));
 }
@@ -79,10 +102,10 @@ std::string loggable_path(const std::string& path) {
   return is_api(path) || path == "/health" || path == "/host.json" || path == "/" ? path : "other";
 }
 
-StudyService::StudyService(const SiteFiles& site, Intake& intake, const std::set<std::string>* token_hashes,
+StudyService::StudyService(const SiteFiles& site, Intake& intake, Invitations* invitations,
                            const ServiceLimits& limits)
     : site_(site),
-      token_hashes_(token_hashes),
+      invitations_(invitations),
       limits_(limits),
       participant_rate_(limits.participant),
       address_rate_(limits.address),
@@ -125,8 +148,7 @@ std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
     return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
                ? std::optional(error(413, "Content-Length: wanted at most 65536 bytes, found more"))
                : std::nullopt;
-  if (code_of(head.secret).empty())
-    return error(401, "Authorization: wanted the secret of a participant, found another one");
+  if (code_of(head.secret).empty()) return nobody();
   return std::nullopt;
 }
 
@@ -145,7 +167,7 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
     return std::nullopt;
   }
   const std::string code = code_of(request.head.secret);
-  if (code.empty()) return error(401, "Authorization: wanted the secret of a participant, found another one");
+  if (code.empty()) return nobody();
   if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
   return std::nullopt;
 }
@@ -172,12 +194,8 @@ void StudyService::later(HttpRequest request, Reply reply) {
           const std::optional<std::pair<int, Trial>> due = intake.next_trial(code);
           if (!due) return answer({{"done", true}});
           const std::string kind(word(due->second.kind));
-          std::string id = intake.names().name_of(due->second);
-          auto picture = site_.picture_of.find(kind + " " + id);
-          if (picture == site_.picture_of.end()) {  // a page of an older version
-            id = intake.set().manifest.stimuli[static_cast<std::size_t>(due->second.stimulus)].id;
-            picture = site_.picture_of.find(kind + " " + id);
-          }
+          const std::string id = intake.names().name_of(due->second);
+          const auto picture = site_.picture_of.find(kind + " " + id);
           if (picture == site_.picture_of.end())
             return error(500, "picture: wanted one of the page, found none");
           Json trial = {
@@ -186,7 +204,7 @@ void StudyService::later(HttpRequest request, Reply reply) {
           json["trial"] = std::move(trial);
           return answer(json);
         } catch (const Refusal& refusal) {
-          return error(status_of(refusal.kind()), refusal.what());
+          return error(refusal);
         }
       },
       std::move(reply));
@@ -200,9 +218,9 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
     return reply(error(400, wrong.what()));
   }
   const std::string token = wanted.token.empty() ? std::string() : sha256(wanted.token);
-  if (token_hashes_ == nullptr && !token.empty())
+  if (invitations_ == nullptr && !token.empty())
     return reply(error(400, "token: wanted none, since this server asks for none, found one"));
-  if (token_hashes_ != nullptr && !token_hashes_->contains(token))
+  if (invitations_ != nullptr && !invitations_->has(token))
     return reply(error(403, "invitation in the link: wanted one to this study, found another one or none"));
   if (std::holds_alternative<DeclineBody>(wanted.message.body)) {
     log_.add(
@@ -211,7 +229,7 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
             (void)intake.take(message);
             return answer(Json::object());
           } catch (const Refusal& refusal) {
-            return error(status_of(refusal.kind()), refusal.what());
+            return error(refusal);
           }
         },
         reply);
@@ -234,16 +252,20 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
                             .slots = site_.slots};
   auto enrolled = std::make_shared<std::optional<EnrolledPerson>>();
   log_.add(
-      [message = wanted.message, given, secret, enrolled](Intake& intake) -> HttpResponse {
+      [message = wanted.message, given, secret, enrolled,
+       invitations = invitations_](Intake& intake) -> HttpResponse {
         enrolled->reset();
         try {
           *enrolled = intake.enrol(message, given);
+          // Before the commit: a code without a participant is nobody's, a participant without one is not
+          // found.
+          if (invitations != nullptr) invitations->note(given.token_sha256, (*enrolled)->code);
           return answer({{"participant", (*enrolled)->code},
                          {"slot", (*enrolled)->slot},
                          {"secret", secret},
                          {"next_sequence", (*enrolled)->next_sequence}});
         } catch (const Refusal& refusal) {
-          return error(status_of(refusal.kind()), refusal.what());
+          return error(refusal);
         }
       },
       [this, reply, enrolled, given, secret, id = wanted.message.id](HttpResponse response) {

@@ -4,7 +4,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <shared_mutex>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include "study/online/serving/log_thread.h"
 #include "study/online/serving/rate_limit.h"
 #include "study/online/serving/site_files.h"
+#include "study/online/serving/tokens.h"
 
 namespace seamline::study::online {
 
@@ -21,6 +21,7 @@ struct ServiceLimits {
   Rate address = {.a_second = 400, .at_once = 4000};  ///< many people may share one
   Rate newcomers = {.a_second = 5, .at_once = 100};   ///< of an address
   std::int64_t most_participants = 100'000;
+  Intake::Quota stored = {};  ///< of a participant
 };
 
 /// What the server answers: the page's files, and the four requests of a participant
@@ -28,8 +29,8 @@ struct ServiceLimits {
 /// once.
 class StudyService {
  public:
-  /// `token_hashes`: empty where nobody needs an invitation. All three must live longer.
-  StudyService(const SiteFiles& site, Intake& intake, const std::set<std::string>* token_hashes,
+  /// `invitations`: none where nobody needs one. All three must live longer.
+  StudyService(const SiteFiles& site, Intake& intake, Invitations* invitations,
                const ServiceLimits& limits = {});
 
   /// Refuses what needs no look at a body: whoever has no secret sends none.
@@ -52,7 +53,7 @@ class StudyService {
   void take_messages(const std::string& code, std::string body, const Reply& reply);
 
   const SiteFiles& site_;
-  const std::set<std::string>* token_hashes_;
+  Invitations* invitations_;
   ServiceLimits limits_;
   RateLimit participant_rate_, address_rate_, newcomer_rate_;
   std::shared_mutex secrets_lock_;

@@ -2,11 +2,15 @@
 
 #include <fmt/core.h>
 #include <sys/random.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <map>
+#include <utility>
 
 #include "study/online/messages/message_reader.h"
 #include "support/files/atomic_file.h"
@@ -43,6 +47,15 @@ std::string base32(const std::array<std::uint8_t, size>& bytes) {
       text += "abcdefghijklmnopqrstuvwxyz234567"[bits >> (count - 5) & 31];
   }
   return text;
+}
+
+/// Changes with every write of a file, and when another takes its place; empty: there is none.
+std::string stamp_of(const fs::path& file) {
+  struct stat entry = {};
+  if (::stat(file.c_str(), &entry) != 0) return {};
+  return fmt::format("{} {} {} {}.{:09} {}.{:09}", entry.st_dev, entry.st_ino, entry.st_size,
+                     entry.st_mtim.tv_sec, entry.st_mtim.tv_nsec, entry.st_ctim.tv_sec,
+                     entry.st_ctim.tv_nsec);
 }
 
 }  // namespace
@@ -84,6 +97,79 @@ std::set<std::string> read_token_hashes(const fs::path& file) {
     hashes.insert(hash);
   }
   return hashes;
+}
+
+namespace {
+
+std::map<std::string, std::string> read_codes(const fs::path& file) {
+  std::map<std::string, std::string> codes;
+  const std::string text = read_file(file);
+  std::size_t at = 0;
+  for (int number = 1; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    const std::string hash = line.substr(0, std::min<std::size_t>(64, line.size()));
+    const std::string code = line.size() > 65 && line[64] == ' ' ? line.substr(65) : "";
+    if (!is_sha256(hash) || !is_code(code))
+      throw input_error({.file = fmt::format("{}:{}", file.string(), number),
+                         .wanted = "the hash of an invitation and a code (seamline serve --codes FILE)",
+                         .found = "\"" + printable(line, 80) + "\""});
+    codes[hash] = code;
+  }
+  return codes;
+}
+
+}  // namespace
+
+std::string code_of_invitation(const fs::path& file, const std::string& invitation) {
+  const std::map<std::string, std::string> codes = read_codes(file);
+  const std::string before = "token=";
+  const std::size_t at = invitation.find(before);
+  const std::string token = at == std::string::npos ? invitation : invitation.substr(at + before.size());
+  const auto found = codes.find(sha256(token.substr(0, token.find_first_of("&#"))));
+  if (found != codes.end()) return found->second;
+  throw input_error({.file = file.string(),
+                     .field = "--code-of",
+                     .wanted = "an invitation by which somebody came",
+                     .found = "\"" + printable(invitation, 120) + "\""});
+}
+
+Invitations::Invitations(fs::path file, std::function<void(const std::string&)> say, fs::path codes)
+    : file_(std::move(file)),
+      codes_(std::move(codes)),
+      say_(std::move(say)),
+      seen_(stamp_of(file_)),
+      hashes_(read_token_hashes(file_)) {
+  if (!codes_.empty() && fs::exists(codes_)) (void)read_codes(codes_);
+}
+
+void Invitations::note(const std::string& token_sha256, const std::string& code) {
+  if (codes_.empty()) return;
+  const std::lock_guard guard(lock_);
+  std::map<std::string, std::string> codes;
+  if (fs::exists(codes_)) codes = read_codes(codes_);  // a line may have been taken out by hand
+  codes[token_sha256] = code;
+  std::string text;
+  for (const auto& [hash, own] : codes) text += hash + " " + own + "\n";
+  write_file_atomically(codes_, text, Readers::owner);
+}
+
+void Invitations::look() {
+  const std::string state = stamp_of(file_);
+  if (state == seen_) return;
+  seen_ = state;
+  try {
+    hashes_ = read_token_hashes(file_);
+  } catch (const InputError& error) {
+    say_(fmt::format("{} (the invitations read before still count)", error.what()));
+  }
+}
+
+bool Invitations::has(const std::string& token_sha256) {
+  const std::lock_guard guard(lock_);
+  look();
+  return hashes_.contains(token_sha256);
 }
 
 }  // namespace seamline::study::online

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <mutex>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,5 +19,35 @@ namespace seamline::study::online {
 
 /// The hashes of a file of invitations. Throws InputError when it cannot be read or holds something else.
 [[nodiscard]] std::set<std::string> read_token_hashes(const std::filesystem::path& file);
+
+/// The code of whoever came by an invitation, or by a link with one (`...?token=INVITATION`), out of a file
+/// of codes (`Invitations`). Throws InputError when the file cannot be read, or knows nobody who did.
+[[nodiscard]] std::string code_of_invitation(const std::filesystem::path& file,
+                                             const std::string& invitation);
+
+/// A file of invitations as it is now: what is added to it, or taken out, counts from the next question on.
+/// For several threads.
+class Invitations {
+ public:
+  /// `say` hears when the file cannot be read; what it held before counts then. `codes`: the file in which
+  /// the codes of those who came are kept beside the hashes of their invitations; empty: that is kept
+  /// nowhere. Throws InputError when one of them cannot be read now.
+  Invitations(std::filesystem::path file, std::function<void(const std::string&)> say,
+              std::filesystem::path codes = {});
+  [[nodiscard]] bool has(const std::string& token_sha256);
+  /// Notes the code where codes are kept: a line of hash and code, on the disk when this returns, in a file
+  /// for its owner alone, sorted by hash, which says nothing of who came first. The same invitation again
+  /// takes the place of its line. Throws InputError when it cannot.
+  void note(const std::string& token_sha256, const std::string& code);
+
+ private:
+  void look();
+
+  std::filesystem::path file_, codes_;
+  std::function<void(const std::string&)> say_;
+  std::mutex lock_;
+  std::string seen_;  ///< what the file's entry in its folder said when it was read
+  std::set<std::string> hashes_;
+};
 
 }  // namespace seamline::study::online
