@@ -87,6 +87,18 @@ const std::vector<PhraseEntry>& every_phrase() {
       {Phrase::online_browser, "online_browser",
        "This browser cannot show the pictures exactly, or cannot keep your answers ({message}). Please open "
        "the same link in a recent Firefox, Chrome or Edge, and not in a private window."},
+      {Phrase::online_code, "online_code",
+       "Your code in this study is {code}. Whoever wants their answers deleted quotes it: please note it "
+       "down."},
+      {Phrase::online_forgotten, "online_forgotten",
+       "This study has no answers of yours any more: they were deleted. What this browser still keeps goes "
+       "when you clear the data of this site in its settings.\n\nIf you did not ask for that, please tell "
+       "those "
+       "who invited you."},
+      {Phrase::online_excluded, "online_excluded",
+       "Those who run this study have ended your part in it. Nothing more is asked of you, and nothing more "
+       "is "
+       "stored.\n\nIf you think that this is a mistake, please tell them."},
       {Phrase::online_wait, "online_wait",
        "This page is being loaded. If these words stay, please load it again."},
       {Phrase::online_refusing, "online_refusing",

@@ -138,4 +138,11 @@ await courier.deliver("completion", {});
 assert.deepEqual(arrived, arrived.map((_, at) => at));
 assert.ok(arrived.length > 40 && courier.unsent() === 0);
 assert.ok(Math.max(...sizes) < 2 ** 20, Math.max(...sizes));
+// A study that ended for somebody says why, in words of its own: the reason comes from the server to the last screen.
+for (const [status, reason] of [[401, "forgotten"], [409, "excluded"], [409, undefined]]) {
+  answering(status, JSON.stringify({ error: "a sentence", reason }));
+  const refusal = await server.where().then(assert.fail, (error) => error);
+  const stopped = next(over, { type: "store_failed", message: refusal.message, reason: refusal.reason });
+  assert.deepEqual(stopped.screen, { name: "stopped", message: "a sentence", reason });
+}
 console.log("the page's parts keep their laws");

@@ -159,7 +159,8 @@ class Study {
     [...this.#listeners].forEach((listener) => listener());
   }
 
-  failed = (error) => this.step({ type: "store_failed", message: error?.message ?? String(error) });
+  failed = (error) =>
+    this.step({ type: "store_failed", message: error?.message ?? String(error), reason: error?.reason });
 
   async #keepPending() {
     const record = this.visit.pending;

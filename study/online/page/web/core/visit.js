@@ -184,7 +184,7 @@ function onScreen(visit, event) {
 export function next(visit, event) {
   if (event.type === "store_failed") {
     const ended = LAST.includes(visit.screen.name);
-    return { ...visit, pending: null, screen: ended ? visit.screen : { name: "stopped", message: event.message } };
+    return { ...visit, pending: null, screen: ended ? visit.screen : { name: "stopped", message: event.message, reason: event.reason } };
   }
   if (visit.pending) return afterRecord(visit, event);
   if (event.type === "pause_begun") return PAUSABLE.includes(visit.screen.name) ? beginPause(visit) : visit;

@@ -26,7 +26,7 @@ async function ask(path, secret, body) {
   });
   const sentence = typeof answer?.error === "string" ? answer.error : null;
   const no = verdict(response.status, { sentence, of: path });
-  if (no) throw no;
+  if (no) throw Object.assign(no, { reason: answer?.reason });
   return expect(path, answer !== null && typeof answer === "object", answer);
 }
 

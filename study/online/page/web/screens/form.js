@@ -1,6 +1,7 @@
 // The form: numbers and choices. Faults are said beside the question until they are put right.
 import { faultOf } from "../core/form.js";
 import { card, element, radioGroup, uniqueId } from "./dom.js";
+import { codeWords } from "./pages.js";
 
 function faultText(app, field, fault) {
   if (fault === "out_of_range") return app.phrase("form_out_of_range", { least: field.least, most: field.most });
@@ -66,7 +67,7 @@ export function drawForm(app, display) {
     element("button", { type: "submit", id: "submit", class: "leading" }, app.phrase("form_submit"))
   );
   const form = element("form", { novalidate: true, onsubmit: submit }, ...rows.map((row) => row.node), buttons);
-  display.append(card(app.phrase("form_title"), "middle", form));
+  display.append(card(app.phrase("form_title"), "middle", form, ...codeWords(app)));
   if (rows.length > 0) app.focus(rows[0].input);
 
   return {

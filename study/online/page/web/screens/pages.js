@@ -65,9 +65,15 @@ export function drawBreak(app, display) {
     title: app.phrase("break_title"),
     text: app.phrase("break_text", { done: answered, all: most }),
     button: app.phrase("continue"),
-    more: saveWords(app),
+    more: [...codeWords(app), ...saveWords(app)],
   });
 }
+
+/** By which a participant's answers are found when they want them deleted; nothing before they have one. */
+export const codeWords = (app) =>
+  app.stream.participant === ""
+    ? []
+    : [element("p", { class: "note", id: "code" }, app.phrase("online_code", { code: app.stream.participant }))];
 
 /** Where nobody but this browser has the answers: a way to take them out, at any time. */
 const saveWords = (app) => (app.host.kind === "static" ? saving(app, "online_save_text") : []);
@@ -109,6 +115,7 @@ export function drawPause(app, display) {
         { text: app.phrase("pause_continue"), id: "continue", leading: true, action: go },
       ]),
       textSizes(app),
+      ...codeWords(app),
       ...saveWords(app)
     )
   );
@@ -121,7 +128,7 @@ function drawLast(app, display, title, text, more = []) {
 }
 
 export function drawThanks(app, display) {
-  drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), saveWords(app));
+  drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), [...codeWords(app), ...saveWords(app)]);
   app.focus("#save");
 }
 
@@ -129,9 +136,12 @@ export const drawDeclined = (app, display) =>
   drawLast(app, display, app.phrase("declined_title"), app.phrase("declined_text"));
 
 export function drawStopped(app, display) {
-  const { message } = app.visit.screen;
+  const { message, reason } = app.visit.screen;
+  if (reason === "forgotten") return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_forgotten"));
+  if (reason === "excluded")
+    return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_excluded"), codeWords(app));
   // Whom the host did not let in has answered nothing.
   if (app.stream.participant === "") return drawLast(app, display, app.phrase("online_refused_title"), message);
-  const more = app.holdsMore() ? saving(app, "online_unsent") : [];
+  const more = [...codeWords(app), ...(app.holdsMore() ? saving(app, "online_unsent") : [])];
   drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_stopped", { message }), more);
 }
