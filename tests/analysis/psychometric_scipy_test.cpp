@@ -1,9 +1,8 @@
 // Ten published data sets beside maximum-likelihood fits made with SciPy: six models each, see
-// psychometric_fits.json.
+// tests/data/README.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -15,9 +14,6 @@ using namespace study;
 namespace {
 
 using Json = nlohmann::json;
-
-const std::filesystem::path fixtures =
-    std::filesystem::path(SEAMLINE_SOURCE_DIR) / "../shared/assets/psychophysics/psychometric_fits.json";
 
 Sigmoid sigmoid_named(const std::string& name) {
   return name == "norm" ? Sigmoid::normal : name == "logistic" ? Sigmoid::logistic : Sigmoid::gumbel;
@@ -47,7 +43,7 @@ double share_at_m(Sigmoid sigmoid) {
 
 template <class Check>
 void for_each_fit(const Check& check) {
-  std::ifstream in(fixtures);
+  std::ifstream in(SEAMLINE_SOURCE_DIR "/tests/data/psychometric_fits.json");
   const Json file = Json::parse(in);
   for (const Json& set : file["cases"])
     for (const Json& scipy : set["ml"]) {
@@ -59,7 +55,6 @@ void for_each_fit(const Check& check) {
 }
 
 TEST(PsychometricSciPy, NeverLessLikelyAndTheSameParametersWhereTheyAreDetermined) {
-  if (!std::filesystem::exists(fixtures)) GTEST_SKIP() << "needs " << fixtures;
   int compared = 0, likelier = 0;
   for_each_fit([&](const Json& set, const Json& scipy, const PsychometricFit& fit) {
     EXPECT_TRUE(fit.converged);
@@ -93,7 +88,6 @@ TEST(PsychometricSciPy, NeverLessLikelyAndTheSameParametersWhereTheyAreDetermine
 }
 
 TEST(PsychometricSciPy, ProfileIntervalsWithinAHundredthOfTheirWidth) {
-  if (!std::filesystem::exists(fixtures)) GTEST_SKIP() << "needs " << fixtures;
   int intervals = 0;
   for_each_fit([&](const Json& set, const Json& scipy, const PsychometricFit& fit) {
     if (scipy["ci95_profile_m"].is_null()) return;

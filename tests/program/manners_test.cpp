@@ -1,4 +1,4 @@
-// Manners of the source, kept by reading it: who writes files, and how SQL is put together.
+// Manners of the source, kept by reading it: who writes files, how SQL is put together, what tests need.
 #include <gtest/gtest.h>
 #include <regex.h>
 
@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "run_program.h"
 
 namespace seamline {
 namespace {
@@ -144,6 +146,31 @@ TEST(Manners, EverythingInHtmlIsEscaped) {
   // Whoever makes a page escapes: a page without it would be one where it was forgotten.
   for (const std::string& file : files_with(R"(<(td|th|h1|h2|figcaption)>\{\})"))
     EXPECT_NE(sources().at(file).find("html_escape"), std::string::npos) << file;
+}
+
+TEST(Manners, QuickTestsNeedNothingBesideTheRepositoryAndCiRefusesWhatIsSkipped) {
+  const fs::path root = SEAMLINE_SOURCE_DIR;
+  int read = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with("_test.cpp") || name.ends_with("_full_test.cpp") || name == "manners_test.cpp")
+      continue;
+    const std::string text = test::read_text(entry.path());
+    for (const char* beside :
+         {"SOURCE_DIR).parent_path()", "SOURCE_DIR \"/..", "SOURCE_DIR) / \"..", "tests/real_data.h"})
+      EXPECT_EQ(text.find(beside), std::string::npos) << entry.path() << ": " << beside;
+    ++read;
+  }
+  EXPECT_GT(read, 200);
+  const fs::path log = test::fresh_folder("skipped") / "LastTest.log";
+  const std::string program = (root / ".ci/skipped").string();
+  test::write_text(log, "[       OK ] A.B (0 ms)\n[  PASSED  ] 1 test.\n");
+  EXPECT_EQ(test::run_program(program, log.string()).status, 0);
+  test::write_text(
+      log, "[  SKIPPED ] A/B.C/0 (0 ms)\n[  PASSED  ] 0 tests.\n[  SKIPPED ] 1 test, listed below:\n");
+  const test::Outcome outcome = test::run_program(program, log.string());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.output, "A/B.C/0\n");
 }
 
 }  // namespace

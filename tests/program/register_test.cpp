@@ -1,5 +1,5 @@
 // `seamline register` on files of one's own: what it writes, that it writes the same again, and one sentence
-// about what is wrong. Pictures of real frames are kept in the build folder under test-output/register.
+// about what is wrong.
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -209,34 +209,6 @@ TEST_F(Register, WrongInputIsOneSentenceAndWritesNothing) {
   write_png(folder_ / "eight.png", ByteImage{width_px, height_px, 1, std::vector<std::uint8_t>(3072, 9)});
   depth_ = "eight.png";
   expect_complaint(run(), "wanted one channel of 16 bits, found one channel of 8 bits");
-}
-
-TEST(RegisterRealFrames, FiveKinectFramesAreRegisteredAlready) {
-  const fs::path rgbd = fs::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets" / "rgbd";
-  if (!fs::exists(rgbd / "slambook_depth_1.pgm")) GTEST_SKIP() << "the Kinect frames are not at " << rgbd;
-  const fs::path folder = fresh_folder("register");
-  const std::string camera =
-      "width_px = 640\nheight_px = 480\nfx_px = 518\nfy_px = 519\ncx_px = 325.5\n"
-      "cy_px = 253.5\n";
-  write_text(folder / "kinect.toml", head + "pixel_centres = \"integer\"\n[depth]\n" + camera + "[colour]\n" +
-                                         camera + "[colour_from_depth]\ntranslation_m = [0, 0, 0]\n");
-  for (int frame = 1; frame <= 5; ++frame) {
-    const std::string number = std::to_string(frame);
-    const fs::path out = folder / number;
-    const Outcome outcome =
-        run_seamline("register --depth " + (rgbd / ("slambook_depth_" + number + ".pgm")).string() +
-                     " --colour " + (rgbd / ("slambook_color_" + number + ".png")).string() + " --camera " +
-                     (folder / "kinect.toml").string() + " --by points --out " + out.string());
-    ASSERT_EQ(outcome.status, 0) << outcome.output;
-    // Point by point through one and the same camera every depth stays where it is.
-    const auto count = [&](const std::string& what) {
-      const std::size_t at = outcome.output.find("  " + what + " ");
-      return std::stol(outcome.output.substr(at + 2 + what.size()));
-    };
-    EXPECT_EQ(count("measured"), count("registered"));
-    EXPECT_EQ(count("holes"), count("without depth"));
-    EXPECT_GT(count("measured"), 640 * 480 / 2);
-  }
 }
 
 }  // namespace

@@ -51,13 +51,18 @@ TEST_P(Objects, StandsOnTheGroundWithUnitNormalsFacingOut) {
 }
 
 TEST_P(Objects, IsAClosedManifold) {
-  if (GetParam() == "teapot") GTEST_SKIP() << "Newell's patches are open at the spout and under the lid";
   const TriangleMesh& mesh = coarse_object(GetParam());
   const auto edges = directed_edges(mesh);
+  int open = 0;
   for (const auto& [edge, uses] : edges) {
     ASSERT_EQ(uses, 1) << "edge " << edge.first << " to " << edge.second;
-    ASSERT_TRUE(edges.contains({edge.second, edge.first})) << "edge " << edge.first << " to " << edge.second;
+    if (!edges.contains({edge.second, edge.first})) ++open;
   }
+  if (GetParam() == "teapot") {
+    EXPECT_GT(open, 0) << "Newell's patches are open at the spout and under the lid";
+    return;
+  }
+  EXPECT_EQ(open, 0) << "edges of one triangle alone";
   EXPECT_EQ(largest_piece(mesh).triangles.size(), mesh.triangles.size()) << "more than one piece";
 }
 

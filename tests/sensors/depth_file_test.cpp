@@ -233,36 +233,5 @@ TEST_F(DepthFiles, ImpossiblePgmHeadersAreRefused) {
               HasSubstr("ends in its header"));
 }
 
-TEST(RealDepthFiles, TheKinectFramesReadAsTheirNotesSay) {
-  const fs::path rgbd = fs::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets" / "rgbd";
-  if (!fs::exists(rgbd / "slambook_depth_1.pgm")) GTEST_SKIP() << "the Kinect frames are not at " << rgbd;
-  DepthFileForm form;
-  form.camera = {.width_px = 640,
-                 .height_px = 480,
-                 .fx_px = 518,
-                 .fy_px = 519,
-                 .cx_px = 326,
-                 .cy_px = 254,
-                 .skew_px = 0,
-                 .distortion = {}};
-  form.metres_per_step = 0.001;
-  const double shares[] = {0.32, -1, -1, -1, 0.28};
-  for (int frame = 1; frame <= 5; ++frame) {
-    const DepthFile file = read_depth_file(rgbd / ("slambook_depth_" + std::to_string(frame) + ".pgm"), form);
-    const double share = static_cast<double>(file.holes) / (640 * 480);
-    if (shares[frame - 1] > 0) {
-      EXPECT_NEAR(share, shares[frame - 1], 0.01) << frame;
-    }
-    for (const float depth_m : file.frame.depth_m)
-      if (!DepthFrame::is_hole(depth_m)) {
-        ASSERT_GT(depth_m, 0.3F);
-        ASSERT_LT(depth_m, 15.0F);
-      }
-  }
-  form.metres_per_step = 1;
-  EXPECT_THAT(complaint_of([&] { (void)read_depth_file(rgbd / "slambook_depth_1.pgm", form); }),
-              HasSubstr("give 0.001 metres a step"));
-}
-
 }  // namespace
 }  // namespace seamline::sensors

@@ -171,49 +171,5 @@ TEST(Planes, FewPixelsAndDegenerateOnesGiveNone) {
   EXPECT_NO_THROW((void)replace_planes(frame, {.least_share = 1e-4}));
 }
 
-TEST(RealPlanes, TheFloorOfTheKinectFramesIsOnePlaneInTheirWorld) {
-  const std::filesystem::path rgbd =
-      std::filesystem::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets" / "rgbd";
-  if (!std::filesystem::exists(rgbd / "slambook_pose.txt"))
-    GTEST_SKIP() << "the Kinect frames are not at " << rgbd;
-  DepthFileForm form;
-  form.camera = {.width_px = 640,
-                 .height_px = 480,
-                 .fx_px = 518,
-                 .fy_px = 519,
-                 .cx_px = 326,
-                 .cy_px = 254,
-                 .skew_px = 0,
-                 .distortion = {}};
-  form.metres_per_step = 0.001;
-  std::ifstream poses(rgbd / "slambook_pose.txt");
-  Vector3d first_normal;
-  double first_height_m = 0;
-  for (int frame = 1; frame <= 5; ++frame) {
-    Vector3d origin;
-    Eigen::Quaterniond world_from_camera;
-    poses >> origin.x() >> origin.y() >> origin.z() >> world_from_camera.x() >> world_from_camera.y() >>
-        world_from_camera.z() >> world_from_camera.w();
-    ASSERT_TRUE(poses);
-    const DepthFile file = read_depth_file(rgbd / ("slambook_depth_" + std::to_string(frame) + ".pgm"), form);
-    const RepairedPlanes found =
-        replace_planes(file.frame, {.tolerance_m = 0.005, .tolerance_relative = 0.01});
-    ASSERT_FALSE(found.planes.empty());
-    const Vector3d inverse = found.planes[0].inverse;  // the floor is the largest in all of them
-    const Vector3d normal = world_from_camera.normalized() * inverse.normalized();
-    const double height_m = 1 / inverse.norm() + normal.dot(origin);
-    if (frame == 1) {
-      first_normal = normal;
-      first_height_m = height_m;
-    }
-    RecordProperty(
-        "tilt_mdeg_" + std::to_string(frame),
-        static_cast<int>(1e3 * std::acos(std::min(1.0, normal.dot(first_normal))) * 180 / std::numbers::pi));
-    RecordProperty("height_mm_" + std::to_string(frame), static_cast<int>(1e3 * (height_m - first_height_m)));
-    EXPECT_LT(std::acos(std::min(1.0, normal.dot(first_normal))) * 180 / std::numbers::pi, 3) << frame;
-    EXPECT_NEAR(height_m, first_height_m, 0.1) << frame;  // frames agree within 3 to 10 cm
-  }
-}
-
 }  // namespace
 }  // namespace seamline::sensors

@@ -12,13 +12,14 @@
 #include "live/tracking/tracker.h"
 #include "small_world.h"
 #include "support/files/atomic_file.h"
+#include "tests/real_data.h"
 
 namespace seamline::live {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kinect = fs::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared/assets/rgbd";
+const fs::path kinect = test::real_data() / "rgbd";
 
 /// The frames copied into a folder of the test, with an index. Their depth is registered already.
 fs::path recording_of_kinect(bool with_poses) {
@@ -56,7 +57,7 @@ fs::path recording_of_kinect(bool with_poses) {
 }
 
 TEST(RealFrames, HidePartOfAVirtualBoxAndTakeItsShadow) {
-  if (!fs::exists(kinect)) GTEST_SKIP() << "the Kinect frames are not there";
+  SKIP_WITHOUT_REAL_DATA();
   const LoadedRecording recording = load_recording(read_recording(recording_of_kinect(true)), {});
   ASSERT_EQ(recording.frames.size(), 5U);
   std::size_t holes = 0;
@@ -89,7 +90,7 @@ TEST(RealFrames, HidePartOfAVirtualBoxAndTakeItsShadow) {
 }
 
 TEST(RealFrames, FeaturesAreFollowedOnlyWhereFramesOverlap) {
-  if (!fs::exists(kinect)) GTEST_SKIP() << "the Kinect frames are not there";
+  SKIP_WITHOUT_REAL_DATA();
   if (!has_optical_flow()) GTEST_SKIP() << "built without OpenCV's video part";
   const LoadedRecording recording = load_recording(read_recording(recording_of_kinect(false)), {});
   EXPECT_FALSE(recording.has_poses());

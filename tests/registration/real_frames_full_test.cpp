@@ -10,6 +10,7 @@
 #include "registration/pose/pose.h"
 #include "sensors/files/depth_file.h"
 #include "sensors/rig/rig.h"
+#include "tests/real_data.h"
 
 namespace seamline::registration {
 namespace {
@@ -61,11 +62,8 @@ Disagreement disagreement(const RegisteredFrame& registered, const sensors::Dept
 }
 
 TEST(RealFrames, NeighboursAgreeWithinTwelveCentimetresByBothWays) {
-  const std::filesystem::path rgbd =
-      std::filesystem::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets" / "rgbd";
-  if (!std::filesystem::exists(rgbd / "slambook_pose.txt"))
-    GTEST_SKIP() << "the Kinect frames are not at " << rgbd;
-  const std::vector<RealFrame> frames = real_frames(rgbd);
+  SKIP_WITHOUT_REAL_DATA();
+  const std::vector<RealFrame> frames = real_frames(test::real_data() / "rgbd");
   for (std::size_t depth = 0; depth < 5; ++depth)
     for (std::size_t colour = 0; colour < 5; ++colour) {
       if (depth + 1 != colour && colour + 1 != depth) continue;

@@ -1,10 +1,12 @@
-// Real meshes through the whole renderer: Sponza with scanned statues, placed by a study file. The pictures
-// are kept in the build folder under test-output/real_input/set for people to look at.
+// Real meshes through the whole renderer: Sponza with scanned statues, placed by a study file, a scan in a
+// panorama, frames of a Kinect. The pictures are kept in the build folder under test-output/real_input/set
+// and test-output/register for people to look at.
 #include <gtest/gtest.h>
 
 #include "run_program.h"
 #include "stimuli/set/manifest.h"
 #include "support/files/image.h"
+#include "tests/real_data.h"
 
 namespace seamline {
 namespace {
@@ -87,8 +89,8 @@ std::string with_meshes(const fs::path& meshes) {
 }
 
 TEST(RealInput, OneStimulusOfEachArtifactFromScannedMeshes) {
-  const fs::path meshes = fs::path(SEAMLINE_SOURCE_DIR).parent_path() / "shared" / "assets" / "meshes";
-  if (!fs::exists(meshes / "sponza.glb")) GTEST_SKIP() << "the real meshes are not at " << meshes;
+  SKIP_WITHOUT_REAL_DATA();
+  const fs::path meshes = test::real_data() / "meshes";
   const fs::path folder = test::fresh_folder("real_input");
   test::write_text(folder / "study.toml", with_meshes(meshes));
   const fs::path set = folder / "set";
@@ -116,6 +118,57 @@ TEST(RealInput, OneStimulusOfEachArtifactFromScannedMeshes) {
     EXPECT_LT(stimulus.clipped_share, 0.25) << stimulus.id;
   }
   EXPECT_EQ(test::run_seamline("verify " + set.string()).status, 0);
+}
+
+TEST(RealInput, ARealPanoramaLightsAScan) {
+  SKIP_WITHOUT_REAL_DATA();
+  const fs::path folder = test::fresh_folder("real_panorama");
+  write_exr(folder / "closed.exr", Image(64, 32, 1, 3));  // a ball of a room
+  const test::Outcome outcome = test::run_seamline(
+      "composite --background " + (test::real_data() / "environments/leadenhall_market_1k.hdr").string() +
+      " --depth " + (folder / "closed.exr").string() + " --object " +
+      (test::real_data() / "meshes/nefertiti-lowres.glb").string() +
+      " --position 0 -1 -2 --height 1 --view 96x96 --look-at 0 -0.25 -1 --fov 40 --spp 16 --bounces 1 "
+      "--tolerance 1e-2 --out " +
+      (folder / "out.exr").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  // A bust of albedo 0.5 in the middle is neither black nor brighter than the sky over the market.
+  const Image made = read_image(folder / "out.exr");
+  double sum = 0;
+  for (int y = 40; y < 60; ++y)
+    for (int x = 42; x < 54; ++x) sum += double{made.rgb(x, y).mean()} / (20 * 12);
+  EXPECT_GT(sum, 0.05);
+  EXPECT_LT(sum, 1.5);
+}
+
+TEST(RegisterRealFrames, FiveKinectFramesAreRegisteredAlready) {
+  SKIP_WITHOUT_REAL_DATA();
+  const fs::path rgbd = test::real_data() / "rgbd";
+  const fs::path folder = test::fresh_folder("register");
+  const std::string camera =
+      "width_px = 640\nheight_px = 480\nfx_px = 518\nfy_px = 519\ncx_px = 325.5\n"
+      "cy_px = 253.5\n";
+  test::write_text(folder / "kinect.toml",
+                   "format = \"seamline camera 1\"\nconvention = \"planar\"\nmetres_per_step = 0.001\n"
+                   "pixel_centres = \"integer\"\n[depth]\n" +
+                       camera + "[colour]\n" + camera + "[colour_from_depth]\ntranslation_m = [0, 0, 0]\n");
+  for (int frame = 1; frame <= 5; ++frame) {
+    const std::string number = std::to_string(frame);
+    const fs::path out = folder / number;
+    const test::Outcome outcome = test::run_seamline(
+        "register --depth " + (rgbd / ("slambook_depth_" + number + ".pgm")).string() + " --colour " +
+        (rgbd / ("slambook_color_" + number + ".png")).string() + " --camera " +
+        (folder / "kinect.toml").string() + " --by points --out " + out.string());
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    // Point by point through one and the same camera every depth stays where it is.
+    const auto count = [&](const std::string& what) {
+      const std::size_t at = outcome.output.find("  " + what + " ");
+      return std::stol(outcome.output.substr(at + 2 + what.size()));
+    };
+    EXPECT_EQ(count("measured"), count("registered"));
+    EXPECT_EQ(count("holes"), count("without depth"));
+    EXPECT_GT(count("measured"), 640 * 480 / 2);
+  }
 }
 
 }  // namespace
