@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <sstream>
 
 #include "program.h"
 #include "support/running/interrupt.h"
 #include "support/running/memory.h"
+#include "support/running/standard_streams.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -26,7 +28,10 @@ int parse(CLI::App& app, int argc, char** argv) {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    std::ostringstream text;
+    const int status = app.exit(help, text);
+    std::fputs(text.str().c_str(), stdout);
+    return status;
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "seamline: %s (see --help)\n", printable(error.what()).c_str());
     return exit_wrong_input;
@@ -36,12 +41,14 @@ int parse(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  guard_standard_streams();
   keep_freed_memory();
   bool any_case_failed = false;
   const std::unique_ptr<CLI::App> app = program(any_case_failed);
   catch_interrupts();
   try {
     const int status = parse(*app, argc, argv);
+    if (status == 0) require_standard_output();
     return status == 0 && any_case_failed ? exit_unstable : status;
   } catch (const InputError& error) {
     std::fprintf(stderr, "seamline: %s\n", printable(error.what(), longest_sentence).c_str());

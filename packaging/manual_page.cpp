@@ -98,6 +98,7 @@ Done.
 .TP
 1
 The input is wrong: one sentence says which file or option, what was wanted and what was found.
+Or what was printed on standard output was lost: the disk is full, or the output closed. Files are complete then.
 .TP
 2
 A bug in the program.

@@ -69,13 +69,14 @@ class ProgramProcess : public testing::Environment {
     ::waitpid(process_, nullptr, 0);
   }
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
+  [[nodiscard]] Outcome run(const std::string& arguments, Outputs outputs) const {
     const std::string words = words_of(arguments);
     const std::size_t size = words.size();
     if (::ftruncate(output_, 0) != 0 || ::lseek(output_, 0, SEEK_SET) != 0)
       throw std::runtime_error("no output");
     write_all(to_, &size, sizeof size);
     write_all(to_, words.data(), size);
+    write_all(to_, &outputs, sizeof outputs);
     Outcome outcome;
     if (!read_all(from_, &outcome.status, sizeof outcome.status))
       throw std::runtime_error("the program's process has ended");
@@ -90,9 +91,10 @@ class ProgramProcess : public testing::Environment {
   [[noreturn]] void serve(int requests, int answers) const {
     for (std::size_t size = 0; read_all(requests, &size, sizeof size);) {
       std::string words(size, '\0');
-      if (!read_all(requests, words.data(), size)) break;
+      Outputs outputs = Outputs::kept;
+      if (!read_all(requests, words.data(), size) || !read_all(requests, &outputs, sizeof outputs)) break;
       const pid_t child = ::fork();
-      if (child == 0) become_the_program(words);
+      if (child == 0) become_the_program(words, outputs);
       int status = 0;
       ::waitpid(child, &status, 0);
       const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -102,10 +104,12 @@ class ProgramProcess : public testing::Environment {
     ::_exit(0);
   }
 
-  [[noreturn]] void become_the_program(std::string words) const {
+  [[noreturn]] void become_the_program(std::string words, Outputs outputs) const {
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
-    ::dup2(output_, STDOUT_FILENO);
+    ::dup2(outputs == Outputs::full ? ::open("/dev/full", O_WRONLY) : output_, STDOUT_FILENO);
     ::dup2(output_, STDERR_FILENO);
+    if (outputs == Outputs::closed || outputs == Outputs::both_closed) ::close(STDOUT_FILENO);
+    if (outputs == Outputs::both_closed) ::close(STDERR_FILENO);
     std::string name = "seamline";
     std::vector<char*> arguments = {name.data()};
     for (std::size_t at = 0; at < words.size(); at = words.find('\0', at) + 1)
@@ -131,8 +135,8 @@ ProgramProcess* const program_process = new ProgramProcess;
 
 }  // namespace
 
-Outcome run_seamline(const std::string& arguments) {
-  return program_process->run(arguments);
+Outcome run_seamline(const std::string& arguments, Outputs outputs) {
+  return program_process->run(arguments, outputs);
 }
 
 }  // namespace seamline::test

@@ -36,9 +36,17 @@ inline Outcome run_built(const std::string& arguments) {
   return run_program(SEAMLINE_PROGRAM, arguments);
 }
 
+/// What the caller gives the program for its two outputs; those that are not kept are in no Outcome.
+enum class Outputs {
+  kept,
+  full,         ///< standard output leads to a disk without room
+  closed,       ///< standard output is no open descriptor
+  both_closed,  ///< nor is standard error
+};
+
 /// The program's own command line in a process that has loaded everything already (program_process.cpp): most
 /// of what is asked of the program takes less time than its start.
-Outcome run_seamline(const std::string& arguments);
+Outcome run_seamline(const std::string& arguments, Outputs outputs = Outputs::kept);
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;

@@ -1,0 +1,148 @@
+// Output that cannot be written: every command still does its work, says so in one sentence and ends with
+// status 1. The program's own list of commands is walked.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "program.h"
+#include "run_program.h"
+#include "support/files/image.h"
+#include "tests/app/picture_set.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::Outputs;
+using test::run_seamline;
+
+/// A short way of every command whose short way is not longer than a moment; the others say their help.
+class LostOutput : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder() = test::fresh_folder("lost-output");
+    test::write_picture_set(folder() / "set", {});
+    test::write_small_study(folder(), test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}}));
+    test::write_text(folder() / "counts.csv", "level,correct,trials\n1,20,60\n2,30,60\n3,50,60\n4,58,60\n");
+    write_exr(folder() / "photograph.exr", Image(32, 24, 3, 0.5F));
+    for (const char* made_by :
+         {"study {set} --observer threshold --count 5 --log {log}",
+          "capture builtin:bedroom --width 256 --out {in}/depth.exr",
+          "sense builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out {in}/sensed",
+          "record builtin:bedroom --preset tof_160x120 --frames 1 --spp 1 --bounces 0 "
+          "--out {in}/recording"})
+      if (const Outcome outcome = run_seamline(filled(made_by, "made")); outcome.status != 0)
+        throw std::runtime_error(outcome.output);
+  }
+
+  static fs::path& folder() {
+    static fs::path made;
+    return made;
+  }
+
+  /// The places that a command line names; `{out}` is new for every `run`.
+  static std::string filled(std::string line, const std::string& run) {
+    const std::map<std::string, fs::path> places = {{"{in}", folder()},
+                                                    {"{set}", folder() / "set"},
+                                                    {"{log}", folder() / "log.sqlite"},
+                                                    {"{study}", folder() / "study.toml"},
+                                                    {"{quick}", test::studies() / "quick.toml"},
+                                                    {"{out}", folder() / ("out-" + run)}};
+    for (const auto& [name, path] : places)
+      for (std::size_t at = line.find(name); at != std::string::npos; at = line.find(name))
+        line.replace(at, name.size(), path.string());
+    return line;
+  }
+};
+
+/// Each of them prints something.
+const std::map<std::string, std::string> short_ways = {
+    {"render", "{study} --only bedroom-receiver-statue-0064 --spp 1 --out {out}"},
+    {"verify", "{set}"},
+    {"check", "{quick}"},
+    {"capture", "builtin:bedroom --width 64 --out {out}.exr"},
+    {"mesh", "{in}/depth.exr --tolerance 1e-2 --out {out}.glb"},
+    {"composite",
+     "--background {in}/photograph.exr --depth {in}/depth.exr --object builtin:teapot --position 0 -1 -3 "
+     "--fov 60 --to-sun 1 1 0.5 --sun-irradiance 8 8 7 --environment 0.5 0.5 0.6 --spp 1 --out {out}.png"},
+    {"picture", "builtin:statue --environment 1 1 1 --width 16 --height 9 --spp 1 --out {out}.png"},
+    {"flip", "{in}/photograph.exr {in}/photograph.exr"},
+    {"study", "{set} --observer perfect --count 1 --log {out}.sqlite"},
+    {"log", "{log} --status"},
+    {"analyze", "{log} --bootstrap 100 --out {out}"},
+    {"fit", "{in}/counts.csv --alternatives 3 --json"},
+    {"predict", "{set} --gain 1"},
+    {"plan", "{study} --studies 5"},
+    {"freeze", "{study} --studies 5 --out {out}.json"},
+    {"sense", "builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out {out}"},
+    {"register",
+     "--depth {in}/sensed/depth.exr --colour {in}/sensed/colour.exr --camera {in}/sensed/camera.toml --out "
+     "{out}"},
+    {"record", "builtin:bedroom --preset tof_160x120 --frames 1 --spp 1 --bounces 0 --out {out}"},
+    {"live", "{in}/recording --object builtin:teapot --headless --time --frames 1 --size 32x24"},
+    {"relight", "builtin:bedroom --sensor tof_160x120 --frames 2 --out {out}"},
+    {"export", "{log} --bids {out}"},
+    {"stability", "--list"},
+};
+
+std::vector<std::string> every_command() {
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  std::vector<std::string> names = {""};
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+TEST_F(LostOutput, EndsEveryCommandWithOneSentence) {
+  for (const std::string& command : every_command())
+    for (const Outputs outputs : {Outputs::full, Outputs::closed}) {
+      const auto way = short_ways.find(command);
+      const std::string run = command + (outputs == Outputs::full ? "-full" : "-closed");
+      const Outcome outcome = run_seamline(
+          command + " " + (way == short_ways.end() ? "--help" : filled(way->second, run)), outputs);
+      SCOPED_TRACE(run);
+      EXPECT_EQ(outcome.status, 1);
+      EXPECT_THAT(
+          outcome.output,
+          testing::EndsWith(std::string("seamline: standard output: wanted a place that takes all that "
+                                        "is printed, found ") +
+                            (outputs == Outputs::full ? "No space left on device\n" : "it closed\n")));
+      EXPECT_EQ(outcome.output.find("bug in seamline"), std::string::npos);
+    }
+}
+
+/// Without those that say how long it took.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  const std::set<std::string> timed = {"timings.json", "errors.csv", "errors.html"};
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && !timed.contains(entry.path().filename().string()))
+      files[fs::relative(entry.path(), folder).string()] = test::read_text(entry.path());
+  return files;
+}
+
+TEST_F(LostOutput, LeavesTheSameFilesToTheByte) {
+  // With both closed, files of theirs would get the numbers 1 and 2 and take what is printed.
+  for (const std::string command : {"render", "record", "sense", "relight"}) {
+    SCOPED_TRACE(command);
+    std::map<std::string, std::string> kept;
+    for (const Outputs outputs : {Outputs::kept, Outputs::full, Outputs::both_closed}) {
+      const std::string run = command + "-" + std::to_string(static_cast<int>(outputs)) + "-files";
+      const Outcome outcome = run_seamline(command + " " + filled(short_ways.at(command), run), outputs);
+      EXPECT_EQ(outcome.status, outputs == Outputs::kept ? 0 : 1) << outcome.output;
+      const auto files = files_of(folder() / ("out-" + run));
+      if (outputs == Outputs::kept) kept = files;
+      EXPECT_GT(files.size(), 1U);
+      EXPECT_EQ(files, kept);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace seamline
