@@ -7,8 +7,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "tests/online/online_people.h"
@@ -58,6 +62,22 @@ class HttpClient {
       sent += static_cast<std::size_t>(count);
     }
     return true;
+  }
+  /// Waits until the server has read every byte that was sent: the receive queue of its end is empty.
+  void wait_until_read() const {
+    sockaddr_in own = {};
+    socklen_t size = sizeof own;
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+    const std::string end = fmt::format(":{:04X} 0100007F:{:04X} ", port_, ntohs(own.sin_port));
+    for (int look = 0; look < 20000; ++look) {
+      std::ifstream table("/proc/net/tcp");
+      for (std::string line; std::getline(table, line);) {
+        const std::size_t at = line.find(end);  // then "state sent:received", in hexadecimal
+        if (at != std::string::npos && line.substr(at + end.size() + 11, 10) == ":00000000 ") return;
+      }
+      ::usleep(1000);
+    }
+    throw std::runtime_error("the server does not read");
   }
   /// The next answer; none when the connection ended before it was whole, or nothing came in time.
   std::optional<HttpAnswer> receive(bool has_body = true) {

@@ -618,7 +618,7 @@ TEST_F(ServeTest, AStopAnswersWhatHasComeIn) {
   ASSERT_TRUE(
       second.send("POST /api/messages HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer " + two.secret +
                   "\r\nContent-Length: " + std::to_string(lines_of({two.page.form()}).size()) + "\r\n\r\n"));
-  ::usleep(200000);
+  second.wait_until_read();
   ::kill(server.process(), SIGTERM);
   --two.page.sequence;
   ASSERT_TRUE(second.send(lines_of({two.page.form()})));

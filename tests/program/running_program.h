@@ -20,7 +20,10 @@ struct Running {
   std::filesystem::path output;
 };
 
-inline Running start(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
+/// `stand_still_at_ask`: the program stops itself when it asks for the n-th time whether to stop
+/// (support/running/interrupt.h); 0: never.
+inline Running start(const std::vector<std::string>& arguments, const std::filesystem::path& output,
+                     int stand_still_at_ask = 0) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -32,24 +35,30 @@ inline Running start(const std::vector<std::string>& arguments, const std::files
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  std::string standstill = "SEAMLINE_STAND_STILL_AT_ASK=" + std::to_string(stand_still_at_ask);
+  std::vector<char*> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+  variables.push_back(standstill.data());
+  variables.push_back(nullptr);
   Running running{.process = -1, .output = output};
-  if (posix_spawn(&running.process, SEAMLINE_PROGRAM, &actions, nullptr, pointers.data(), environ) != 0)
+  if (posix_spawn(&running.process, SEAMLINE_PROGRAM, &actions, nullptr, pointers.data(), variables.data()) !=
+      0)
     throw std::runtime_error("the program cannot be started");
   posix_spawn_file_actions_destroy(&actions);
   return running;
 }
 
-/// Whether the process catches the signal by now, so that it no longer ends it by itself.
-inline bool catches(pid_t process, int signal) {
-  const std::string status = read_text("/proc/" + std::to_string(process) + "/status");
-  const std::size_t at = status.find("SigCgt:");
-  if (at == std::string::npos) return true;  // it has ended
-  return (std::stoull(status.substr(at + 7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+/// Waits until the program stands still at the ask that it was started with; false when it ended before.
+inline bool stands_still(const Running& running) {
+  int status = 0;
+  ::waitpid(running.process, &status, WUNTRACED);
+  return WIFSTOPPED(status);
 }
 
-/// Sends the signal and waits for the end: its exit status.
+/// Sends the signal, lets a program that stands still go on, and waits for the end: its exit status.
 inline int status_after(const Running& running, int signal) {
   ::kill(running.process, signal);
+  ::kill(running.process, SIGCONT);
   int status = 0;
   ::waitpid(running.process, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
