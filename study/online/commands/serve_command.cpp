@@ -30,6 +30,7 @@ struct ServeOptions {
 struct GatheringOptions {
   std::string log, set;
   std::vector<std::string> files;
+  bool skip_foreign = false;
 };
 
 void refuse_beside(const ServeOptions& options, const std::string& flag) {
@@ -94,7 +95,8 @@ void run_serve(const ServeOptions& options) {
 void run_import(const GatheringOptions& options) {
   const RenderedSet set = set_for_log(options.log, options.set);
   const std::vector<fs::path> files(options.files.begin(), options.files.end());
-  fmt::print("{}", import_text(import_messages(set, options.log, files), options.log));
+  const Foreign foreign = options.skip_foreign ? Foreign::left_out : Foreign::ends_the_import;
+  fmt::print("{}", import_text(import_messages(set, options.log, files, foreign), options.log));
 }
 
 void run_merge(const GatheringOptions& options) {
@@ -132,8 +134,12 @@ void add_gathering_commands(CLI::App& app) {
   CLI::App* import =
       app.add_subcommand("import", "Store results of JATOS, or downloads of a page, into a log");
   import->add_option("log", imported->log, "the log; made when it is missing")->required();
-  import->add_option("files", imported->files, "files of messages")->required();
+  import
+      ->add_option("files", imported->files, "files of messages, or JATOS's archives of them (.jrzip, .zip)")
+      ->required();
   import->add_option("--set", imported->set, "the rendered set; else where the log says");
+  import->add_flag("--skip-foreign", imported->skip_foreign,
+                   "leave out, by name, what is no message of this study and set (else it ends the command)");
   import->callback([imported] { run_import(*imported);
 });
 

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "study/log/log.h"
 #include "study/online/intake/intake.h"
+#include "study/online/intake/result_values.h"
 #include "study/online/messages/message_reader.h"
 #include "support/files/atomic_file.h"
+#include "support/files/zip_file.h"
 #include "support/running/interrupt.h"
 #include "support/text/printable.h"
 
@@ -27,46 +28,95 @@ struct FiledMessage {
 struct FiledMessages {
   std::map<std::string, std::vector<FiledMessage>> of_participant;
   int count = 0;
-  std::vector<std::string> cut_files;
+  std::vector<std::string> cut_files, foreign;
 };
 
-void check_of_set(const RenderedSet& set, const FiledMessage& filed) {
-  const auto check = [&](const char* field, const std::string& wanted, const std::string& found) {
-    if (wanted == found) return;
-    throw input_error({.file = filed.place,
-                       .field = field,
-                       .wanted = wanted + ", of the log's study and set (nothing was imported)",
-                       .found = "\"" + printable(found, 80) + "\""});
-  };
-  check("study_hash", set.manifest.study_hash, filed.message.study_hash);
-  check("set_hash", set.set_hash, filed.message.set_hash);
+InputError of_another(const char* field, const std::string& wanted, const std::string& found) {
+  return input_error({.field = field,
+                      .wanted = wanted + ", of the log's study and set",
+                      .found = "\"" + printable(found, 80) + "\""});
 }
 
-void read_messages(const fs::path& file, const RenderedSet& set, FiledMessages& all) {
-  const std::string bytes = read_file(file);
-  std::size_t at = 0;
-  for (int line = 1; at < bytes.size(); ++line) {
-    stop_if_interrupted();
-    const std::size_t end = bytes.find('\n', at);
-    const bool is_last = end == std::string::npos;
-    std::string_view text(bytes.data() + at, (is_last ? bytes.size() : end) - at);
-    at = is_last ? bytes.size() : end + 1;
-    if (text.ends_with('\r')) text.remove_suffix(1);
-    if (text.find_first_not_of(" \t") == std::string_view::npos) continue;
-    FiledMessage filed{.message = {}, .place = fmt::format("{}:{}", file.string(), line)};
-    try {
-      filed.message = read_message(text);
-    } catch (const InputError& error) {
-      if (is_last) {  // without its line end: the browser, or the network, stopped in the middle
-        all.cut_files.push_back(file.string());
-        return;
-      }
-      throw input_error({.file = filed.place, .field = error.what()});
-    }
-    check_of_set(set, filed);
-    ++all.count;
-    all.of_participant[filed.message.participant].push_back(std::move(filed));
+Message message_of(const ResultValue& value, const RenderedSet& set) {
+  if (value.kind != ResultValue::Kind::whole)
+    throw input_error({.wanted = "a message", .found = "\"" + printable(value.text, 60) + "\""});
+  Message message = read_message(value.text);
+  if (message.study_hash != set.manifest.study_hash)
+    throw of_another("study_hash", set.manifest.study_hash, message.study_hash);
+  if (message.set_hash != set.set_hash) throw of_another("set_hash", set.set_hash, message.set_hash);
+  return message;
+}
+
+/// Foreign things that lie side by side, as one sentence.
+struct ForeignStretch {
+  std::string place, fault;
+  int values = 0, last_line = 0;
+
+  [[nodiscard]] std::string sentence() const {
+    if (values == 1) return fmt::format("{}: {}", place, fault);
+    return fmt::format("{} to line {}, {} values, the first: {}", place, last_line, values, fault);
   }
+};
+
+/// `name` is what the bytes are called in sentences.
+void read_messages(std::string_view bytes, const std::string& name, const RenderedSet& set, Foreign foreign,
+                   FiledMessages& all) {
+  ResultValues values(bytes);
+  ForeignStretch stretch;
+  const auto end_stretch = [&] {
+    if (stretch.values > 0) all.foreign.push_back(stretch.sentence());
+    stretch = {};
+  };
+  for (ResultValue value; values.next(value);) {
+    stop_if_interrupted();
+    if (value.kind == ResultValue::Kind::cut) {  // the browser, or the network, stopped in the middle
+      all.cut_files.push_back(name);
+      break;
+    }
+    const std::string place = value.value_in_line == 1
+                                  ? fmt::format("{}:{}", name, value.line)
+                                  : fmt::format("{}:{} (value {})", name, value.line, value.value_in_line);
+    try {
+      Message message = message_of(value, set);
+      end_stretch();
+      ++all.count;
+      std::vector<FiledMessage>& theirs = all.of_participant[message.participant];
+      theirs.push_back({.message = std::move(message), .place = place});
+    } catch (const InputError& error) {
+      if (foreign == Foreign::ends_the_import)
+        throw input_error(
+            {.file = place,
+             .field =
+                 fmt::format("{} (nothing was imported; --skip-foreign leaves out what is no message of this "
+                             "study and set)",
+                             error.what())});
+      if (stretch.values++ == 0) stretch.place = place, stretch.fault = error.what();
+      stretch.last_line = value.last_line;
+    }
+  }
+  end_stretch();
+}
+
+/// In JATOS's archives each result is a file `data.txt`; a ZIP of downloads has files of lines. Other files,
+/// as participants may have uploaded them, are no results.
+bool is_results(const std::string& name) {
+  return (name.ends_with(".txt") || name.ends_with(".jsonl")) && name.find("/files/") == std::string::npos;
+}
+
+void read_file_of_messages(const fs::path& file, const RenderedSet& set, Foreign foreign,
+                           FiledMessages& all) {
+  const std::string bytes = read_file(file);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw input_error(
+        {.file = file.string(), .wanted = "text in UTF-8", .found = "UTF-16 (save it as UTF-8)"});
+  if (!is_zip(bytes)) return read_messages(bytes, file.string(), set, foreign, all);
+  const std::vector<ZippedFile> results = unzip(bytes, file, is_results);
+  if (results.empty())
+    throw input_error({.file = file.string(),
+                       .wanted = "an archive of JATOS's results, with data.txt in it",
+                       .found = "one without"});
+  for (const ZippedFile& result : results)
+    read_messages(result.bytes, file.string() + "/" + printable(result.name), set, foreign, all);
 }
 
 /// The order in which people consented, as far as their enrolments are there; then their codes.
@@ -140,16 +190,18 @@ std::string person_text(const ImportedPerson& person) {
 
 }  // namespace
 
-ImportReport import_messages(const RenderedSet& set, const fs::path& log,
-                             const std::vector<fs::path>& files) {
+ImportReport import_messages(const RenderedSet& set, const fs::path& log, const std::vector<fs::path>& files,
+                             Foreign foreign) {
   FiledMessages all;
-  for (const fs::path& file : files) read_messages(file, set, all);
-  ImportReport report{
-      .files = static_cast<int>(files.size()), .messages = all.count, .cut_files = all.cut_files};
+  for (const fs::path& file : files) read_file_of_messages(file, set, foreign, all);
+  ImportReport report{.files = static_cast<int>(files.size()),
+                      .messages = all.count,
+                      .cut_files = all.cut_files,
+                      .foreign = all.foreign};
   if (all.count == 0)
     throw input_error({.file = files.empty() ? "seamline import" : files.front().string(),
                        .wanted = "lines of messages",
-                       .found = "none"});
+                       .found = all.foreign.empty() ? "none" : "none; " + all.foreign.front()});
   Intake intake(set, log, KnownNames::also_of_the_set);
   intake.transaction([&] {
     for (const std::string& code : in_order(all)) {
@@ -179,7 +231,8 @@ std::string import_text(const ImportReport& report, const fs::path& log) {
       log.string(), report.messages, report.people.size(), report.files, stored, known, refused, complete,
       report.people.size() - static_cast<std::size_t>(complete), report.declined);
   for (const std::string& file : report.cut_files)
-    text += fmt::format("{}: the last line ends in the middle and was left out\n", file);
+    text += fmt::format("{}: the last message ends in the middle and was left out\n", file);
+  for (const std::string& sentence : report.foreign) text += fmt::format("left out: {}\n", sentence);
   for (const ImportedPerson& person : report.people) text += person_text(person);
   return text;
 }
