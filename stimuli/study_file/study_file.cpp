@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
+#include "stimuli/study_file/carried_texts.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -203,6 +204,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   const std::filesystem::path folder = path.parent_path();
   check_carried_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
+  if (assets == AssetCheck::must_exist) check_carried_texts(table, study);
   require_a_set_that_can_be_read(table, study);
   return study;
 }

@@ -44,6 +44,20 @@ std::string shown_list(const toml::array& array) {
   return "[" + list + "]";
 }
 
+using LookAtText = std::function<void(const std::string& field, const std::string& text)>;
+
+void look_at_texts(const toml::node& node, const std::string& field, const LookAtText& look) {
+  if (node.is_string()) return look(field, node.as_string()->get());
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, item] : *table)
+      look_at_texts(item, (field.empty() ? "" : field + ".") + std::string(key.str()), look);
+  } else if (const toml::array* array = node.as_array()) {
+    std::size_t number = 0;
+    for (const toml::node& item : *array)
+      look_at_texts(item, item.is_string() ? field : fmt::format("{}[{}]", field, number++), look);
+  }
+}
+
 }  // namespace
 
 TomlTable::TomlTable(std::shared_ptr<const Node> node, std::string file, std::string prefix)
@@ -204,6 +218,10 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
     found.push_back(TomlTable(std::make_shared<const Node>(Node{node_->root, item.as_table()}), file_,
                               fmt::format("{}[{}]", field(key), found.size())));
   return found;
+}
+
+void TomlTable::for_each_text(const LookAtText& look) const {
+  look_at_texts(*node_->table, prefix_, look);
 }
 
 void TomlTable::finish() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -41,6 +42,11 @@ class TomlTable {
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key) const;
   [[nodiscard]] std::vector<TomlTable> tables(
       const std::string& key) const;  ///< array of tables; may be absent or empty
+
+  /// Calls `look` with every text of this table and of the tables and arrays below it, and its field; texts
+  /// of an array bear the array's field.
+  void for_each_text(
+      const std::function<void(const std::string& field, const std::string& text)>& look) const;
 
   /// Throws InputError when the table holds a key that nobody asked for.
   void finish() const;

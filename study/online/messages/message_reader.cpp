@@ -12,7 +12,7 @@
 namespace seamline::study::online {
 namespace {
 
-constexpr std::size_t most_hash_bytes = 128, most_name_bytes = 200, most_value_bytes = 1000;
+constexpr std::size_t most_hash_bytes = 128, most_name_bytes = 200;
 constexpr std::size_t most_detail_bytes = 4000;
 constexpr std::int64_t most_px = 1'000'000;
 constexpr double least_positive = std::numeric_limits<double>::min();
@@ -68,7 +68,7 @@ FormBody form_body(const JsonValue& json) {
   for (const JsonValue& item : answers.items) {
     const JsonFields answer(item, fmt::format("body.answers[{}]", form.answers.size()), {"field", "value"});
     form.answers.push_back({.field = answer.text("field", 1, most_name_bytes),
-                            .value = answer.text("value", 0, most_value_bytes)});
+                            .value = answer.any_text("value")});  // `fault_of` knows which are right
   }
   return form;
 }

@@ -166,6 +166,12 @@ const std::string& JsonFields::text(std::string_view key, std::size_t least, std
   return value.text;
 }
 
+const std::string& JsonFields::any_text(std::string_view key) const {
+  const JsonValue& value = at(key);
+  if (value.kind != JsonValue::Kind::text) refuse(path_of(key), "a text", value);
+  return value.text;
+}
+
 std::int64_t JsonFields::whole(std::string_view key, std::int64_t least, std::int64_t most) const {
   const JsonValue& value = at(key);
   if (value.kind != JsonValue::Kind::whole || value.whole < least || value.whole > most)

@@ -34,6 +34,8 @@ class JsonFields {
   [[nodiscard]] const JsonValue& at(std::string_view key) const;
   /// Without control characters; lengths in bytes.
   [[nodiscard]] const std::string& text(std::string_view key, std::size_t least, std::size_t most) const;
+  /// Whatever it holds, for what will be compared with what is known.
+  [[nodiscard]] const std::string& any_text(std::string_view key) const;
   [[nodiscard]] std::int64_t whole(std::string_view key, std::int64_t least, std::int64_t most) const;
   [[nodiscard]] double real(std::string_view key, double least, double most) const;
   [[nodiscard]] bool flag(std::string_view key) const;
