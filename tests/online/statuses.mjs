@@ -52,7 +52,7 @@ async function visit(browser, host, waited = () => {}) {
     const page = await context.newPage();
     await page.addInitScript(HURRY);
     // What a person does where the browser shows somebody else's page, or its own.
-    for (let loads = 0; loads < IN_A_ROW + 3; ++loads) {
+    for (let loads = 0; loads < 4 * IN_A_ROW; ++loads) {
       if (loads === 0) await page.goto(host.address, { waitUntil: "domcontentloaded" }).catch(() => {});
       else await page.reload({ waitUntil: "domcontentloaded" }).catch(() => {});
       if ((await page.locator("#study").count()) > 0) break;
