@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "analysis/statistics/interval.h"
@@ -60,13 +60,10 @@ Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, 
   return means;
 }
 
-double width_octaves(const LevelInterval& interval) {
-  return interval.high_x - interval.low_x;
-}
-
-/// Widths of the intervals of PT and SN, one for each row of a plan, of one simulated study.
-struct IntervalWidths {
-  std::vector<double> perceptual, slightly_noticeable;
+/// Lengths of the intervals of PT and SN, octaves, one for each row of a plan, of one simulated study; none
+/// where an interval is open.
+struct IntervalLengths {
+  std::vector<std::optional<double>> perceptual, slightly_noticeable;
 };
 
 struct Task {
@@ -95,26 +92,25 @@ std::map<Artifact, Eigen::MatrixXd> simulate_people(const Task& task, int study,
   return scores;
 }
 
-IntervalWidths simulate_study(const Task& task, int study) {
+IntervalLengths simulate_study(const Task& task, int study) {
   std::vector<std::map<Artifact, Eigen::MatrixXd>> scores;
   for (std::size_t set = 0; set < task.width_sets.size(); ++set)
     scores.push_back(simulate_people(task, study, set));
-  IntervalWidths widths;
+  IntervalLengths lengths;
   for (const auto& [artifact, objects] : task.objects)
     for (std::size_t set = 0; set < task.width_sets.size(); ++set) {
       const std::vector<double> level_x = log2_widths(task.width_sets[set].width_px);
       for (const int people : task.request.participants) {
         const MeanVector means = mean_and_covariance(scores[set].at(artifact).topRows(people));
-        widths.perceptual.push_back(width_octaves(level_interval(perceptual_level, level_x, means, people)));
-        widths.slightly_noticeable.push_back(
-            width_octaves(level_interval(slight_level, level_x, means, people)));
+        lengths.perceptual.push_back(length_x(level_interval(perceptual_level, level_x, means, people)));
+        lengths.slightly_noticeable.push_back(length_x(level_interval(slight_level, level_x, means, people)));
       }
     }
-  return widths;
+  return lengths;
 }
 
-std::vector<IntervalWidths> simulate_studies(const Task& task) {
-  std::vector<IntervalWidths> studies(static_cast<std::size_t>(task.request.studies));
+std::vector<IntervalLengths> simulate_studies(const Task& task) {
+  std::vector<IntervalLengths> studies(static_cast<std::size_t>(task.request.studies));
   Progress progress("simulated studies", task.request.studies);
   for (int first = 0; first < task.request.studies; first += studies_a_step) {
     if (interrupted()) throw Interrupted{};
@@ -127,22 +123,28 @@ std::vector<IntervalWidths> simulate_studies(const Task& task) {
   return studies;
 }
 
-PlannedInterval planned_interval(bool planted, std::vector<double> octaves) {
-  const auto open = std::count_if(octaves.begin(), octaves.end(), [](double w) { return std::isinf(w); });
-  const double share = static_cast<double>(open) / static_cast<double>(octaves.size());
+PlannedInterval planned_interval(bool planted, const std::vector<std::optional<double>>& lengths) {
+  std::vector<double> octaves;
+  for (const std::optional<double>& length : lengths)
+    if (length) octaves.push_back(*length);
+  require_ordered(octaves);
   std::sort(octaves.begin(), octaves.end());
-  return {.planted = planted, .median_octaves = octaves[octaves.size() / 2], .open_share = share};
+  const std::size_t all = lengths.size(), open = all - octaves.size();
+  PlannedInterval planned{.planted = planted,
+                          .open_share = static_cast<double>(open) / static_cast<double>(all)};
+  if (all / 2 < octaves.size()) planned.median_octaves = octaves[all / 2];
+  return planned;
 }
 
-std::vector<PlanRow> rows_of(const Task& task, const std::vector<IntervalWidths>& studies) {
+std::vector<PlanRow> rows_of(const Task& task, const std::vector<IntervalLengths>& studies) {
   std::vector<PlanRow> rows;
   for (const auto& [artifact, objects] : task.objects)
     for (std::size_t set = 0; set < task.width_sets.size(); ++set) {
       const CurveThresholds planted =
           planted_thresholds(task.observer, artifact, task.width_sets[set].width_px);
       for (const int participants : task.request.participants) {
-        std::vector<double> perceptual, slight;
-        for (const IntervalWidths& study : studies) {
+        std::vector<std::optional<double>> perceptual, slight;
+        for (const IntervalLengths& study : studies) {
           perceptual.push_back(study.perceptual[rows.size()]);
           slight.push_back(study.slightly_noticeable[rows.size()]);
         }

@@ -28,10 +28,11 @@ struct WidthSet {
 
 /// How well one threshold would be known.
 struct PlannedInterval {
-  bool planted = false;       ///< the observer's threshold lies within the widths; else nothing can be known
-  double median_octaves = 0;  ///< of the 95 % interval's width over simulated studies; infinite when more
-                              ///< than half of them are open
-  double open_share = 0;      ///< share of studies whose interval is open on a side
+  bool planted = false;  ///< the observer's threshold lies within the widths; else nothing can be known
+  /// Of the 95 % interval's length over simulated studies, an open one being longer than any; none when half
+  /// of them are open.
+  std::optional<double> median_octaves = {};
+  double open_share = 0;  ///< share of studies whose interval is open on a side
 };
 
 struct PlanRow {

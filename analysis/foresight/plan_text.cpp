@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "support/files/markdown_table.h"
 
@@ -12,7 +13,7 @@ namespace seamline::analysis {
 namespace {
 
 bool meets(const PlannedInterval& interval, double wanted_octaves) {
-  return !interval.planted || interval.median_octaves <= wanted_octaves;
+  return !interval.planted || (interval.median_octaves && *interval.median_octaves <= wanted_octaves);
 }
 
 std::vector<PlannedDesign> designs_that_meet(const StudyPlan& plan) {
@@ -31,11 +32,44 @@ int widths(const StudyPlan& plan, const PlannedDesign& design) {
 
 std::string octaves_text(const PlannedInterval& interval) {
   if (!interval.planted) return "beyond the widths";
-  return std::isinf(interval.median_octaves) ? "open" : fmt::format("{:.2f}", interval.median_octaves);
+  return interval.median_octaves ? fmt::format("{:.2f}", *interval.median_octaves) : "open";
 }
 
 std::string share_text(const PlannedInterval& interval) {
   return fmt::format("{:.0f} %", 100 * interval.open_share);
+}
+
+/// "PT of receiver, SN of receiver": which thresholds of a set of widths nobody can measure; and how many can
+/// be.
+struct Reach {
+  std::vector<std::string> beyond;
+  int within = 0;
+};
+
+Reach reach_of(const StudyPlan& plan, std::size_t width_set) {
+  Reach reach;
+  for (const PlanRow& row : plan.rows) {
+    if (row.width_set != width_set || row.participants != plan.rows.front().participants) continue;
+    for (const auto& [name, interval] :
+         {std::pair{"PT", &row.perceptual}, std::pair{"SN", &row.slightly_noticeable}}) {
+      if (interval->planted)
+        ++reach.within;
+      else
+        reach.beyond.push_back(fmt::format("{} of {}", name, word(row.artifact)));
+    }
+  }
+  return reach;
+}
+
+/// What no number of people can measure, and what therefore is in no wish.
+std::string beyond_text(const StudyPlan& plan) {
+  const Reach reach = reach_of(plan, 0);
+  if (reach.beyond.empty()) return "";
+  return fmt::format(
+      "Beyond the study's widths: {} ({} of {} thresholds). No number of participants measures them: choose "
+      "widths around them.\n",
+      fmt::join(reach.beyond, ", "), reach.beyond.size(),
+      reach.beyond.size() + static_cast<std::size_t>(reach.within));
 }
 
 std::string design_text(const StudyPlan& plan, const PlannedDesign& design) {
@@ -99,10 +133,13 @@ std::string plan_text(const StudyPlan& plan) {
   for (const WidthSet& set : plan.width_sets)
     text += fmt::format("  {}: {} px\n", set.name, fmt::join(set.width_px, ", "));
   text += "\n" + markdown_table(table_of(plan)) + "\n";
-  const std::string wish = fmt::format(
-      "Wanted: 95 % intervals of PT and SN of at most {:g} octave{} (median over studies) for every "
-      "artifact.\n",
-      plan.wanted_octaves, plan.wanted_octaves == 1 ? "" : "s");
+  const std::string beyond = beyond_text(plan);
+  const std::string wish =
+      beyond +
+      fmt::format(
+          "Wanted: 95 % intervals of PT and SN of at most {:g} octave{} (median over studies) for {}.\n",
+          plan.wanted_octaves, plan.wanted_octaves == 1 ? "" : "s",
+          beyond.empty() ? "every artifact" : "every threshold within the widths");
   const std::optional<PlannedDesign> people = fewest_participants(plan), answers = fewest_answers(plan);
   if (!people || !answers) return text + wish + "There is no design in the table that gives them.\n";
   return text + wish + "Fewest participants: " + design_text(plan, *people) +

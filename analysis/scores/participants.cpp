@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/statistics/interval.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -16,11 +17,7 @@ Use use_of(const study::ParticipantRecord& record, bool include_pilot) {
 }
 
 double median(std::vector<double> values) {
-  if (values.empty()) return nan;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+  return values.empty() ? nan : quantile(values, 0.5);
 }
 
 }  // namespace

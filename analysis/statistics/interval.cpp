@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/statistics/distributions.h"
 
@@ -95,7 +96,7 @@ LevelInterval invert_level_test(double level, const std::vector<double>& level_x
                                 int steps_per_gap,
                                 const std::function<CurveAtX(std::size_t, double)>& curve_at) {
   assert(people >= 2 && !level_x.empty());
-  const double critical = student_quantile(people - 1, 0.975);
+  const double critical = student_quantile(people - 1, (1 + confidence) / 2);
   std::vector<Excess> tests;
   for (std::size_t left = 0; left < level_x.size(); ++left) {
     const int steps = left + 1 < level_x.size() ? steps_per_gap : 1;
@@ -111,10 +112,22 @@ LevelInterval invert_level_test(double level, const std::vector<double>& level_x
   return {.low_x = lower_bound_of(tests), .high_x = upper_bound_of(tests)};
 }
 
+double distance_between(double end_x, double other_end_x) {
+  if (std::isinf(end_x) && end_x == other_end_x)
+    throw std::logic_error("the distance of two ends that are open on the same side");
+  return end_x - other_end_x;
+}
+
+std::optional<double> length_x(const LevelInterval& interval) {
+  if (!std::isfinite(interval.low_x) || !std::isfinite(interval.high_x)) return std::nullopt;
+  return distance_between(interval.high_x, interval.low_x);
+}
+
 TailLevels expanded_levels(int people) {
   if (people < 2) return {.low = 0, .high = 1};
   const double n = people;
-  const double low = normal_below(-std::sqrt(n / (n - 1)) * student_quantile(people - 1, 0.975));
+  const double low =
+      normal_below(-std::sqrt(n / (n - 1)) * student_quantile(people - 1, (1 + confidence) / 2));
   return {.low = low, .high = 1 - low};
 }
 
@@ -127,8 +140,14 @@ LevelInterval percentile_interval(const std::vector<LevelInterval>& replicates, 
   return {.low_x = quantile(lows, levels.low), .high_x = quantile(highs, levels.high)};
 }
 
+void require_ordered(std::span<const double> values) {
+  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
+    throw std::logic_error("a NaN among values that are put in order");
+}
+
 double quantile(std::vector<double>& values, double probability) {
   assert(!values.empty());
+  require_ordered(values);
   const double place = probability * static_cast<double>(values.size() - 1);
   const double share = place - std::floor(place);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(place);

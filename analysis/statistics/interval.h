@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "analysis/statistics/estimate.h"
@@ -66,8 +67,11 @@ struct TailLevels {
 [[nodiscard]] LevelInterval percentile_interval(const std::vector<LevelInterval>& replicates,
                                                 const TailLevels& levels);
 
-/// Quantile with linear interpolation between order statistics (type 7). Infinite values are ordinary values.
-/// Reorders.
+/// Throws std::logic_error when a value is NaN. Whatever is sorted in the analysis is asked first.
+void require_ordered(std::span<const double> values);
+
+/// Quantile with linear interpolation between order statistics (type 7). Infinite values are ordinary values;
+/// NaN has no place in an order: `require_ordered`. Reorders.
 [[nodiscard]] double quantile(std::vector<double>& values, double probability);
 
 }  // namespace seamline::analysis

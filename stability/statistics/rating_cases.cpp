@@ -87,7 +87,7 @@ Finding try_ten_thousand_participants(int threads) {
   for (const int width_px : widths_px)
     means.push_back(expected_noticeability({}, Artifact::receiver, width_px));
   const double planted = thresholds_of_means(log2_widths(widths_px), means).perceptual.level_x.value();
-  const double standard_error = (found.ci95.high_x - found.ci95.low_x) / (2 * 1.96);
+  const double standard_error = length_x(found.ci95).value() / (2 * 1.96);
   return {std::abs(found.level_x.value() - planted) / standard_error,
           fmt::format("PT {:.2f} px, planted {:.2f} px, standard error {:.2g} octaves",
                       std::exp2(*found.level_x), std::exp2(planted), standard_error)};

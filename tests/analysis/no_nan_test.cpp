@@ -226,7 +226,7 @@ TEST(NoNan, InAPrediction) {
 
 TEST(NoNan, InAPlanOfOpenIntervals) {
   StudyPlan plan{.width_sets = {{"all", {64, 128}}}, .rows = {}, .stimuli_a_width = 3, .studies = 1};
-  const PlannedInterval open{.planted = true, .median_octaves = infinity, .open_share = 1};
+  const PlannedInterval open{.planted = true, .open_share = 1};
   plan.rows.push_back(
       {.artifact = Artifact::receiver, .participants = 2, .perceptual = open, .slightly_noticeable = {}});
   expect_numbers("plan", plan_text(plan));

@@ -40,14 +40,20 @@ TEST_F(PlanStudy, MorePeopleGiveNarrowerIntervals) {
   EXPECT_EQ(plan.stimuli_a_width, 6);
   for (std::size_t row = 0; row < plan.rows.size(); row += 3) {
     for (const PlanRow* few : {&plan.rows[row], &plan.rows[row + 1]}) {
-      // PT may be open in most studies of few people: then the median is infinite at both numbers
-      EXPECT_GE(few->perceptual.median_octaves, few[1].perceptual.median_octaves);
+      // Intervals may be open in most studies of few people: then there is no median
+      if (few->perceptual.median_octaves) {
+        ASSERT_TRUE(few[1].perceptual.median_octaves);
+        EXPECT_GE(*few->perceptual.median_octaves, *few[1].perceptual.median_octaves);
+      }
       EXPECT_GE(few->perceptual.open_share, few[1].perceptual.open_share);
-      EXPECT_GT(few->slightly_noticeable.median_octaves, few[1].slightly_noticeable.median_octaves);
+      ASSERT_TRUE(few[1].slightly_noticeable.median_octaves);
+      if (few->slightly_noticeable.median_octaves) {
+        EXPECT_GT(*few->slightly_noticeable.median_octaves, *few[1].slightly_noticeable.median_octaves);
+      }
     }
     // 20 to 60 people: near 1 / sqrt(3), the last row's intervals are far from open
-    const double ratio = plan.rows[row + 2].slightly_noticeable.median_octaves /
-                         plan.rows[row + 1].slightly_noticeable.median_octaves;
+    const double ratio = *plan.rows[row + 2].slightly_noticeable.median_octaves /
+                         *plan.rows[row + 1].slightly_noticeable.median_octaves;
     EXPECT_NEAR(ratio, 1 / std::sqrt(3.0), 0.15);
   }
 }
@@ -83,7 +89,8 @@ TEST_F(PlanStudy, TheDesignFoundMeetsTheWishAndNoSmallerOneDoes) {
   const auto meets = [&](std::size_t width_set, int participants) {
     for (const PlanRow& row : plan.rows)
       if (row.width_set == width_set && row.participants == participants &&
-          std::max(row.perceptual.median_octaves, row.slightly_noticeable.median_octaves) > 1.0)
+          !(row.perceptual.median_octaves && row.slightly_noticeable.median_octaves &&
+            std::max(*row.perceptual.median_octaves, *row.slightly_noticeable.median_octaves) <= 1.0))
         return false;
     return true;
   };
@@ -105,6 +112,35 @@ TEST_F(PlanStudy, AThresholdBeyondTheWidthsIsSaidAndNotWaitedFor) {
   const StudyPlan plan = plan_study(wish);
   EXPECT_FALSE(plan.rows.back().perceptual.planted);
   EXPECT_NE(plan_text(plan).find("beyond the widths"), std::string::npos);
+}
+
+/// Where everybody sees an artifact at every width, or nobody does, both ends of an interval lie beyond the
+/// widths: the interval is open, and no number of people closes it. (Infinity less infinity is NaN, which is
+/// less than any wish.)
+TEST_F(PlanStudy, AnIntervalWhollyBeyondTheWidthsIsOpen) {
+  const PlanRequest wish =
+      request(paper_widths +
+                  "\n[observer]\nscale_octaves = 0.2\npeople_sd_octaves = 0.2\n[observer.midpoint_width_px]\n"
+                  "receiver = 5200\nshadow = 40\nocclusion = 4400\noverlap = 3000\n",
+              "\"receiver\", \"shadow\", \"occlusion\", \"overlap\"");
+  const StudyPlan plan = plan_study(wish);
+  int within = 0;
+  for (const PlanRow& row : plan.rows)
+    for (const PlannedInterval* interval : {&row.perceptual, &row.slightly_noticeable}) {
+      EXPECT_EQ(interval->median_octaves.has_value(), interval->open_share < 0.5)
+          << word(row.artifact) << ", " << row.participants;
+      if (interval->median_octaves) {
+        EXPECT_TRUE(std::isfinite(*interval->median_octaves));
+      }
+      if (!interval->planted) {
+        EXPECT_GT(interval->open_share, 0.9) << word(row.artifact) << ", " << row.participants;
+      }
+      within += interval->planted && row.width_set == 0 && row.participants == 5 ? 1 : 0;
+    }
+  EXPECT_EQ(within, 1);  // SN of the overlap
+  const std::string text = plan_text(plan);
+  EXPECT_NE(text.find("(7 of 8 thresholds)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("for every artifact"), std::string::npos) << text;
 }
 
 TEST_F(PlanStudy, StudiesThatCannotBePlannedAreWrongInput) {

@@ -6,6 +6,7 @@
 
 #include "analysis/psychometric/intervals/goodness.h"
 #include "analysis/statistics/distributions.h"
+#include "analysis/statistics/interval.h"
 #include "study/placement/sigmoid_shape.h"
 #include "support/text/numbers.h"
 
@@ -103,6 +104,7 @@ double order_statistic(const std::vector<double>& sorted, double share) {
 /// `estimates`: all values that the data make as likely, evenly. The share of replicates below the estimate
 /// is the mean over these.
 Interval bca(std::vector<double> replicates, const std::vector<double>& estimates, double a) {
+  require_ordered(replicates);
   std::sort(replicates.begin(), replicates.end());
   const auto n = static_cast<double>(replicates.size());
   double below = 0;
