@@ -68,40 +68,48 @@ void warn_of_caps(const PsychometricFit& fit, Warnings& warnings) {
                                    share_text(falling ? fit.levels.back() : fit.levels.front())));
 }
 
+/// "25 of 60 right at 512", "31 of 50 right from 3.1 to 4.2".
+std::string share_text(const LevelGroup& group) {
+  const std::string places = group.low == group.high
+                                 ? fmt::format("at {:.4g}", group.low)
+                                 : fmt::format("from {:.4g} to {:.4g}", group.low, group.high);
+  return fmt::format("{:.0f} of {:.0f} right {}", group.correct, group.trials, places);
+}
+
 /// The two neighbours that go most strongly against the direction.
-void add_reversal(const PsychometricFit& fit, std::string& text) {
+void add_reversal(const PsychometricFit& fit, const std::vector<LevelGroup>& groups, std::string& text) {
   const double sign = fit.direction == study::Direction::increasing ? 1 : -1;
   double worst = 0;
   std::size_t at = 0;
-  for (std::size_t i = 1; i < fit.levels.size(); ++i) {
-    const LevelCounts &a = fit.levels[i - 1], &b = fit.levels[i];
-    const auto na = static_cast<double>(a.trials), nb = static_cast<double>(b.trials);
-    const double pa = static_cast<double>(a.correct) / na, pb = static_cast<double>(b.correct) / nb;
-    const double p = static_cast<double>(a.correct + b.correct) / (na + nb);
-    const double variance = p * (1 - p) * (1 / na + 1 / nb);
-    const double z = variance > 0 ? sign * (pa - pb) / std::sqrt(variance) : 0;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const LevelGroup &a = groups[i - 1], &b = groups[i];
+    const double p = (a.correct + b.correct) / (a.trials + b.trials);
+    const double variance = p * (1 - p) * (1 / a.trials + 1 / b.trials);
+    const double z =
+        variance > 0 ? sign * (a.correct / a.trials - b.correct / b.trials) / std::sqrt(variance) : 0;
     if (z > worst) {
       worst = z;
       at = i;
     }
   }
   if (worst > 2)
-    text += fmt::format("; not monotone: {}, {} (z = {:.1f})", share_text(fit.levels[at - 1]),
-                        share_text(fit.levels[at]), worst);
+    text += fmt::format("; not monotone: {}, {} (z = {:.1f})", share_text(groups[at - 1]),
+                        share_text(groups[at]), worst);
 }
 
 void warn_of_misfit(const PsychometricFit& fit, const FitEvidence& evidence, Warnings& warnings) {
   if (!(evidence.deviance_p < misfit_p)) return;
-  const auto& residuals = evidence.goodness.residuals;
-  const auto worst = std::max_element(residuals.begin(), residuals.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.deviance_residual) < std::abs(b.deviance_residual);
-  });
+  const std::vector<LevelGroup>& groups = evidence.goodness.groups;
+  const auto worst =
+      std::max_element(groups.begin(), groups.end(), [](const LevelGroup& a, const LevelGroup& b) {
+        return std::abs(a.deviance_residual) < std::abs(b.deviance_residual);
+      });
   std::string text = fmt::format(
       "misfit: deviance {:.4g} on {} degrees of freedom, p = {:.2g}; largest residual {:+.2f} ({}, {:.3g} % "
       "expected)",
       evidence.goodness.deviance, evidence.goodness.degrees_of_freedom, evidence.deviance_p,
-      worst->deviance_residual, share_text(worst->counts), 100 * worst->fitted);
-  add_reversal(fit, text);
+      worst->deviance_residual, share_text(*worst), 100 * worst->expected / worst->trials);
+  add_reversal(fit, groups, text);
   warnings.push_back(text);
 }
 

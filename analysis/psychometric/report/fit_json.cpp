@@ -75,6 +75,18 @@ Json levels_json(const Goodness& goodness) {
   return levels;
 }
 
+Json groups_json(const Goodness& goodness) {
+  Json groups = Json::array();
+  for (const LevelGroup& group : goodness.groups)
+    groups.push_back({{"low", number_or_null(group.low)},
+                      {"high", number_or_null(group.high)},
+                      {"correct", group.correct},
+                      {"trials", group.trials},
+                      {"expected", number_or_null(group.expected)},
+                      {"deviance_residual", number_or_null(group.deviance_residual)}});
+  return groups;
+}
+
 }  // namespace
 
 std::string fit_json(const JudgedFit& report) {
@@ -102,6 +114,7 @@ std::string fit_json(const JudgedFit& report) {
   json["degrees_of_freedom"] = report.goodness.degrees_of_freedom;
   json["aic"] = empty ? Json(nullptr) : number_or_null(report.goodness.aic);
   json["levels"] = levels_json(report.goodness);
+  json["deviance_groups"] = groups_json(report.goodness);
   json["warnings"] = report.warnings;
   json["converged"] = report.fit.converged;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -57,6 +57,23 @@ CsvTable levels_table(const Goodness& goodness) {
   return table;
 }
 
+/// What p is of, or why there is none.
+std::string deviance_text(const JudgedFit& report) {
+  const Goodness& goodness = report.goodness;
+  std::string text =
+      fmt::format("deviance {:.3f} on {} degrees of freedom", goodness.deviance, goodness.degrees_of_freedom);
+  if (goodness.groups.size() < report.fit.levels.size())
+    text += fmt::format(" ({} levels in {} groups of neighbours)", report.fit.levels.size(),
+                        goodness.groups.size());
+  if (!std::isnan(report.deviance_p)) return text + fmt::format(", p = {:.3g}", report.deviance_p);
+  if (report.fit.options.overdispersed) return text + ", not tested: the fit is overdispersed";
+  if (goodness.degrees_of_freedom <= 0)
+    return text + fmt::format(", not tested: {} group{} of answers for {} free parameters",
+                              goodness.groups.size(), goodness.groups.size() == 1 ? "" : "s",
+                              report.fit.free_parameters);
+  return text;
+}
+
 }  // namespace
 
 std::string fit_text(const JudgedFit& report) {
@@ -65,12 +82,9 @@ std::string fit_text(const JudgedFit& report) {
   text += markdown_table(quantities_table(report), 5) + "\n";
   if (!fit.levels.empty()) {
     text += markdown_table(levels_table(report.goodness), 4) + "\n";
-    text += fmt::format(
-        "{} {} function, {} axis. Log-likelihood {:.4f}, AIC {:.2f}, deviance {:.3f} on {} degrees of "
-        "freedom",
-        word(fit.direction), word(fit.options.sigmoid), word(fit.options.axis), fit.log_likelihood,
-        report.goodness.aic, report.goodness.deviance, report.goodness.degrees_of_freedom);
-    text += std::isnan(report.deviance_p) ? ".\n" : fmt::format(" (p = {:.3g}).\n", report.deviance_p);
+    text += fmt::format("{} {} function, {} axis. Log-likelihood {:.4f}, AIC {:.2f}, {}.\n",
+                        word(fit.direction), word(fit.options.sigmoid), word(fit.options.axis),
+                        fit.log_likelihood, report.goodness.aic, deviance_text(report));
   }
   for (const std::string& warning : report.warnings) text += "Warning: " + warning + ".\n";
   return text;
