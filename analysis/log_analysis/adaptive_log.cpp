@@ -1,5 +1,6 @@
 #include "analysis/log_analysis/adaptive_log.h"
 
+#include "analysis/scores/level_words.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -29,7 +30,7 @@ void set_aside_adaptive(Analysis& analysis) {
               .left_out = {}};
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
     give_reason(analysis.thresholds.back().estimates,
-                in_words_of(scores.axis, "widths were placed by the answers"));
+                level_words(scores.axis).levels + " were placed by the answers");
   }
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }

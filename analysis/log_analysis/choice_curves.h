@@ -35,7 +35,7 @@ struct ChoiceCurve {
   std::vector<std::string> warnings;  ///< what a reader of the fit must know, a sentence each
 };
 
-/// Whether the data say where the threshold is, so that it may be printed as a number.
+/// Whether the data say where the function is, so that its width and lapse rate may be printed as numbers.
 [[nodiscard]] bool has_threshold(const ChoiceCurve& curve);
 
 /// At most this many replicates of participants make a band: percentiles of a drawing need no more.

@@ -1,7 +1,10 @@
 #include "analysis/log_analysis/report_numbers.h"
 
+#include <fmt/format.h>
+
 #include <set>
 
+#include "analysis/scores/level_words.h"
 #include "support/text/error.h"
 
 namespace seamline::analysis {
@@ -10,11 +13,10 @@ namespace {
 
 void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
   if (analysis.adaptive) {
-    numbers.comparisons_missing =
-        in_words_of(analysis.data.axis,
-                    "Artifacts are not compared by a model of ratings: widths were placed by the answers, so "
-                    "ratings were not asked at the same widths of everybody. Compare the thresholds of the "
-                    "tracks.");
+    numbers.comparisons_missing = fmt::format(
+        "Artifacts are not compared by a model of ratings: {0} were placed by the answers, so ratings "
+        "were not asked at the same {0} of everybody. Compare the thresholds of the tracks.",
+        level_words(analysis.data.axis).levels);
     return;
   }
   OrdinalStudyRequest request;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/screening/screening.h"
+#include "analysis/thresholds/threshold_rules.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
@@ -131,9 +132,9 @@ Archive read_archive(const std::filesystem::path& file) {
 
 std::vector<std::string> rules_of_analysis() {
   std::vector<std::string> rules = {
-      "left out: whoever is excluded in the log, pilot data unless they are included, whoever did not finish",
-      "thresholds: PT where mean noticeability is 0.5, SN where it is 1, IP the curve's inflection point; "
-      "intervals of 95 % by resampling participants"};
+      "left out: whoever is excluded in the log, pilot data unless they are included, whoever did not "
+      "finish"};
+  for (std::string& rule : sentences_of_rules()) rules.push_back(std::move(rule));
   for (const ScreeningRule rule : every_screening_rule)
     rules.push_back("screen " + std::string(rule_of(rule)));
   return rules;

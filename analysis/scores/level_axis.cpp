@@ -14,11 +14,6 @@ namespace {
 
 constexpr double units_in_range = 6;
 
-void replace_each(std::string& text, const std::string& old, const std::string& fresh) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + fresh.size()))
-    text.replace(at, old.size(), fresh);
-}
-
 }  // namespace
 
 LevelAxis level_axis(const study::LogContents& log) {
@@ -118,34 +113,6 @@ std::string estimated_text(const LevelAxis& axis, double level) {
   if (level == 0) return "0";
   const double decimals = 2 - std::floor(std::log10(std::abs(level)));
   return fmt::format("{:.{}f}", level, static_cast<int>(std::clamp(decimals, 0.0, 12.0)));
-}
-
-std::string in_words_of(const LevelAxis& axis, std::string sentence) {
-  if (of_depth_widths(axis)) return sentence;
-  const std::string name(facts(axis.quantity).name);
-  replace_each(sentence, "depth map widths", "levels");
-  replace_each(sentence, "depth map width", name);
-  if (is_linear(axis)) {
-    replace_each(sentence, "linear in log2 width", "linear in the level");
-    replace_each(sentence, "log2 widths", "the level");
-    replace_each(sentence, "log2 width", "the level");
-    replace_each(sentence, "log2 W", "the level");
-  }
-  if (axis.noticeability == Direction::increasing) {
-    replace_each(sentence, "largest width", "smallest level");
-    replace_each(sentence, "largest levels", "smallest levels");
-    replace_each(sentence, "non-increasing", "non-decreasing");
-    replace_each(sentence, "falls with the width", "rises with the level");
-    replace_each(sentence, "falls with width", "rises with the level");
-    replace_each(sentence, "does not fall with width", "does not rise with the level");
-    replace_each(sentence, "fall with width", "rise with the level");
-    replace_each(sentence, "falling", "rising");
-  }
-  replace_each(sentence, "log2 W", "log2 level");
-  replace_each(sentence, "width W", "level");
-  replace_each(sentence, "widths", "levels");
-  replace_each(sentence, "width", "level");
-  return sentence;
 }
 
 }  // namespace seamline::analysis

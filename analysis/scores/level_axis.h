@@ -69,7 +69,4 @@ struct LevelRange {
 /// An estimated level, with as many digits as it deserves: "426", "0.000123".
 [[nodiscard]] std::string estimated_text(const LevelAxis& axis, double level);
 
-/// A sentence written about widths, about the quantity instead; unchanged where widths are the levels.
-[[nodiscard]] std::string in_words_of(const LevelAxis& axis, std::string sentence);
-
 }  // namespace seamline::analysis

@@ -1,7 +1,5 @@
 #include "analysis/statistics/logistic4.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -96,27 +94,6 @@ struct FourParameters {
 double value_at(const Logistic4& curve, double level_x) {
   return curve.lower +
          (curve.upper - curve.lower) * falling_logistic((level_x - curve.centre_x) / curve.scale_x);
-}
-
-std::string reason(const Logistic4Fit& fit, std::span<const double> level_x) {
-  switch (fit.verdict) {
-    case Centre::identified:
-      return "";
-    case Centre::step:
-      return fmt::format("a step between {:.0f} and {:.0f}: the widths tested do not say where",
-                         std::exp2(fit.centre_range.low_x), std::exp2(fit.centre_range.high_x));
-    case Centre::straight:
-      return "not identified: the fit is all but a straight line";
-    case Centre::below_range:
-      return fmt::format("steepest below {:.0f}", std::exp2(level_x.front()));
-    case Centre::above_range:
-      return fmt::format("steepest above {:.0f}", std::exp2(level_x.back()));
-    case Centre::not_falling:
-      return "not identified: noticeability does not fall with width";
-    case Centre::too_few_levels:
-      return "not identified: under four widths";
-  }
-  return "";
 }
 
 LogisticBox logistic_box(std::span<const double> level_x) {

@@ -2,7 +2,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/statistics/estimate.h"
@@ -44,9 +43,6 @@ struct Logistic4Fit {
   /// an infinite end where the centre may lie outside the tested range.
   LevelInterval centre_range;
 };
-
-/// A sentence for `verdict`; empty when identified.
-[[nodiscard]] std::string reason(const Logistic4Fit& fit, std::span<const double> level_x);
 
 /// Where centres and scales are looked for.
 struct LogisticBox {

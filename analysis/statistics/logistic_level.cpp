@@ -61,21 +61,6 @@ LevelInterval logistic_level_range(double level, const Logistic4Fit& fit, std::s
   return {.low_x = width, .high_x = width};
 }
 
-ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
-                                          std::span<const double> level_x) {
-  ThresholdEstimate estimate;
-  const LevelInterval range = logistic_level_range(level, fit, level_x);
-  if (range.low_x == above_every_level)
-    estimate.reason = "above at every width";
-  else if (range.high_x == below_every_level)
-    estimate.reason = "below at every width";
-  else if (range.low_x == range.high_x)
-    estimate.level_x = range.low_x;
-  else
-    estimate.reason = reason(fit, level_x);
-  return estimate;
-}
-
 LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
                                       const std::vector<double>& level_x, const MeanVector& means,
                                       int people) {

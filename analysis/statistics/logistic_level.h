@@ -20,10 +20,6 @@ namespace seamline::analysis {
 [[nodiscard]] LevelInterval logistic_level_range(double level, const Logistic4Fit& fit,
                                                  std::span<const double> level_x);
 
-/// The same as an estimate, with the reason where there is none; its interval is left open.
-[[nodiscard]] ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
-                                                        std::span<const double> level_x);
-
 /// The 95 % interval of the width where the least-squares logistic equals a level, by inverting a score test
 /// at each width w: is the best logistic through the level at w (`fit_through_level`) worse than chance
 /// allows?

@@ -8,6 +8,7 @@
 
 #include "analysis/statistics/interval.h"
 #include "analysis/statistics/isotonic.h"
+#include "analysis/thresholds/closed_estimates.h"
 
 namespace seamline::analysis {
 
@@ -44,7 +45,7 @@ Ranges ranges_of(const Logistic4Fitter& fitter, std::span<const double> means) {
 /// What a is more than b, when each lies anywhere in its range. No end is infinite less infinite: a low end
 /// is never above every level, a high end never below.
 LevelInterval difference(const LevelInterval& a, const LevelInterval& b) {
-  return {.low_x = a.low_x - b.high_x, .high_x = a.high_x - b.low_x};
+  return {.low_x = distance_between(a.low_x, b.high_x), .high_x = distance_between(a.high_x, b.low_x)};
 }
 
 /// A range of differences of x as one of levels.
@@ -65,22 +66,16 @@ std::string hundredths_text(double value) {
 }
 
 std::string text_of(const ThresholdDifference& found) {
-  const auto bound = [](double value) { return std::isfinite(value) ? hundredths_text(value) : "open"; };
-  const LevelRange& bounds = found.bounds;
-  std::string text;
-  if (found.estimate)
-    text = hundredths_text(*found.estimate);
-  else if (std::isfinite(bounds.low) && std::isfinite(bounds.high))
-    text = fmt::format("between {} and {}", hundredths_text(bounds.low), hundredths_text(bounds.high));
-  else if (std::isfinite(bounds.low))
-    text = "above " + hundredths_text(bounds.low);
-  else if (std::isfinite(bounds.high))
-    text = "below " + hundredths_text(bounds.high);
-  else
-    text = "not determined";
-  if (!std::isfinite(found.ci95.low) && !std::isfinite(found.ci95.high))
-    return found.estimate ? text + " (open)" : text;
-  return fmt::format("{} ({} to {})", text, bound(found.ci95.low), bound(found.ci95.high));
+  const LevelRange &ci95 = found.ci95, &bounds = found.bounds;
+  const bool low = std::isfinite(ci95.low), high = std::isfinite(ci95.high);
+  if (!low && !high) return "not determined";
+  if (!high) return "above " + hundredths_text(ci95.low);
+  if (!low) return "below " + hundredths_text(ci95.high);
+  const std::string text =
+      bounds.low == bounds.high
+          ? hundredths_text(*found.estimate)
+          : fmt::format("between {} and {}", hundredths_text(bounds.low), hundredths_text(bounds.high));
+  return fmt::format("{} ({} to {})", text, hundredths_text(ci95.low), hundredths_text(ci95.high));
 }
 
 /// The scores of those people of the first curve who are on all of them, conditions side by side.
@@ -150,10 +145,13 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
                                 .bounds = turned_back(axis, range),
                                 .ci95 = {},
                                 .text = {}};
-      if (range.low_x == range.high_x && std::isfinite(range.low_x)) found.estimate = found.bounds.low;
       std::vector<LevelInterval> drawn;
       for (const std::vector<Ranges>& replicate : replicates) drawn.push_back(replicate[c][q]);
-      if (!drawn.empty()) found.ci95 = turned_back(axis, percentile_interval(drawn, expanded_levels(people)));
+      ThresholdEstimate estimate;  // in differences of x
+      if (!drawn.empty()) estimate.ci95 = percentile_interval(drawn, expanded_levels(people));
+      keep_closed(estimate, range, axis);
+      found.ci95 = turned_back(axis, estimate.ci95);
+      if (estimate.level_x) found.estimate = difference_at(axis, *estimate.level_x);
       found.text = text_of(found);
       differences.push_back(found);
     }

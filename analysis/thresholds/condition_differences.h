@@ -14,12 +14,12 @@ struct ThresholdDifference {
   std::string quantity;  ///< "PT", "SN" or "IP"
   std::string condition, to;
   int participants = 0;            ///< on the curves of all conditions
-  std::optional<double> estimate;  ///< none when either threshold is missing
+  std::optional<double> estimate;  ///< exactly where `ci95` is closed (closed_estimates.h)
   /// Where a threshold lies beyond the levels tested: what is known of the difference. Both ends infinite: it
   /// is not determined.
   LevelRange bounds;
-  LevelRange ci95;   ///< an infinite end is open
-  std::string text;  ///< "0.52 (0.11 to 0.93)", "above 1.2 (open to 0.93)", "not determined"
+  LevelRange ci95;   ///< an infinite end is open; holds `bounds`
+  std::string text;  ///< "0.52 (0.11 to 0.93)", "above 1.2", "not determined"
 };
 
 /// Of every artifact with two conditions or more: every condition against the first, PT, SN and IP. Intervals

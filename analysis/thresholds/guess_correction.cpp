@@ -7,6 +7,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/interval.h"
+#include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/curve_replicates.h"
 
 namespace seamline::analysis {
@@ -70,32 +71,34 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
   return scores;
 }
 
-LevelInterval including(LevelInterval interval, const ThresholdEstimate& estimate) {
-  if (estimate.level_x) {
-    interval.low_x = std::min(interval.low_x, *estimate.level_x);
-    interval.high_x = std::max(interval.high_x, *estimate.level_x);
-  }
-  return interval;
-}
-
-/// One-sided t test at 1 %: do people choose right more often than b says of guessers?
-bool right_above_chance(const GuessTrials& trials, const CellRange& range, const Guessers& guessers) {
-  std::vector<double> beyond;
+/// One-sided t test at 1 %: do people choose right more often than b says of guessers? Sets all that the
+/// curve says of it.
+void test_chance(const GuessTrials& trials, const CellRange& range, const Guessers& guessers,
+                 CorrectedCurve& curve) {
+  std::vector<double> beyond, shares;
   for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
-    double difference = 0, answers = 0;
+    double right_answers = 0, by_chance = 0, answers = 0;
     for (std::size_t w = 0; w < range.count; ++w)
       for (int place = 0; place < counts_of_cell; ++place) {
         const double n =
             trials.answers(p, static_cast<Eigen::Index>((range.first + w) * counts_of_cell) + place);
         const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
-        difference += n * ((right == chosen ? 1 : 0) - guessers.position[static_cast<std::size_t>(right)]);
+        right_answers += right == chosen ? n : 0;
+        by_chance += n * guessers.position[static_cast<std::size_t>(right)];
         answers += n;
       }
-    if (answers > 0) beyond.push_back(difference / answers);
+    if (answers <= 0) continue;
+    beyond.push_back((right_answers - by_chance) / answers);
+    shares.push_back(right_answers / answers);
   }
-  if (beyond.size() < 2) return !beyond.empty() && beyond.front() > 0;
+  if (beyond.empty()) return;
   const CellMean mean = mean_over_participants(beyond);
-  return mean.mean > mean.sem * student_quantile(static_cast<double>(mean.n - 1), 0.99);
+  curve.people = mean.n;
+  curve.right_share = mean_over_participants(shares).mean;
+  curve.right_by_chance = curve.right_share - mean.mean;
+  curve.above_chance = mean.n < 2
+                           ? mean.mean > 0
+                           : mean.mean > mean.sem * student_quantile(static_cast<double>(mean.n - 1), 0.99);
 }
 
 CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores,
@@ -111,7 +114,7 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
     curve.cells.push_back(fit_seeing(counts_at(counts, range.first + w), guessers));
     if (w < range.level_x.size()) means.push_back(curve.cells.back().noticeability);
   }
-  curve.above_chance = right_above_chance(trials, range, guessers);
+  test_chance(trials, range, guessers, curve);
   if (means.empty()) {
     for (ThresholdEstimate* estimate :
          {&curve.estimates.perceptual, &curve.estimates.slightly_noticeable, &curve.estimates.inflection})
@@ -125,8 +128,8 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   const int people = static_cast<int>(formula.rows());
   ThresholdEstimate& pt = curve.estimates.perceptual;
   ThresholdEstimate& sn = curve.estimates.slightly_noticeable;
-  pt.ci95 = including(level_interval(perceptual_level, range.level_x, formula_means, people), pt);
-  sn.ci95 = including(level_interval(slight_level, range.level_x, formula_means, people), sn);
+  pt.ci95 = level_interval(perceptual_level, range.level_x, formula_means, people);
+  sn.ci95 = level_interval(slight_level, range.level_x, formula_means, people);
   return curve;
 }
 
@@ -164,6 +167,24 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
   }
 }
 
+/// A test that does not reject says that chance is not excluded, never that people guessed: few people are
+/// seldom enough.
+std::string chance_note(const CorrectedCurve& curve) {
+  const std::string under = fmt::format("Under '{}'{}", word(curve.artifact), in_condition(curve.condition));
+  const std::string share =
+      fmt::format("the right object was chosen in {:.0f} % of the answers (by guessing {:.0f} %)",
+                  100 * curve.right_share, 100 * curve.right_by_chance);
+  if (curve.people < 2)
+    return fmt::format(
+        "{} {}; one participant is not tested for chance, so whether the corrected curve says more "
+        "than chance is open.",
+        under, share);
+  return fmt::format(
+      "{} {}; that is not shown to be more than by guessing (one-sided t test over {} participants, 1 %), so "
+      "whether the corrected curve says more than chance is open.",
+      under, share, curve.people);
+}
+
 std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
   std::vector<std::string> notes;
   const Guessers& guessers = correction.guessers;
@@ -174,10 +195,10 @@ std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
     return notes;
   }
   if (correction.floor >= perceptual_level)
-    notes.push_back(
-        fmt::format("Guessers rate {:.2f} on average, so uncorrected noticeability cannot fall below {:.2f}: "
-                    "no uncorrected perceptual threshold (level {}) can exist, only a corrected one.",
-                    guessers.mean_rating(), correction.floor, perceptual_level));
+    notes.push_back(fmt::format(
+        "Guessers rate {:.2f} on average, so uncorrected noticeability is not expected below {:.2f}: "
+        "where an uncorrected curve falls to {} (PT) it does so by chance. Read the corrected PT.",
+        guessers.mean_rating(), correction.floor, perceptual_level));
   if (guessers.wrong_answers + guessers.reference_answers < few_guesses)
     notes.push_back(
         fmt::format("How guessers answer rests on {:.0f} wrong choices and {:.0f} reference trials only.",
@@ -186,11 +207,7 @@ std::vector<std::string> notes_on_guessing(const GuessCorrection& correction) {
     notes.emplace_back(
         "Wrong choices do not say how often guesses fall on each position, so equal positions are assumed.");
   for (const CorrectedCurve& curve : correction.curves)
-    if (!curve.cells.empty() && !curve.above_chance)
-      notes.push_back(fmt::format(
-          "Under '{}'{} the right object was not chosen more often than by guessing (one-sided t test over "
-          "participants, 1 %): its corrected curve describes chance.",
-          word(curve.artifact), in_condition(curve.condition)));
+    if (!curve.cells.empty() && !curve.above_chance) notes.push_back(chance_note(curve));
   return notes;
 }
 
@@ -207,6 +224,9 @@ GuessCorrection correct_for_guessing(const GuessTrials& trials, const Noticeabil
     correction.curves.push_back(corrected_curve(trials, data.artifacts[i], ranges[i], correction.guessers));
   if (request.replicates > 0 && trials.people.size() >= 2)
     add_bootstrap(trials, ranges, request, correction.curves);
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    if (!correction.curves[i].cells.empty() && !ranges[i].level_x.empty())
+      keep_closed(correction.curves[i].estimates, ranges[i].level_x, data.artifacts[i].axis);
   correction.notes = notes_on_guessing(correction);
   return correction;
 }

@@ -22,8 +22,11 @@ struct CorrectedCurve {
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison.
   LevelInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
   /// Whether people chose right more often than guessers would (t test over people, one-sided, 1 %). When
-  /// not, nothing says that anybody saw anything.
+  /// not, chance is not excluded; nothing more: a test of few people seldom rejects.
   bool above_chance = false;
+  int people = 0;              ///< with an answer on the curve
+  double right_share = 0;      ///< of their answers, each person weighing the same
+  double right_by_chance = 0;  ///< what b says of guessers for the same answers
 };
 
 /// Noticeability with the answers of those who guessed taken out.

@@ -1,63 +1,47 @@
 #include "analysis/thresholds/thresholds.h"
 
-#include <fmt/format.h>
-
+#include <cassert>
 #include <cmath>
 
+#include "analysis/scores/level_words.h"
 #include "analysis/statistics/logistic_level.h"
+#include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/curve_replicates.h"
+#include "analysis/thresholds/threshold_rules.h"
 
 namespace seamline::analysis {
 
 namespace {
 
-ThresholdEstimate level_estimate(double level, const std::vector<double>& level_x,
-                                 const std::vector<double>& fit) {
-  const double width = largest_x_at(level, level_x, fit);
-  ThresholdEstimate estimate;
-  if (std::isfinite(width)) estimate.level_x = width;
-  if (width == above_every_level) estimate.reason = "above at every width";
-  if (width == below_every_level) estimate.reason = "below at every width";
-  return estimate;
+/// Everything that is read off a curve: the thresholds of record, and PT and SN off the logistic beside them.
+const std::vector<ThresholdRule>& all_rules() {
+  static const std::vector<ThresholdRule> rules = [] {
+    std::vector<ThresholdRule> all(threshold_rules.begin(), threshold_rules.end());
+    all.push_back({"PT", perceptual_level, Estimator::logistic, IntervalMethod::score_test,
+                   &CurveThresholds::perceptual_logistic});
+    all.push_back({"SN", slight_level, Estimator::logistic, IntervalMethod::score_test,
+                   &CurveThresholds::slightly_noticeable_logistic});
+    return all;
+  }();
+  return rules;
 }
 
-/// Why a logistic has no centre or does not cross a level, in levels.
-std::string reason_in(const LevelAxis& axis, const Logistic4Fit& fit, const std::vector<double>& level_x) {
-  const bool rising = axis.noticeability == Direction::increasing;
-  if (of_depth_widths(axis) && !rising) return reason(fit, level_x);
-  const auto text = [&](double x) { return estimated_text(axis, level_at(axis, x)); };
-  switch (fit.verdict) {
-    case Centre::step: {
-      const std::string low = text(fit.centre_range.low_x), high = text(fit.centre_range.high_x);
-      return fmt::format("a step between {} and {}: the {}s tested do not say where", rising ? high : low,
-                         rising ? low : high, level_word(axis));
-    }
-    case Centre::below_range:
-      return fmt::format("steepest {} {}", rising ? "above" : "below", text(level_x.front()));
-    case Centre::above_range:
-      return fmt::format("steepest {} {}", rising ? "below" : "above", text(level_x.back()));
-    case Centre::not_falling:
-      return fmt::format("not identified: noticeability does not {} with the {}", rising ? "rise" : "fall",
-                         level_word(axis));
-    case Centre::identified:
-    case Centre::straight:
-    case Centre::too_few_levels:
-      return in_words_of(axis, reason(fit, level_x));
-  }
-  return "";
+/// Where a curve itself puts a threshold: a point, or what it leaves open.
+LevelInterval range_of(const ThresholdRule& rule, const CurveThresholds& curve,
+                       const std::vector<double>& level_x) {
+  if (!rule.level) return curve.logistic.centre_range;
+  if (rule.estimator == Estimator::logistic)
+    return logistic_level_range(*rule.level, curve.logistic, level_x);
+  const double x = largest_x_at(*rule.level, level_x, curve.isotonic.value);
+  return {.low_x = x, .high_x = x};
 }
 
-/// The reasons of a curve whose levels are not widths, in its own words.
-void say_in_levels(const LevelAxis& axis, const std::vector<double>& level_x, CurveThresholds& found) {
-  for (ThresholdEstimate* estimate :
-       {&found.perceptual, &found.slightly_noticeable, &found.perceptual_logistic,
-        &found.slightly_noticeable_logistic, &found.inflection}) {
-    const bool of_curve =
-        estimate->reason.starts_with("above at") || estimate->reason.starts_with("below at");
-    if (!estimate->reason.empty())
-      estimate->reason =
-          of_curve ? in_words_of(axis, estimate->reason) : reason_in(axis, found.logistic, level_x);
-  }
+LevelInterval score_test_interval(const ThresholdRule& rule, const CurveThresholds& curve,
+                                  const std::vector<double>& level_x, const MeanVector& means, int people) {
+  assert(rule.level);  // a centre has no level to test
+  return rule.estimator == Estimator::logistic
+             ? logistic_level_interval(*rule.level, curve.logistic, level_x, means, people)
+             : level_interval(*rule.level, level_x, means, people);
 }
 
 void add_intervals(const ArtifactScores& scores, const std::vector<double>& level_x,
@@ -66,23 +50,28 @@ void add_intervals(const ArtifactScores& scores, const std::vector<double>& leve
   const MeanVector means = mean_and_covariance(on_axis);
   const int people = result.participants;
   CurveThresholds& found = result.estimates;
-  found.perceptual.ci95 = level_interval(perceptual_level, level_x, means, people);
-  found.slightly_noticeable.ci95 = level_interval(slight_level, level_x, means, people);
-  found.perceptual_logistic.ci95 =
-      logistic_level_interval(perceptual_level, found.logistic, level_x, means, people);
-  found.slightly_noticeable_logistic.ci95 =
-      logistic_level_interval(slight_level, found.logistic, level_x, means, people);
-  if (request.replicates < 1) return;
-  CurveReplicates replicates(level_x, request.replicates);
-  for_each_replicate(on_axis, request, [&](int replicate, const Eigen::VectorXd& mean) {
-    replicates.set(replicate, {mean.data(), static_cast<std::size_t>(mean.size())});
-  });
-  const CurveIntervals intervals = replicates.intervals(expanded_levels(people));
-  result.perceptual_bootstrap = intervals.perceptual;
-  result.slightly_noticeable_bootstrap = intervals.slightly_noticeable;
-  found.inflection.ci95 = intervals.inflection;
-  result.perceptual_logistic_bootstrap = intervals.perceptual_logistic;
-  result.slightly_noticeable_logistic_bootstrap = intervals.slightly_noticeable_logistic;
+  CurveIntervals bootstrap;  // open where none is asked for
+  if (request.replicates > 0) {
+    CurveReplicates replicates(level_x, request.replicates);
+    for_each_replicate(on_axis, request, [&](int replicate, const Eigen::VectorXd& mean) {
+      replicates.set(replicate, {mean.data(), static_cast<std::size_t>(mean.size())});
+    });
+    bootstrap = replicates.intervals(expanded_levels(people));
+  }
+  result.perceptual_bootstrap = bootstrap.perceptual;
+  result.slightly_noticeable_bootstrap = bootstrap.slightly_noticeable;
+  result.perceptual_logistic_bootstrap = bootstrap.perceptual_logistic;
+  result.slightly_noticeable_logistic_bootstrap = bootstrap.slightly_noticeable_logistic;
+  const auto resampled = [&](const ThresholdRule& rule) {
+    if (!rule.level) return bootstrap.inflection;
+    const bool logistic = rule.estimator == Estimator::logistic, pt = *rule.level == perceptual_level;
+    if (logistic) return pt ? bootstrap.perceptual_logistic : bootstrap.slightly_noticeable_logistic;
+    return pt ? bootstrap.perceptual : bootstrap.slightly_noticeable;
+  };
+  for (const ThresholdRule& rule : all_rules())
+    (found.*rule.estimate).ci95 = rule.interval == IntervalMethod::score_test
+                                      ? score_test_interval(rule, found, level_x, means, people)
+                                      : resampled(rule);
 }
 
 }  // namespace
@@ -93,19 +82,25 @@ std::vector<double> log2_widths(const std::vector<int>& width_px) {
   return level_x;
 }
 
+void keep_closed(CurveThresholds& found, const std::vector<double>& level_x, const LevelAxis& axis) {
+  for (const ThresholdRule& rule : all_rules())
+    keep_closed(found.*rule.estimate, range_of(rule, found, level_x), axis);
+}
+
 CurveThresholds thresholds_of_means(const std::vector<double>& level_x, const std::vector<double>& means,
                                     const LevelAxis& axis) {
   CurveThresholds result;
   result.isotonic = fit_non_increasing(means);
-  result.perceptual = level_estimate(perceptual_level, level_x, result.isotonic.value);
-  result.slightly_noticeable = level_estimate(slight_level, level_x, result.isotonic.value);
   result.logistic = Logistic4Fitter(level_x).fit(means);
-  result.perceptual_logistic = logistic_level_estimate(perceptual_level, result.logistic, level_x);
-  result.slightly_noticeable_logistic = logistic_level_estimate(slight_level, result.logistic, level_x);
-  result.inflection.reason = reason(result.logistic, level_x);
-  if (result.logistic.verdict == Centre::identified)
-    result.inflection.level_x = result.logistic.curve.centre_x;
-  say_in_levels(axis, level_x, result);
+  for (const ThresholdRule& rule : all_rules()) {
+    ThresholdEstimate& estimate = result.*rule.estimate;
+    if (rule.level) {
+      estimate = estimate_in(range_of(rule, result, level_x), result.logistic, level_x, axis);
+    } else {
+      estimate.reason = reason_of(result.logistic, level_x, axis);
+      if (estimate.reason.empty()) estimate.level_x = result.logistic.curve.centre_x;
+    }
+  }
   return result;
 }
 
@@ -120,17 +115,18 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
                             .perceptual_logistic_bootstrap = {},
                             .slightly_noticeable_logistic_bootstrap = {}};
   if (means.empty()) {
-    const ThresholdEstimate nothing{.level_x = {},
-                                    .reason = scores.cells.empty()
-                                                  ? in_words_of(scores.axis, "nobody answered at every width")
-                                                  : "no level on the axis was shown",
-                                    .ci95 = {}};
+    const ThresholdEstimate nothing{
+        .level_x = {},
+        .reason = scores.cells.empty() ? "nobody answered at every " + level_words(scores.axis).level
+                                       : "no level on the axis was shown",
+        .ci95 = {}};
     result.estimates.perceptual = result.estimates.slightly_noticeable = result.estimates.inflection =
         result.estimates.perceptual_logistic = result.estimates.slightly_noticeable_logistic = nothing;
     return result;
   }
   result.estimates = thresholds_of_means(level_x, means, scores.axis);
   if (scores.people.size() >= 2) add_intervals(scores, level_x, request, result);
+  keep_closed(result.estimates, level_x, scores.axis);
   return result;
 }
 

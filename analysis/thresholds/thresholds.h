@@ -24,6 +24,9 @@ struct CurveThresholds {
   Logistic4Fit logistic;
 };
 
+/// Applies the rule of closed_estimates.h to all that is read off a curve whose intervals are known.
+void keep_closed(CurveThresholds& found, const std::vector<double>& level_x, const LevelAxis& axis);
+
 /// PT, SN and IP of one artifact with intervals over participants.
 struct ArtifactThresholds {
   Artifact artifact = Artifact::none;
@@ -45,7 +48,8 @@ struct ArtifactThresholds {
 /// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test (`level_interval`,
 /// `logistic_level_interval`), IP by the expanded percentile bootstrap over people. A replicate without a
 /// width counts as infinite, or as the whole range when it does not say on which side; none is dropped. With
-/// fewer than two people every interval is open, and so are those off the logistic under four widths.
+/// fewer than two people every interval is open, and so are those off the logistic under four widths. There
+/// is an estimate exactly where its interval is closed (`keep_closed`).
 [[nodiscard]] ArtifactThresholds estimate_thresholds(const ArtifactScores& scores,
                                                      const ResamplingRequest& request);
 

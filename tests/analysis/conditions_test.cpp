@@ -10,6 +10,8 @@
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/json/thresholds_json.h"
 #include "analysis/report/page/methods_text.h"
+#include "analysis/report/tables/all_tables.h"
+#include "analysis/report/tables/dictionary.h"
 #include "analysis/report/tables/noticeability_tables.h"
 #include "tests/analysis/condition_people.h"
 
@@ -180,7 +182,9 @@ TEST(Conditions, TextsOfARisingAxisSayItsDirectionAndItsQuantity) {
   const Analysis rising = analysed(mirrored(test::simulate_log(9, 2)));
   const ReportNumbers numbers = report_numbers(rising);
   const std::string methods = plain_text(methods_text(rising, numbers));
-  EXPECT_THAT(methods, HasSubstr("smallest levels at which the non-decreasing isotonic regression"));
+  EXPECT_THAT(
+      methods,
+      HasSubstr("the smallest levels of the mesh tolerance at which the non-decreasing isotonic regression"));
   EXPECT_THAT(methods, Not(HasSubstr("non-increasing")));
   EXPECT_THAT(methods, Not(HasSubstr("depth map width")));
   ASSERT_TRUE(numbers.comparisons) << numbers.comparisons_missing;
@@ -188,6 +192,31 @@ TEST(Conditions, TextsOfARisingAxisSayItsDirectionAndItsQuantity) {
   for (const ContrastTable& table : numbers.comparisons->contrasts)
     said = said || table.question.starts_with("Do artifacts differ at a mesh tolerance of ");
   EXPECT_TRUE(said);
+}
+
+/// A sentence names the study's quantity and says each thing once: "the mean that the level implies at a
+/// level" names two things by one word.
+TEST(Conditions, TextsOfEveryQuantityAreSentences) {
+  for (const Quantity quantity : every_quantity) {
+    study::LogContents log = test::simulate_log(6, 2);
+    log.quantity = quantity;
+    log.noticeability = facts(quantity).noticeability;
+    const Analysis analysis = analysed(log, 20);
+    const ReportNumbers numbers = report_numbers(analysis);
+    const std::string methods = plain_text(methods_text(analysis, numbers));
+    const bool widths = quantity == Quantity::depth_width_px;
+    EXPECT_THAT(methods, HasSubstr(widths ? "depth map widths" : std::string(facts(quantity).name)));
+    for (const char* riddle : {"level at a level", "the level at a", "levels level", "the level implies",
+                               "linear the level", "log2 the level"})
+      EXPECT_THAT(methods, Not(HasSubstr(riddle))) << facts(quantity).key;
+    if (!widths) {
+      for (const char* of_widths : {"log2 width", "depth map width", "every width", "widths tested"})
+        EXPECT_THAT(methods, Not(HasSubstr(of_widths))) << facts(quantity).key;
+    }
+    // What is ours needs no guard against a spreadsheet's formulas.
+    const std::vector<CsvTable> tables = all_tables(analysis, numbers);
+    EXPECT_THAT(csv_text(report_dictionary(tables, numbers.axis, numbers.conditions)), Not(HasSubstr("'-")));
+  }
 }
 
 TEST(Conditions, AreAFactorOfTheOrdinalModel) {

@@ -2,8 +2,10 @@
 // again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "analysis/statistics/interval.h"
 #include "analysis/thresholds/thresholds.h"
@@ -115,14 +117,43 @@ TEST(Coverage, OfAnotherPopulation) {
   measure_tests("other", other);
 }
 
+/// Of how few people the intervals still hold: the lowest and the highest coverage over artifacts, PT and SN.
+TEST(Coverage, OfFewPeople) {
+  for (const auto& [name, population] :
+       {std::pair{"observer", Population{}}, std::pair{"people", people_who_differ()}})
+    for (const int few : {2, 3, 4, 5, 7, 10}) {
+      double lowest = 100, highest = 0;
+      for (const Artifact artifact : paper_artifacts) {
+        const CurveThresholds planted = planted_thresholds(population, artifact);
+        CoverageTally pt, sn;
+        for (std::uint64_t seed = 1; seed <= studies; ++seed) {
+          const CurveThresholds found =
+              estimate_thresholds(simulate_scores(population, artifact, few, seed), {.replicates = 0})
+                  .estimates;
+          pt.add(found.perceptual, planted.perceptual);
+          sn.add(found.slightly_noticeable, planted.slightly_noticeable);
+        }
+        for (const CoverageTally* tally : {&pt, &sn}) {
+          lowest = std::min(lowest, tally->percent());
+          highest = std::max(highest, tally->percent());
+        }
+      }
+      std::printf("| %s | %d | %.1f to %.1f |\n", name, few, lowest, highest);
+      std::fflush(stdout);
+      if (few >= 10) {
+        EXPECT_GE(lowest, 91) << name;
+      }
+    }
+}
+
 TEST(Coverage, BiasWith2000Observers) {
   for (Artifact artifact : paper_artifacts) {
     const CurveThresholds planted = planted_thresholds({}, artifact);
     constexpr int large_studies = 100;
     double pt = 0, sn = 0, ip = 0, pt_square = 0, sn_square = 0;
     for (std::uint64_t seed = 1; seed <= large_studies; ++seed) {
-      const CurveThresholds found =
-          estimate_thresholds(simulate_scores({}, artifact, 2000, seed), {.replicates = 0}).estimates;
+      const ArtifactScores scores = simulate_scores({}, artifact, 2000, seed);
+      const CurveThresholds found = thresholds_of_means(levels_on_axis(scores), means_on_axis(scores));
       const double pt_error = *found.perceptual.level_x - *planted.perceptual.level_x;
       const double sn_error = *found.slightly_noticeable.level_x - *planted.slightly_noticeable.level_x;
       pt += pt_error / large_studies;

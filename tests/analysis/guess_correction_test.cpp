@@ -203,13 +203,27 @@ TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
     EXPECT_EQ(curve.estimates.perceptual.reason, "below at every width") << word(curve.artifact);
     EXPECT_EQ(curve.estimates.perceptual.ci95.low_x, below_every_level);
   }
-  EXPECT_THAT(correction.notes, Contains(HasSubstr("not chosen more often than by guessing")));
+  EXPECT_THAT(correction.notes, Contains(HasSubstr("not shown to be more than by guessing")));
 }
 
-TEST(GuessCorrection, WarnsWhenGuessersRateSoHighThatNoThresholdCanExist) {
+/// Few people who are nearly always right are not enough for a test at 1 %: that is no proof of chance.
+TEST(GuessCorrection, ATestOfTwoPeopleNeverSaysThatTheyGuessed) {
+  GuessingStudy study;
+  for (auto& [artifact, midpoint_px] : study.population.observer.midpoint) midpoint_px = 1e4;
+  study.people = 2;
+  bool some = false;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    for (const std::string& note : corrected(simulate_guessing(study, seed), {.replicates = 20}).notes) {
+      EXPECT_THAT(note, testing::Not(HasSubstr("describes chance")));
+      some = some || note.find("% of the answers (by guessing") != std::string::npos;
+    }
+  EXPECT_TRUE(some);
+}
+
+TEST(GuessCorrection, WarnsWhenGuessersRateSoHighThatAThresholdIsChance) {
   GuessingStudy study;
   study.habits.rating = {0.4, 0.3, 0.2, 0.1};
-  EXPECT_THAT(corrected(simulate_guessing(study, 8)).notes, Contains(HasSubstr("no uncorrected perceptual")));
+  EXPECT_THAT(corrected(simulate_guessing(study, 8)).notes, Contains(HasSubstr("Read the corrected PT")));
   EXPECT_THAT(corrected(simulate_guessing({}, 8)).notes, IsEmpty());
 }
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/thresholds.h"
+#include "support/text/numbers.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {
@@ -100,6 +103,63 @@ TEST(Interval, OfOnePersonIsOpen) {
       estimate_thresholds(everyone_says({4, 4, 3, 1, 0, 0, 0}, 1), {.replicates = 200});
   EXPECT_EQ(found.estimates.perceptual.ci95.low_x, below_every_level);
   EXPECT_EQ(found.estimates.perceptual.ci95.high_x, above_every_level);
+}
+
+/// The rule of all of `analyze`: an estimate exactly where its interval is closed, inside it; else words.
+TEST(ClosedEstimates, AreThereExactlyWhereTheIntervalIsClosed) {
+  int closed = 0, open = 0;
+  for (const int people : {2, 3, 5, 12, 40})
+    for (const Artifact artifact : paper_artifacts)
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        const CurveThresholds found =
+            estimate_thresholds(simulate_scores({}, artifact, people, seed), {.replicates = 99}).estimates;
+        for (const ThresholdEstimate* estimate :
+             {&found.perceptual, &found.slightly_noticeable, &found.inflection, &found.perceptual_logistic,
+              &found.slightly_noticeable_logistic}) {
+          const bool is_closed = length_x(estimate->ci95).has_value();
+          ASSERT_EQ(estimate->level_x.has_value(), is_closed) << people << " people, seed " << seed;
+          ASSERT_EQ(estimate->reason.empty(), is_closed) << estimate->reason;
+          if (is_closed) {
+            EXPECT_LE(estimate->ci95.low_x, *estimate->level_x);
+            EXPECT_GE(estimate->ci95.high_x, *estimate->level_x);
+          }
+          (is_closed ? closed : open) += 1;
+        }
+      }
+  EXPECT_GT(closed, 100);
+  EXPECT_GT(open, 100);
+}
+
+TEST(ClosedEstimates, SayABoundWhereOneSideIsOpen) {
+  const auto verdict = [](double low_x, double high_x) {
+    ThresholdEstimate estimate{.level_x = 9, .reason = {}, .ci95 = {.low_x = low_x, .high_x = high_x}};
+    keep_closed(estimate, {.low_x = 9, .high_x = 9}, {});
+    return estimate.level_x ? std::string("an estimate") : estimate.reason;
+  };
+  EXPECT_EQ(verdict(8, 10), "an estimate");
+  EXPECT_EQ(verdict(8, above_every_level), "above 256");
+  EXPECT_EQ(verdict(below_every_level, 10), "below 1024");
+  EXPECT_EQ(verdict(below_every_level, above_every_level), "not determined: no width is excluded");
+  ThresholdEstimate step{.level_x = {}, .reason = "a step", .ci95 = {.low_x = 8.2, .high_x = 9}};
+  keep_closed(step, {.low_x = 8, .high_x = 9}, {});
+  EXPECT_DOUBLE_EQ(step.level_x.value(), 8.5);
+  EXPECT_DOUBLE_EQ(step.ci95.low_x, 8);
+}
+
+TEST(LevelInterval, HasALengthExactlyWhereItIsClosed) {
+  EXPECT_DOUBLE_EQ(length_x({.low_x = 8, .high_x = 9.5}).value(), 1.5);
+  for (const LevelInterval& open : {LevelInterval{}, LevelInterval{.low_x = 8}, LevelInterval{.high_x = 8},
+                                    LevelInterval{.low_x = above_every_level, .high_x = above_every_level},
+                                    LevelInterval{.low_x = below_every_level, .high_x = below_every_level}})
+    EXPECT_FALSE(length_x(open));
+  EXPECT_THROW((void)distance_between(above_every_level, above_every_level), std::logic_error);
+  EXPECT_THROW((void)distance_between(below_every_level, below_every_level), std::logic_error);
+  EXPECT_EQ(distance_between(above_every_level, below_every_level), above_every_level);
+}
+
+TEST(Quantile, RefusesWhatHasNoOrder) {
+  std::vector<double> values = {1, nan, 2};
+  EXPECT_THROW((void)quantile(values, 0.5), std::logic_error);
 }
 
 TEST(VarianceFunction, IsLinearBetweenMeansAndConstantBeyond) {

@@ -1,5 +1,5 @@
-// Infinity less infinity, 0 / 0 and their like have no value. The processor says so while the tests of this file
-// run, as a sanitizer would: FE_INVALID is raised and not taken back.
+// Infinity less infinity, 0 / 0 and their like have no value. The processor says so while the tests of this
+// file run, as a sanitizer would: FE_INVALID is raised and not taken back.
 #include <gtest/gtest.h>
 
 #include <cfenv>

@@ -5,12 +5,19 @@
 #include <cmath>
 
 #include "analysis/thresholds/angular_resolution.h"
+#include "analysis/thresholds/closed_estimates.h"
 #include "tests/analysis/octaves.h"
 
 namespace seamline::analysis {
 namespace {
 
 using test::octaves;
+
+/// What is said of a level read off a logistic, without an interval.
+ThresholdEstimate logistic_level_estimate(double level, const Logistic4Fit& fit,
+                                          const std::vector<double>& level_x) {
+  return estimate_in(logistic_level_range(level, fit, level_x), fit, level_x, {});
+}
 
 Logistic4Fit fitted(const std::vector<double>& means) {
   return Logistic4Fitter(octaves).fit(means);

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/preregistration/deviations.h"
 #include "analysis/report/page/preregistration_section.h"
 #include "analysis/report/tables/preregistration_table.h"
+#include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
@@ -116,6 +119,46 @@ TEST(Preregistration, WhoIsExcludedByHandIsNamed) {
   compare_with_archive(analysis, {.file = "frozen.json", .content = frozen, .sha256 = "hash"});
   EXPECT_THAT(analysis.frozen->deviations, IsEmpty());
   EXPECT_THAT(analysis.frozen->remarks, ElementsAre(HasSubstr(log.participants[1].code)));
+}
+
+/// What is frozen of a threshold is what is computed: level, estimator and interval of the same table.
+TEST(Preregistration, TheFrozenRuleOfAThresholdIsTheOneThatIsComputed) {
+  const Analysis analysis = analysed_as(test::simulate_log(14, 1));
+  const std::vector<std::string> rules = rules_of_analysis();
+  const ArtifactScores& scores = analysis.data.artifacts.front();
+  const CurveThresholds& found = analysis.thresholds.front().estimates;
+  const MeanVector means = mean_and_covariance(scores.noticeability);
+  for (const ThresholdRule& rule : threshold_rules) {
+    const auto said = std::find_if(rules.begin(), rules.end(), [&](const std::string& sentence) {
+      return sentence.starts_with(std::string(rule.name) + ": ");
+    });
+    ASSERT_NE(said, rules.end()) << rule.name;
+    if (!rule.level) {
+      EXPECT_THAT(*said, HasSubstr("centre of the four-parameter logistic"));
+      EXPECT_THAT(*said, HasSubstr("expanded percentile bootstrap"));
+      continue;
+    }
+    EXPECT_THAT(*said, HasSubstr("isotonic regression of mean noticeability equals"));
+    EXPECT_THAT(*said, HasSubstr("95 % by an inverted score test"));
+    const LevelInterval tested =
+        level_interval(*rule.level, levels_on_axis(scores), means, static_cast<int>(scores.people.size()));
+    EXPECT_EQ((found.*rule.estimate).ci95.low_x, tested.low_x) << rule.name;
+    EXPECT_EQ((found.*rule.estimate).ci95.high_x, tested.high_x) << rule.name;
+  }
+  EXPECT_THAT(rules, testing::Contains(testing::StartsWith("several thresholds: ")));
+}
+
+/// An archive of a version that stated another interval shows that it is not the one computed today.
+TEST(Preregistration, AnotherIntervalThanThatComputedIsADeviation) {
+  Preregistration frozen = frozen_for(8);
+  const auto pt = std::find_if(frozen.analysis.rules.begin(), frozen.analysis.rules.end(),
+                               [](const std::string& rule) { return rule.starts_with("PT: "); });
+  ASSERT_NE(pt, frozen.analysis.rules.end());
+  *pt = "thresholds: PT where mean noticeability is 0.5; intervals of 95 % by resampling participants";
+  std::vector<std::string> what;
+  for (const Deviation& deviation : deviations(analysed_as(test::simulate_log(8, 1)), frozen))
+    what.push_back(deviation.found);
+  EXPECT_THAT(what, ElementsAre("not so today", HasSubstr("score test")));
 }
 
 TEST(Preregistration, EveryOtherDifferenceIsListed) {

@@ -3,6 +3,7 @@
 // The questions that a study's model answers, as weights on its coefficients.
 #include <fmt/format.h>
 
+#include "analysis/scores/level_words.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -13,7 +14,8 @@ using Weights = Eigen::VectorXd;
 
 class Builder {
  public:
-  Builder(const StudyDesign& design, bool robust) : design_(design), robust_(robust) {}
+  Builder(const StudyDesign& design, bool robust)
+      : design_(design), words_(level_words(design.axis)), robust_(robust) {}
 
   [[nodiscard]] std::vector<ContrastFamily> families() const {
     std::vector<ContrastFamily> all = {width_family(),     level_family(),           slope_family(),
@@ -78,21 +80,18 @@ class Builder {
     return whole;
   }
 
-  [[nodiscard]] std::string said(const std::string& sentence) const {
-    return in_words_of(design_.axis, sentence);
-  }
-
   /// "with every doubling of the width", "with every degree more".
   [[nodiscard]] std::string each_step() const {
     if (!is_linear(design_.axis))
       return fmt::format("with every doubling of the {}", level_word(design_.axis));
-    return fmt::format("with every {} more", slope_text(design_.axis).substr(4));
+    return fmt::format("with every {} more", step_text(design_.axis));
   }
 
   [[nodiscard]] ContrastFamily width_family() const {
-    ContrastFamily family{.question = said("Does noticeability fall with width?"),
-                          .contrasts = {},
-                          .degrees_of_freedom = degrees(1)};
+    ContrastFamily family{
+        .question = fmt::format("Does noticeability {} {}?", words_.fall, words_.with_level),
+        .contrasts = {},
+        .degrees_of_freedom = degrees(1)};
     for (const DesignArtifact& artifact : design_.artifacts) {
       if (artifact.slope_column < 0) continue;
       const std::string name = name_of(artifact);
@@ -121,7 +120,8 @@ class Builder {
   }
 
   [[nodiscard]] ContrastFamily slope_family() const {
-    ContrastFamily family{.question = said("Do artifacts differ in how noticeability falls with width?"),
+    ContrastFamily family{.question = fmt::format("Do artifacts differ in how noticeability {} {}?",
+                                                  words_.falls, words_.with_level),
                           .contrasts = {},
                           .degrees_of_freedom = degrees(1)};
     const std::vector<WholeArtifact> whole = whole_artifacts();
@@ -149,7 +149,8 @@ class Builder {
 
   [[nodiscard]] ContrastFamily condition_slope_family() const {
     ContrastFamily family{
-        .question = said("Do conditions differ in how noticeability falls with width, within an artifact?"),
+        .question = fmt::format("Do conditions differ in how noticeability {} {}, within an artifact?",
+                                words_.falls, words_.with_level),
         .contrasts = {},
         .degrees_of_freedom = degrees(1)};
     for_conditions([&](const DesignArtifact& a, const DesignArtifact& first) {
@@ -163,22 +164,21 @@ class Builder {
   [[nodiscard]] Contrast slope_contrast(const std::string& name, const std::string& other,
                                         Weights weights) const {
     const bool rises = design_.axis.noticeability == Direction::increasing;
-    const std::string verb = rises ? "rises" : "falls";
-    const std::string with = of_depth_widths(design_.axis) ? "width" : "the level";
     return {.name = fmt::format("{} - {}, {}", name, other, slope_text(design_.axis)),
             .weights = std::move(weights),
-            .more = fmt::format("{} {} {} steeply with {} than {}", name, verb, rises ? "more" : "less", with,
-                                other),
-            .less = fmt::format("{} {} {} steeply with {} than {}", name, verb, rises ? "less" : "more", with,
-                                other),
+            .more = fmt::format("{} {} {} steeply {} than {}", name, words_.falls, rises ? "more" : "less",
+                                words_.with_level, other),
+            .less = fmt::format("{} {} {} steeply {} than {}", name, words_.falls, rises ? "less" : "more",
+                                words_.with_level, other),
             .undecided = fmt::format("No difference was shown between the slopes of {} and {}", name, other)};
   }
 
   [[nodiscard]] ContrastFamily object_family() const {
-    ContrastFamily family{.question = said("Do objects differ within an artifact, at equal width?"),
-                          .contrasts = {},
-                          .degrees_of_freedom = degrees(1),
-                          .differences = true};
+    ContrastFamily family{
+        .question = fmt::format("Do objects differ within an artifact, at equal {}?", words_.level),
+        .contrasts = {},
+        .degrees_of_freedom = degrees(1),
+        .differences = true};
     for (std::size_t a = 0; a < design_.artifacts.size(); ++a) {
       const DesignArtifact& artifact = design_.artifacts[a];
       if (a > 0 && design_.artifacts[a - 1].artifact == artifact.artifact) continue;
@@ -241,6 +241,7 @@ class Builder {
   }
 
   const StudyDesign& design_;
+  LevelWords words_;
   bool robust_;
 };
 

@@ -128,17 +128,25 @@ std::string name_of(const DesignArtifact& artifact) {
          (artifact.condition.empty() ? "" : " (" + artifact.condition + ")");
 }
 
-std::string slope_text(const LevelAxis& axis) {
-  if (!is_linear(axis)) return "per octave of " + level_word(axis);
+std::string step_text(const LevelAxis& axis) {
+  if (!is_linear(axis)) return "octave of " + level_word(axis);
   const std::string unit = length_unit(axis);
-  return "per " + (unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit);
+  return unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
+}
+
+std::string slope_text(const LevelAxis& axis) {
+  return "per " + step_text(axis);
+}
+
+std::string reference_text(const StudyDesign& design) {
+  const QuantityFacts& about = facts(design.axis.quantity);
+  const std::string level = estimated_text(design.axis, design.reference_level);
+  return about.unit.empty() ? fmt::format("a {} of {}", about.name, level)
+                            : fmt::format("{} {}", level, about.unit);
 }
 
 std::string at_reference(const StudyDesign& design) {
-  const QuantityFacts& about = facts(design.axis.quantity);
-  const std::string level = estimated_text(design.axis, design.reference_level);
-  return about.unit.empty() ? fmt::format("at a {} of {}", about.name, level)
-                            : fmt::format("at {} {}", level, about.unit);
+  return "at " + reference_text(design);
 }
 
 StudyDesign study_design(std::span<const study::Answer> given, const ParticipantGroups& groups,
@@ -193,8 +201,8 @@ StudyDesign study_design(std::span<const study::Answer> given, const Participant
                                                    : three_digits(middle_of(axis, smallest, largest));
   if (design.reference_level < smallest || design.reference_level > largest)
     design.notes.push_back(fmt::format("The reference {} {} lies outside the {}s tested, {} to {}{}.",
-                                       level_word(axis), at_reference(design).substr(3), level_word(axis),
-                                       smallest, largest, of_depth_widths(axis) ? " px" : ""));
+                                       level_word(axis), reference_text(design), level_word(axis), smallest,
+                                       largest, of_depth_widths(axis) ? " px" : ""));
   if (smallest == largest)
     design.notes.push_back(fmt::format("Only {} was tested: there are no slopes over {}.",
                                        level_text(axis.quantity, smallest), level_word(axis)));

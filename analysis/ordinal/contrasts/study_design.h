@@ -50,8 +50,14 @@ struct StudyDesign {
 /// "receiver", or "receiver (soft)".
 [[nodiscard]] std::string name_of(const DesignArtifact& artifact);
 
+/// What a slope is over: "octave of width", "degree".
+[[nodiscard]] std::string step_text(const LevelAxis& axis);
+
 /// "per octave of width", "per degree".
 [[nodiscard]] std::string slope_text(const LevelAxis& axis);
+
+/// "512 px", "2.5 degrees", "a mesh tolerance of 0.01".
+[[nodiscard]] std::string reference_text(const StudyDesign& design);
 
 /// "at 512 px", "at 2.5 degrees".
 [[nodiscard]] std::string at_reference(const StudyDesign& design);

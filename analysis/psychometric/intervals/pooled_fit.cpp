@@ -126,6 +126,7 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
   }
   const ThresholdFinding finding = judge_threshold(pooled.fit, pooled.threshold_ci95, unit);
   pooled.verdict = finding.verdict;
+  pooled.threshold = finding.estimate;
   pooled.threshold_ci95 = finding.ci95;
   return pooled;
 }

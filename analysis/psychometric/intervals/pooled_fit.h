@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,10 @@ struct PooledChoices {
 
 /// A psychometric function of a group, whose members differ.
 struct PooledFit {
-  PsychometricFit fit;      ///< to the sums over people
-  Interval threshold_ci95;  ///< for the group's function, over participants as well as trials
-  Verdict verdict;          ///< from that interval
+  PsychometricFit fit;              ///< to the sums over people
+  Interval threshold_ci95;          ///< for the group's function, over participants as well as trials
+  Verdict verdict;                  ///< from that interval
+  std::optional<double> threshold;  ///< exactly where the interval is closed; of a step the middle
   /// Variance of the threshold over participants (delete-one jackknife) over the one that independent
   /// binomial answers would give: how much too short the plain interval is, squared.
   double design_effect = 1;

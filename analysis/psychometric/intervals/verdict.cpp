@@ -16,7 +16,7 @@ std::string level_text(double level, const std::string& unit) {
 }
 
 Verdict none(const std::string& why) {
-  return {.kind = Verdict::Kind::not_identified, .text = "not identified: " + why, .range = {}};
+  return {.kind = Verdict::Kind::not_identified, .text = "not identified: " + why, .range = {}, .why = why};
 }
 
 Verdict below(double level, const std::string& unit) {
@@ -95,7 +95,6 @@ Verdict verdict_on(const PsychometricFit& fit, const Interval& ci95, const std::
 }
 
 std::string verdict_sentence(const Verdict& verdict) {
-  constexpr std::string_view unknown = "not identified: ";
   switch (verdict.kind) {
     case Verdict::Kind::identified:
       return "The answers determine the threshold.";
@@ -104,7 +103,7 @@ std::string verdict_sentence(const Verdict& verdict) {
     case Verdict::Kind::between:
       return "The threshold lies " + verdict.text + ".";
     case Verdict::Kind::not_identified:
-      return "The answers do not determine a threshold: " + verdict.text.substr(unknown.size()) + ".";
+      return "The answers do not determine a threshold: " + verdict.why + ".";
   }
   return verdict.text;
 }

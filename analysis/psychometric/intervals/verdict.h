@@ -18,9 +18,10 @@ struct Verdict {
     between,        ///< a step between two levels: all thresholds between them are as likely
     not_identified  ///< nothing
   } kind = Kind::not_identified;
-  std::string text;  ///< e.g. "identified", "below 64 px", "between 32 and 64 px", "not identified: every
-                     ///< level at chance"
-  Interval range;    ///< what the text says: the interval, or its one end; open otherwise
+  std::string text;      ///< e.g. "identified", "below 64 px", "between 32 and 64 px", "not identified: every
+                         ///< level at chance"
+  Interval range;        ///< what the text says: the interval, or its one end; open otherwise
+  std::string why = {};  ///< of what is not identified, the reason alone; else empty
 };
 
 /// What is said of a threshold: verdict, estimate and interval, which never contradict one another. There is

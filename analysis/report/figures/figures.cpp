@@ -11,6 +11,7 @@
 #include "analysis/report/figures/psychometric_figure.h"
 #include "analysis/report/figures/times_figure.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 
@@ -109,6 +110,7 @@ Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<st
 }
 
 Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  const LevelWords words = level_words(analysis.data.axis);
   std::vector<std::string> panels;
   for (const ArtifactScores& scores : analysis.data.artifacts)
     panels.push_back(object_panel(analysis, scores));
@@ -117,16 +119,18 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
       {.name = "fig6_objects",
        .title = "Noticeability by artifact and object",
        .caption =
-           in_words_of(analysis.data.axis,
-                       "Mean noticeability against depth map width, one panel an artifact and one line an "
-                       "object (1 left, 2 middle, 3 right); bars: one standard error of the mean over "
-                       "participants. Points of one width are moved apart a little.") +
+           fmt::format(
+               "Mean noticeability against {}, one panel an artifact and one line an object (1 left, 2 "
+               "middle, 3 right); bars: one standard error of the mean over participants. Points of one "
+               "{} are moved apart a little.",
+               words.quantity, words.level) +
            " After Fig. 6 of the paper. Data: " + source_text(analysis) + ".",
        .svg = folder / "fig6_objects.svg"},
       panels);
 }
 
 Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  const LevelWords words = level_words(analysis.data.axis);
   std::vector<std::string> panels;
   for (const Artifact artifact : drawn_artifacts(analysis.data))
     panels.push_back(conditions_panel(analysis, artifact));
@@ -135,10 +139,11 @@ Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& 
       {.name = "fig7_averages",
        .title = "Noticeability by artifact and condition",
        .caption =
-           in_words_of(analysis.data.axis,
-                       "Mean noticeability over objects against depth map width, one panel an artifact "
-                       "and one line a condition; bars: one standard error of the mean over "
-                       "participants. Points of one width are moved apart a little.") +
+           fmt::format(
+               "Mean noticeability over objects against {}, one panel an artifact and one line a "
+               "condition; bars: one standard error of the mean over participants. Points of one {} are "
+               "moved apart a little.",
+               words.quantity, words.level) +
            " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
            "Data: " +
            source_text(analysis) + ".",
@@ -151,9 +156,9 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
       .name = "fig7_averages",
       .title = "Noticeability by artifact",
       .caption =
-          in_words_of(analysis.data.axis,
-                      "Mean noticeability over objects against depth map width; bars: one standard error of "
-                      "the mean over participants.") +
+          fmt::format("Mean noticeability over objects against {}; bars: one standard error of the mean over "
+                      "participants.",
+                      level_words(analysis.data.axis).quantity) +
           " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
           "noticeable (SN). After Fig. 7 of the paper. Data: " +
           source_text(analysis) + ".",

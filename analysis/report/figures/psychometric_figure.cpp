@@ -7,6 +7,7 @@
 
 #include "analysis/report/figures/figure_parts.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 
 namespace seamline::analysis {
 
@@ -131,11 +132,12 @@ std::string conditions_panel(const ReportNumbers& numbers, Artifact artifact, co
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {
-  return in_words_of(
-             analysis.data.axis,
-             "Share of right choices against depth map width: points (area by number of answers), fitted "
-             "psychometric function with a 95 % band (bootstrap over participants, width by width), "
-             "and the threshold's 95 % interval as a bar. ") +
+  const LevelWords words = level_words(analysis.data.axis);
+  return fmt::format(
+             "Share of right choices against {0}: points (area by number of answers), fitted psychometric "
+             "function with a 95 % band (bootstrap over participants, {1} by {1}), and the threshold's 95 % "
+             "interval as a bar. ",
+             words.quantity, words.level) +
          (conditions ? "One line a condition. Dotted: chance, 1/3. Data: "
                      : "Below each, deviance residuals; dotted: ±1.96, and chance, 1/3, above. Data: ") +
          source_text(analysis) + ".";

@@ -7,6 +7,7 @@
 #include "analysis/report/json/json_values.h"
 #include "analysis/report/json/origins_json.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
 
 namespace seamline::analysis {
@@ -134,8 +135,7 @@ std::string thresholds_json(const Analysis& analysis) {
       {"simulated", counts.simulated},   {"forgotten", analysis.log.forgotten_participants}};
   json["include_pilot"] = analysis.include_pilot;
   json["bootstrap"] = {{"replicates", analysis.resampling.replicates}, {"seed", analysis.resampling.seed}};
-  json["intervals"] =
-      "95 %: PT and SN by an inverted score test, IP by the expanded percentile bootstrap over participants";
+  json["intervals"] = intervals_in_short();
   json["notes"] = analysis.notes;
   const LevelAxis& axis = analysis.data.axis;
   if (!of_depth_widths(axis))

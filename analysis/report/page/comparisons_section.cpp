@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/page/html_parts.h"
+#include "analysis/scores/level_words.h"
 #include "support/text/html.h"
 
 namespace seamline::analysis {
@@ -43,7 +44,9 @@ std::string coefficients_html(const OrdinalStudy& study) {
   for (const CoefficientRow& row : study.coefficients)
     lines.push_back({row.name, decimal_text(row.estimate, 3), decimal_text(row.standard_error, 3),
                      range_text(row.ci95_low, row.ci95_high), p_of(row.p)});
-  return "<details><summary>Coefficients of the model</summary>\n" +
+  return std::string("<details><summary>Coefficients of the model</summary>\n") +
+         "<p class=\"soft\">Each p and each interval here is of its coefficient alone: adjusted for "
+         "nothing.</p>\n" +
          html_table({{"coefficient"},
                      {"estimate", true},
                      {"standard error", true},
@@ -63,15 +66,17 @@ std::string comparisons_html(const ReportNumbers& numbers) {
       "<p>An ordinal mixed model of noticeability (0 to 4): a {} and a slope over {} for each "
       "artifact{}, objects within artifacts, and a random level for each participant; {} answers of {} "
       "participants. Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds.</p>\n",
-      of_depth_widths(numbers.axis) ? "level" : "mean", in_words_of(numbers.axis, "log2 width"),
+      of_depth_widths(numbers.axis) ? "level" : "mean", level_words(numbers.axis).axis,
       numbers.conditions ? " in each condition" : "", study.fit.observations, study.fit.participants);
   for (const std::string& note : study.notes) html += html_paragraph(note);
   if (!has_estimates(study.fit.verdict))
     return html + html_paragraph("No comparison is made: " + std::string(word(study.fit.verdict)) + ".");
   for (const ContrastTable& contrasts : study.contrasts) html += contrast_html(contrasts);
-  return html + coefficients_html(study) +
-         "<p class=\"soft\">p values and intervals are adjusted for all contrasts of a question; standard "
-         "errors are over participants. “Not shown” is not the same as “no difference”.</p>\n";
+  return html +
+         "<p class=\"soft\">Verdicts and intervals of these tables are adjusted for all contrasts of a "
+         "question; "
+         "standard errors are over participants. “Not shown” is not the same as “no difference”.</p>\n" +
+         coefficients_html(study);
 }
 
 }  // namespace seamline::analysis

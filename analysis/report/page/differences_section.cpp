@@ -32,9 +32,8 @@ std::string differences_html(const Analysis& analysis) {
       "with the 95 % interval over participants.</p>\n",
       length_unit(axis), is_linear(axis) ? "" : " (1: twice the level)");
   return html + html_table({{"artifact"}, {"condition"}, {""}, {"difference, " + length_unit(axis)}}, lines) +
-         "<p class=\"soft\">Above, below, between: a threshold lies beyond the levels tested, so only a "
-         "bound "
-         "is known. Open: the answers exclude no value on that side.</p>\n";
+         "<p class=\"soft\">Above, below: the answers exclude no value on the other side, so only a bound is "
+         "known. Between: a curve is a step there, and all differences between are as likely.</p>\n";
 }
 
 }  // namespace seamline::analysis

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
+#include "analysis/scores/level_words.h"
+#include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
 
 namespace seamline::analysis {
@@ -70,40 +72,57 @@ std::string procedure(const Analysis& analysis) {
       source_text(analysis), trials, widths_text(analysis), conditions_text(analysis));
 }
 
-constexpr const char* means_text =
-    "Answers were averaged over the objects of an artifact within each participant and then over "
-    "participants; error bars are standard errors of the mean over participants. The perceptual threshold "
-    "(PT) and the width at which an artifact becomes slightly noticeable (SN) are the largest depth map "
-    "widths at which the non-increasing isotonic regression of mean noticeability, linear in log2 width, "
-    "equals 0.5 and 1.0 (Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter "
-    "logistic fitted by least squares in log2 width. Where a curve does not cross a level within the widths "
-    "tested, no threshold is given. Because the choice is forced, a participant who sees nothing is right "
-    "one time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.";
-
-std::string intervals_text(const Analysis& analysis) {
-  return in_words_of(
-      analysis.data.axis,
-      fmt::format(
-          "Intervals are 95 % confidence intervals over participants. For PT and SN they hold every width at "
-          "which a score test does not tell the isotonic curve from the level (Student's t with n - 1 "
-          "degrees of "
-          "freedom; the variance over participants is read at the mean that the level implies, as in "
-          "Wilson's "
-          "interval). For IP they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap "
-          "samples "
-          "of participants (seed {}); a sample without an inflection point counts as infinite and is never "
-          "dropped. An interval is open (\"above\", \"below\") where the data do not exclude a threshold "
-          "beyond "
-          "the widths tested.",
-          analysis.resampling.replicates, analysis.resampling.seed));
+std::string means_text(const LevelWords& words) {
+  return fmt::format(
+      "Answers were averaged over the objects of an artifact within each participant and then over "
+      "participants; error bars are standard errors of the mean over participants. The perceptual threshold "
+      "(PT) and the {level} at which an artifact becomes slightly noticeable (SN) are {sought} at which the "
+      "{monotone} isotonic regression of mean noticeability, linear in {axis}, equals {pt:.1f} and {sn:.1f} "
+      "(Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter logistic fitted by "
+      "least squares in {axis}. A threshold is given where its interval is closed; where the answers leave a "
+      "side open, the bound is given. Because the choice is forced, a participant who sees nothing is right "
+      "one "
+      "time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.",
+      fmt::arg("level", words.level), fmt::arg("sought", words.sought), fmt::arg("monotone", words.monotone),
+      fmt::arg("axis", words.axis), fmt::arg("pt", perceptual_level), fmt::arg("sn", slight_level));
 }
 
-constexpr const char* checks_method_text =
-    "Beside them stand: PT and SN read off the logistic (intervals by the same score test, of the logistic "
-    "that equals the level at a width); thresholds of the curve corrected for guessing by a latent-class "
-    "model (saw it, or guessed) fitted by expectation maximisation (Dempster, Laird and Rubin, 1977), with "
-    "guessers' positions and ratings estimated from wrong choices and reference trials; and the range found "
-    "when each object in turn is left out.";
+/// What each way to make an interval does, of the thresholds that are made so.
+std::string intervals_text(const Analysis& analysis, const LevelWords& words) {
+  std::string text =
+      fmt::format("Intervals are {:g} % confidence intervals over participants.", 100 * confidence);
+  if (const std::string names = names_with(IntervalMethod::score_test); !names.empty())
+    text += fmt::format(
+        " For {} they hold every {} at which a score test does not tell the curve from that mean (Student's "
+        "t "
+        "with n - 1 degrees of freedom; the variance over participants is read at that mean, as in Wilson's "
+        "interval).",
+        names, words.level);
+  if (const std::string names = names_with(IntervalMethod::expanded_percentile); !names.empty())
+    text += fmt::format(
+        " For {} they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples of "
+        "participants (seed {}); a sample without such a point counts as infinite and is never dropped.",
+        names, analysis.resampling.replicates, analysis.resampling.seed);
+  return text +
+         fmt::format(
+             " An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
+             "the {} tested. Each threshold has an interval of its own, not adjusted for their number.",
+             words.levels);
+}
+
+std::string checks_method_text(const LevelWords& words) {
+  return fmt::format(
+      "Beside the thresholds stand: PT and SN read off the logistic (intervals by the same score test, of "
+      "the best "
+      "logistic that equals {:.1f} or {:.1f} at a given {}); thresholds of the curve corrected for guessing "
+      "by "
+      "a latent-class model (saw it, or guessed) fitted by expectation maximisation (Dempster, Laird and "
+      "Rubin, "
+      "1977), with guessers' positions and ratings estimated from wrong choices and reference trials; and "
+      "the "
+      "range found when each object in turn is left out.",
+      perceptual_level, slight_level, words.level);
+}
 
 std::string screening_text(const Analysis& analysis) {
   const std::string text =
@@ -130,8 +149,7 @@ std::string choices_text(const Analysis& analysis, int replicates) {
       "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
       "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
       "from the fit.",
-      in_words_of(analysis.data.axis, "log2 width"), replicates, analysis.resampling.seed,
-      deviance_replicates);
+      level_words(analysis.data.axis).axis, replicates, analysis.resampling.seed, deviance_replicates);
 }
 
 std::string differences_text(const Analysis& analysis) {
@@ -149,9 +167,8 @@ std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& num
       "link, a {} and a slope over {} for each artifact{}, objects nested in artifacts and a normal "
       "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
-      word(study.fit.link), of_depth_widths(numbers.axis) ? "level" : "mean",
-      in_words_of(numbers.axis, "log2 width"), numbers.conditions ? " in each condition" : "",
-      study.fit.nodes,
+      word(study.fit.link), of_depth_widths(numbers.axis) ? "level" : "mean", level_words(numbers.axis).axis,
+      numbers.conditions ? " in each condition" : "", study.fit.nodes,
       study.errors == ErrorSource::participants
           ? "were computed by leaving out each participant in turn, with Student's t"
           : "are those of the likelihood's curvature",
@@ -171,17 +188,17 @@ std::string adaptive_text(const ReportNumbers& numbers) {
     for (const study::Parameter parameter : track.informed)
       informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
   }
-  return in_words_of(
-      {.quantity = numbers.axis.quantity},
-      fmt::format(
-          "Widths were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on {} width, of the "
-          "posterior "
-          "of each participant's track, with equal-tailed 95 % credible intervals.{} Because widths depend "
-          "on "
-          "the "
-          "answers, no mean noticeability by width, no PT, SN or IP and no group function was computed.",
-          rising ? ", for noticeability that rises with the width" : "", linear ? "linear" : "log2",
-          informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it."));
+  const LevelWords words = level_words(numbers.axis);
+  return fmt::format(
+      "{} were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on a {} axis, of the posterior "
+      "of "
+      "each participant's track, with equal-tailed 95 % credible intervals.{} Because {} depend on the "
+      "answers, "
+      "no mean noticeability by {}, no PT, SN or IP and no group function was computed.",
+      words.Levels, rising ? fmt::format(", for noticeability that rises with the {}", words.level) : "",
+      linear ? "linear" : "log2",
+      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it.",
+      words.levels, words.level);
 }
 
 constexpr const char* reaction_times_text =
@@ -238,15 +255,16 @@ std::vector<std::string> references_in(const std::vector<std::string>& paragraph
 MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers) {
   MethodsText methods;
   std::vector<std::string>& paragraphs = methods.paragraphs;
+  const LevelWords words = level_words(analysis.data.axis);
   paragraphs = {people_text(analysis), procedure(analysis)};
   if (analysis.adaptive) {
     paragraphs.push_back(adaptive_text(numbers));
   } else {
-    paragraphs.push_back(in_words_of(analysis.data.axis, means_text));
+    paragraphs.push_back(means_text(words));
     if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))
       paragraphs.emplace_back(
           "The level none stands apart: it lies on no logarithmic axis, and is no part of the fits.");
-    if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis));
+    if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis, words));
     for (const ChoiceCurve& curve : numbers.choices)
       if (curve.pooled) {
         paragraphs.push_back(choices_text(analysis, curve.band_replicates));
@@ -255,7 +273,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (numbers.comparisons && has_estimates(numbers.comparisons->fit.verdict))
       paragraphs.push_back(comparisons_text(*numbers.comparisons, numbers));
     if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
-    paragraphs.push_back(in_words_of(analysis.data.axis, checks_method_text));
+    paragraphs.push_back(checks_method_text(words));
   }
   paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);

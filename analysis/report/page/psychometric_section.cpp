@@ -20,8 +20,8 @@ std::string with_interval(const std::string& estimate, const std::string& low, c
 
 std::string threshold_text(const ChoiceCurve& curve, const LevelAxis& axis) {
   const PooledFit& pooled = *curve.pooled;
-  if (!has_threshold(curve)) return "–";
-  return with_interval(estimated_text(axis, pooled.fit.function.threshold),
+  if (!pooled.threshold) return "–";
+  return with_interval(estimated_text(axis, *pooled.threshold),
                        estimated_text(axis, pooled.threshold_ci95.low),
                        estimated_text(axis, pooled.threshold_ci95.high));
 }
@@ -96,7 +96,7 @@ std::string tracks_html(const ReportNumbers& numbers) {
              "half of the time (mean{}, with the 95 % credible interval).{}</p>\n",
              level_word(numbers.axis), linear ? "" : " on log2",
              first.direction == Direction::increasing
-                 ? in_words_of({.quantity = numbers.axis.quantity}, " Noticeability rises with the width.")
+                 ? fmt::format(" Noticeability rises with the {}.", level_word(numbers.axis))
                  : "") +
          html_table({{"participant"},
                      {"track"},

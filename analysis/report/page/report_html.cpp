@@ -15,6 +15,7 @@
 #include "analysis/report/page/psychometric_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
+#include "analysis/scores/level_words.h"
 #include "support/files/assets.h"
 #include "support/text/html.h"
 
@@ -83,10 +84,11 @@ std::string thresholds_section(const Analysis& analysis) {
 std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive, const LevelAxis& axis) {
   std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
   if (adaptive)
-    html += in_words_of(axis,
-                        "<p>There is no curve of everybody’s mean noticeability: widths were placed by the "
-                        "answers. The means of objects below are over different people at different "
-                        "widths.</p>\n");
+    html += fmt::format(
+        "<p>There is no curve of everybody’s mean noticeability: {0} were placed by the answers. The means "
+        "of "
+        "objects below are over different people at different {0}.</p>\n",
+        level_words(axis).levels);
   return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
 }
 

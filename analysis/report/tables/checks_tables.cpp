@@ -6,6 +6,7 @@
 
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/angular_resolution.h"
 
 namespace seamline::analysis {
@@ -122,7 +123,7 @@ CsvTable guessers_table(const Analysis& analysis) {
 }
 
 CsvTable screening_table(const Analysis& analysis) {
-  const std::string screened_cells = in_words_of(analysis.data.axis, "the same over artifacts and widths") +
+  const std::string screened_cells = "the same over artifacts and " + level_words(analysis.data.axis).levels +
                                      (has_conditions(analysis.data) ? ", conditions apart" : "");
   CsvTable table{
       .name = "screening",
@@ -134,9 +135,9 @@ CsvTable screening_table(const Analysis& analysis) {
                   {"extreme_low", "count", "Q of ITU-R BT.500: scores far below it"},
                   {"stimuli", "count", "stimuli with a score"},
                   {"kurtosis_named", "0 or 1", std::string(rule_of(ScreeningRule::kurtosis))},
-                  {"correlation_stimuli", "-1 to 1",
+                  {"correlation_stimuli", "between -1 and 1",
                    "Pearson correlation with the mean of the others, over stimuli"},
-                  {"correlation_conditions", "-1 to 1", screened_cells},
+                  {"correlation_conditions", "between -1 and 1", screened_cells},
                   {"correlation_named", "0 or 1", std::string(rule_of(ScreeningRule::correlation))},
                   {"below_p913", "0 or 1",
                    "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
@@ -161,7 +162,7 @@ CsvTable screened_thresholds_table(const Analysis& analysis) {
                  .rows = {}};
   const LevelAxis& axis = analysis.data.axis;
   std::vector<std::string> conditions;
-  add_columns(table, axis, "estimate", in_words_of(axis, "width W"));
+  add_columns(table, axis, "estimate", level_words(axis).symbol);
   for (const ScreenedThresholds& result : analysis.screened)
     for (const ArtifactThresholds& thresholds : result.thresholds) {
       const CurveThresholds& found = thresholds.estimates;
@@ -254,8 +255,8 @@ CsvTable differences_table(const Analysis& analysis) {
                              {"to", "word", "condition that it is compared to: the study's first"},
                              {"participants", "count", "participants on the curves of all conditions"},
                              {"estimate" + length, unit,
-                              "threshold of the condition less that of the first, along the axis; empty when "
-                              "either is missing"},
+                              "threshold of the condition less that of the first, along the axis; empty "
+                              "unless its interval is closed"},
                              {"bound_low" + length, unit,
                               "what the difference is above when a threshold lies beyond the levels tested; "
                               "empty when nothing is known"},

@@ -1,8 +1,11 @@
 #include "analysis/report/tables/dictionary.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
+
+#include "analysis/scores/level_words.h"
 
 namespace seamline::analysis {
 
@@ -12,10 +15,27 @@ struct Field {
   std::string path, unit, meaning;
 };
 
-constexpr std::pair<const char*, const char*> threshold_meanings[] = {
-    {"perceptual_threshold", "PT, the width where mean noticeability is 0.5"},
-    {"slightly_noticeable", "SN, the width where it is 1.0"},
-    {"inflection", "IP, the centre of the logistic"}};
+/// How files of a study name its levels.
+struct LevelNames {
+  explicit LevelNames(const LevelAxis& axis)
+      : of(axis),
+        words(level_words(axis)),
+        suffix(unit_suffix(axis)),
+        unit(facts(axis.quantity).unit),
+        key(level_key(axis)),
+        key_meaning(of_depth_widths(axis) ? "width W of the depth map" : facts(axis.quantity).name),
+        thresholds{{{"perceptual_threshold", "PT, the " + words.level + " where mean noticeability is 0.5"},
+                    {"slightly_noticeable", "SN, the " + words.level + " where it is 1.0"},
+                    {"inflection", "IP, the centre of the logistic"}}} {}
+
+  LevelAxis of;
+  LevelWords words;
+  std::string suffix;                                             ///< of names of estimates: "_px"
+  std::string unit;                                               ///< "px"
+  std::string key;                                                ///< of a level: "width_px"
+  std::string key_meaning;                                        ///< "width W of the depth map"
+  std::array<std::pair<const char*, std::string>, 3> thresholds;  ///< key and meaning of PT, SN, IP
+};
 
 /// What every file of results begins with.
 std::vector<Field> head_fields() {
@@ -29,29 +49,31 @@ std::vector<Field> head_fields() {
           {"notes[]", "text", "what a reader must know"}};
 }
 
-/// A width: estimate, reason, interval.
-void add_width(std::vector<Field>& fields, const std::string& path, const std::string& unit,
-               const std::string& meaning) {
+/// An estimated level: estimate, reason, interval.
+void add_estimate(std::vector<Field>& fields, const std::string& path, const std::string& unit,
+                  const std::string& meaning) {
   fields.push_back({path + ".estimate", unit, meaning + "; null when there is none"});
   fields.push_back({path + ".reason", "text", "why there is no estimate; null when there is one"});
   fields.push_back(
       {path + ".ci95[]", unit, "lower and upper end of its 95 % interval; null when open on that side"});
 }
 
-void add_widths(std::vector<Field>& fields, const std::string& prefix, const std::string& more) {
-  for (const auto& [key, meaning] : threshold_meanings)
-    add_width(fields, prefix + key + "_px", "px", meaning + more);
+void add_thresholds(std::vector<Field>& fields, const LevelNames& names, const std::string& prefix,
+                    const std::string& more) {
+  for (const auto& [key, meaning] : names.thresholds)
+    add_estimate(fields, prefix + key + names.suffix, names.unit, meaning + more);
 }
 
 /// A number a quantity.
-void add_numbers(std::vector<Field>& fields, const std::string& prefix, const char* brackets,
-                 const std::string& more) {
-  for (const auto& [key, meaning] : threshold_meanings)
-    fields.push_back({prefix + key + "_px" + brackets, "px", meaning + more});
+void add_numbers(std::vector<Field>& fields, const LevelNames& names, const std::string& prefix,
+                 const char* brackets, const std::string& more) {
+  for (const auto& [key, meaning] : names.thresholds)
+    fields.push_back({prefix + key + names.suffix + brackets, names.unit, meaning + more});
 }
 
-void add_means(std::vector<Field>& fields, const std::string& prefix) {
-  fields.push_back({prefix + "width_px", "px", "width W of the depth map; its height is W / 2"});
+void add_means(std::vector<Field>& fields, const LevelNames& names, const std::string& prefix) {
+  fields.push_back({prefix + names.key, names.unit,
+                    names.key_meaning + (of_depth_widths(names.of) ? "; its height is W / 2" : "")});
   fields.push_back({prefix + "n", "participants", "participants in the mean"});
   fields.push_back({prefix + "mean", "noticeability 0 to 4", "mean over participants"});
   fields.push_back({prefix + "sem", "noticeability", "its standard error; null with one participant"});
@@ -64,65 +86,76 @@ void add_object(std::vector<Field>& fields, const std::string& prefix) {
   fields.push_back({prefix + "object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"});
 }
 
-void add_curves(std::vector<Field>& fields, const std::string& artifact) {
+void add_curves(std::vector<Field>& fields, const LevelNames& names, const std::string& artifact) {
   const std::string logistic = artifact + "logistic.";
+  const bool widths = of_depth_widths(names.of);
   fields.push_back(
-      {logistic + "upper", "noticeability", "what the fitted logistic tends to at small widths"});
-  fields.push_back({logistic + "lower", "noticeability", "what it tends to at large widths"});
-  fields.push_back({logistic + "centre_px", "px", "its centre, whether or not that is identified"});
-  fields.push_back({logistic + "scale_octaves", "octaves", "its scale on log2 W"});
+      {logistic + "upper", "noticeability",
+       std::string("what the fitted logistic tends to") + (widths ? " at small widths" : ", upper end")});
+  fields.push_back({logistic + "lower", "noticeability",
+                    std::string("what it tends to") + (widths ? " at large widths" : ", lower end")});
+  fields.push_back(
+      {logistic + "centre" + names.suffix, names.unit, "its centre, whether or not that is identified"});
+  fields.push_back({logistic + "scale_" + length_key(names.of), length_unit(names.of),
+                    "its scale on " + names.words.short_axis});
   fields.push_back({logistic + "residual_sum_of_squares", "", "of the means about it"});
   fields.push_back({logistic + "identified", "true or false", "whether the data say where the centre is"});
-  add_means(fields, artifact + "curve[].");
-  fields.push_back({artifact + "curve[].isotonic", "noticeability", "non-increasing isotonic fit"});
+  add_means(fields, names, artifact + "curve[].");
+  fields.push_back({artifact + "curve[].isotonic", "noticeability", names.words.monotone + " isotonic fit"});
   fields.push_back({artifact + "curve[].logistic", "noticeability", "four-parameter logistic"});
   fields.push_back({artifact + "cells[].artifact", "word", "the artifact"});
   add_object(fields, artifact + "cells[].");
-  add_means(fields, artifact + "cells[].");
+  add_means(fields, names, artifact + "cells[].");
 }
 
-void add_artifact_checks(std::vector<Field>& fields, const std::string& artifact) {
+void add_artifact_checks(std::vector<Field>& fields, const LevelNames& names, const std::string& artifact) {
   for (const char* key : {"perceptual_threshold", "slightly_noticeable"})
-    add_width(fields, artifact + "logistic_thresholds." + key + "_px", "px",
-              "the same quantity read off the logistic");
+    add_estimate(fields, artifact + "logistic_thresholds." + key + names.suffix, names.unit,
+                 "the same quantity read off the logistic");
   const std::string corrected = artifact + "corrected_for_guessing.";
-  add_widths(fields, corrected, ", of the curve corrected for guessing");
-  add_numbers(fields, corrected + "expanded_percentile_ci95.", "[]",
+  add_thresholds(fields, names, corrected, ", of the curve corrected for guessing");
+  add_numbers(fields, names, corrected + "expanded_percentile_ci95.", "[]",
               ": bootstrap interval, for comparison; null when open");
-  fields.push_back({corrected + "above_chance", "true or false", "right more often than guessers would be"});
-  fields.push_back({corrected + "curve[].width_px", "px", "width W of the depth map"});
+  fields.push_back(
+      {corrected + "above_chance", "true or false",
+       "whether people are shown to be right more often than guessers; false: chance is not excluded"});
+  fields.push_back({corrected + "curve[]." + names.key, names.unit, names.key_meaning});
   fields.push_back({corrected + "curve[].saw", "probability", "P(saw the insertion)"});
   fields.push_back({corrected + "curve[].noticeability", "0 to 4", "mean noticeability without guesses"});
   const std::string objects = artifact + "one_object_left_out.";
-  add_numbers(fields, objects, "[]", ": range of the estimates when each object in turn is left out");
+  add_numbers(fields, names, objects, "[]", ": range of the estimates when each object in turn is left out");
   add_object(fields, objects + "without[].");
-  add_numbers(fields, objects + "without[].", "", ", without that object");
+  add_numbers(fields, names, objects + "without[].", "", ", without that object");
+  if (!of_depth_widths(names.of)) return;
   fields.push_back({artifact + "field_of_view.degrees", "degree", "horizontal field of view"});
-  for (const auto& [key, meaning] : threshold_meanings) {
+  for (const auto& [key, meaning] : names.thresholds) {
     const std::string view = artifact + "field_of_view." + key;
     fields.push_back({view + ".equirectangular_px", "px", "width of a cut of that field of view"});
     fields.push_back({view + ".pinhole_px", "px", "width of a pinhole depth map as fine at its centre"});
   }
 }
 
-void add_artifacts(std::vector<Field>& fields) {
+void add_artifacts(std::vector<Field>& fields, const LevelNames& names, bool conditions) {
   const std::string artifact = "artifacts[].";
   fields.push_back({artifact + "artifact", "word", "receiver, shadow, occlusion or overlap"});
   fields.push_back({artifact + "participants", "count", "participants on the curve"});
-  for (const auto& [key, meaning] : threshold_meanings)
-    for (const auto& [suffix, unit] : {std::pair{"_px", "px"}, {"_texels_per_degree", "1/degree"}}) {
-      add_width(fields, artifact + key + suffix, unit, meaning);
-      fields.push_back({artifact + key + suffix + ".ci95_text", "text", "the interval in words"});
-    }
-  add_numbers(fields, artifact + "planted.", "", ": what simulated observers were made of");
-  add_numbers(fields, artifact + "paper.", "", ": Table 1 of the paper; null where it has a dash");
-  add_numbers(fields, artifact + "expanded_percentile_ci95.", "[]",
+  for (const auto& [key, meaning] : names.thresholds) {
+    add_estimate(fields, artifact + key + names.suffix, names.unit, meaning);
+    fields.push_back({artifact + key + names.suffix + ".ci95_text", "text", "the interval in words"});
+    if (!of_depth_widths(names.of)) continue;
+    add_estimate(fields, artifact + key + "_texels_per_degree", "1/degree", meaning);
+    fields.push_back({artifact + key + "_texels_per_degree.ci95_text", "text", "the interval in words"});
+  }
+  add_numbers(fields, names, artifact + "planted.", "", ": what simulated observers were made of");
+  if (of_depth_widths(names.of) && !conditions)
+    add_numbers(fields, names, artifact + "paper.", "", ": Table 1 of the paper; null where it has a dash");
+  add_numbers(fields, names, artifact + "expanded_percentile_ci95.", "[]",
               ": bootstrap interval, for comparison; null when open");
-  add_curves(fields, artifact);
-  add_artifact_checks(fields, artifact);
+  add_curves(fields, names, artifact);
+  add_artifact_checks(fields, names, artifact);
 }
 
-void add_screening(std::vector<Field>& fields) {
+void add_screening(std::vector<Field>& fields, const LevelNames& names) {
   for (const char* screen : {"attention", "kurtosis", "correlation"}) {
     const std::string path = std::string("screening.") + screen;
     fields.push_back({path + ".rule", "text", "the rule with its numbers"});
@@ -137,19 +170,22 @@ void add_screening(std::vector<Field>& fields) {
   fields.push_back({person + "kurtosis.P", "count", "scores far above the mean of all"});
   fields.push_back({person + "kurtosis.Q", "count", "scores far below it"});
   fields.push_back({person + "kurtosis.stimuli", "count", "stimuli with a score"});
-  fields.push_back({person + "correlation.stimuli", "-1 to 1", "with the mean of the others, over stimuli"});
-  fields.push_back({person + "correlation.conditions", "-1 to 1", "the same over artifacts and widths"});
-  fields.push_back({person + "correlation.critical", "-1 to 1", "what chance exceeds in 0.1 % of cases"});
+  fields.push_back(
+      {person + "correlation.stimuli", "between -1 and 1", "with the mean of the others, over stimuli"});
+  fields.push_back({person + "correlation.conditions", "between -1 and 1",
+                    "the same over artifacts and " + names.words.levels});
+  fields.push_back(
+      {person + "correlation.critical", "between -1 and 1", "what chance exceeds in 0.1 % of cases"});
   fields.push_back({person + "correlation.below_p913", "true or false", "under the limits of ITU-T P.913"});
   const std::string screened = "thresholds_by_screen[].";
   fields.push_back({screened + "who", "text", "everybody, or without those whom a screen names"});
   fields.push_back({screened + "left_out[]", "text", "codes of those left out"});
   fields.push_back({screened + "artifacts[].artifact", "word", "the artifact"});
-  add_widths(fields, screened + "artifacts[].", ", of those people");
+  add_thresholds(fields, names, screened + "artifacts[].", ", of those people");
   fields.push_back({"exclude_screened", "true or false", "whether those named are left out throughout"});
 }
 
-std::vector<Field> thresholds_fields() {
+std::vector<Field> thresholds_fields(const LevelNames& names, bool conditions) {
   std::vector<Field> fields = head_fields();
   fields.push_back({"simulated", "true or false", "whether any of those used is simulated"});
   fields.push_back({"observer", "word", "kind of simulated observer when all are of one; else null"});
@@ -166,7 +202,7 @@ std::vector<Field> thresholds_fields() {
   fields.push_back({"bootstrap.replicates", "count", "bootstrap samples of participants"});
   fields.push_back({"bootstrap.seed", "count", "their seed"});
   fields.push_back({"intervals", "text", "how intervals were computed"});
-  add_artifacts(fields);
+  add_artifacts(fields, names, conditions);
   fields.push_back({"guessing.position_probability[]", "probability", "a guess falls left, middle, right"});
   fields.push_back({"guessing.position_estimated", "true or false", "false: equal positions are assumed"});
   fields.push_back({"guessing.rating_probability[]", "probability", "a guesser rates 1, 2, 3, 4"});
@@ -174,7 +210,7 @@ std::vector<Field> thresholds_fields() {
   fields.push_back({"guessing.floor", "noticeability", "mean of people who see nothing"});
   fields.push_back({"guessing.wrong_choices", "count", "wrong choices it is estimated from"});
   fields.push_back({"guessing.reference_trials", "count", "reference trials it is estimated from"});
-  add_screening(fields);
+  add_screening(fields, names);
   fields.push_back({"sos_parameter.a", "0 to 1", "standard deviation of opinion scores (SOS)"});
   fields.push_back({"sos_parameter.ci95[]", "0 to 1", "its 95 % interval"});
   fields.push_back({"sos_parameter.stimuli", "count", "stimuli it is fitted to"});
@@ -193,14 +229,6 @@ std::vector<Field> report_fields(const std::vector<CsvTable>& tables) {
   return fields;
 }
 
-bool contains(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
-}
-
-void replace_first(std::string& text, const std::string& old, const std::string& fresh) {
-  if (const std::size_t at = text.find(old); at != std::string::npos) text.replace(at, old.size(), fresh);
-}
-
 /// What a study with conditions has besides.
 std::vector<Field> condition_fields(const LevelAxis& axis) {
   std::vector<Field> fields = {
@@ -213,7 +241,8 @@ std::vector<Field> condition_fields(const LevelAxis& axis) {
       {"differences[].to", "text", "condition that it is compared to: the study's first"},
       {"differences[].participants", "count", "participants on the curves of all conditions"},
       {"differences[].estimate", length_unit(axis),
-       "threshold of the condition less that of the first, along the axis; null when either is missing"},
+       "threshold of the condition less that of the first, along the axis; null unless its interval is "
+       "closed"},
       {"differences[].bounds[]", length_unit(axis),
        "between what the difference lies when a threshold is beyond the levels tested; null when open"},
       {"differences[].ci95[]", length_unit(axis),
@@ -222,40 +251,15 @@ std::vector<Field> condition_fields(const LevelAxis& axis) {
   return fields;
 }
 
-/// The fields of a study's own quantity and conditions. Those above are of depth widths in one condition.
-std::vector<Field> of_study(std::vector<Field> fields, const LevelAxis& axis, bool conditions) {
-  if (conditions) {
-    std::erase_if(fields, [](const Field& field) { return contains(field.path, ".paper."); });
-    for (Field& field : condition_fields(axis)) fields.push_back(std::move(field));
-  }
-  if (of_depth_widths(axis)) return fields;
-  std::erase_if(fields, [](const Field& field) {
-    return contains(field.path, ".paper.") || contains(field.path, "texels_per_degree") ||
-           contains(field.path, "field_of_view");
-  });
-  for (Field& field : fields) {
-    if (contains(field.path, "width_px")) {
-      replace_first(field.path, "width_px", level_key(axis));
-      field.meaning = facts(axis.quantity).name;
-    }
-    replace_first(field.path, "scale_octaves", "scale_" + length_key(axis));
-    replace_first(field.path, "difference_octaves", "difference_" + length_key(axis));
-    replace_first(field.path, "_px", unit_suffix(axis));
-    if (field.unit == "px") field.unit = facts(axis.quantity).unit;
-    if (field.unit == "octaves") field.unit = length_unit(axis);
-    if (field.path.ends_with("logistic.upper"))
-      field.meaning = "what the fitted logistic tends to, upper end";
-    if (field.path.ends_with("logistic.lower")) field.meaning = "what it tends to, lower end";
-    field.meaning = in_words_of(axis, field.meaning);
-  }
-  fields.push_back({"level.quantity", "word", "what the levels are values of"});
-  fields.push_back({"level.axis", "word", "linear or log2"});
-  fields.push_back({"level.noticeability", "word", "rises or falls as the level grows"});
-  return fields;
+/// What a study of another quantity than depth widths has besides.
+std::vector<Field> quantity_fields() {
+  return {{"level.quantity", "word", "what the levels are values of"},
+          {"level.axis", "word", "linear or log2"},
+          {"level.noticeability", "word", "rises or falls as the level grows"}};
 }
 
 /// What a log with lab and web has besides.
-std::vector<Field> origin_fields(bool conditions) {
+std::vector<Field> origin_fields(const LevelNames& names, bool conditions) {
   std::vector<Field> fields;
   for (const char* group : {"origins.lab.", "origins.web."}) {
     const std::string path = group, artifact = path + "artifacts[].";
@@ -263,7 +267,7 @@ std::vector<Field> origin_fields(bool conditions) {
     fields.push_back({artifact + "artifact", "word", "the artifact"});
     if (conditions) fields.push_back({artifact + "condition", "text", "condition of the curve"});
     fields.push_back({artifact + "participants", "count", "of them on the curve"});
-    add_widths(fields, artifact, ", of them alone");
+    add_thresholds(fields, names, artifact, ", of them alone");
   }
   fields.push_back({"origins.permutations", "count", "of participants between lab and web"});
   const std::string one = "origins.differences[].";
@@ -272,7 +276,8 @@ std::vector<Field> origin_fields(bool conditions) {
   fields.push_back({one + "quantity", "word", "PT or SN"});
   fields.push_back({one + "lab", "count", "participants of the lab on the curve"});
   fields.push_back({one + "web", "count", "participants of the web on the curve"});
-  fields.push_back({one + "difference_octaves", "octaves", "web less lab along the axis; null without both"});
+  fields.push_back({one + "difference_" + length_key(names.of), length_unit(names.of),
+                    "web less lab along the axis; null without both"});
   fields.push_back({one + "p", "probability", "of no difference, by permuting participants"});
   fields.push_back({one + "p_holm", "probability", "adjusted for all of them (Holm)"});
   return fields;
@@ -286,11 +291,17 @@ CsvTable report_dictionary(const std::vector<CsvTable>& tables, const LevelAxis&
     for (const Field& field : fields)
       dictionary.rows.push_back({std::string(file), field.path, field.unit, field.meaning});
   };
-  std::vector<Field> thresholds = thresholds_fields();
+  const LevelNames names(axis);
+  std::vector<Field> thresholds = thresholds_fields(names, conditions);
+  const auto append = [&](std::vector<Field> more) {
+    thresholds.insert(thresholds.end(), more.begin(), more.end());
+  };
   if (std::any_of(tables.begin(), tables.end(),
                   [](const CsvTable& table) { return table.name == "lab_and_web"; }))
-    for (Field& field : origin_fields(conditions)) thresholds.push_back(std::move(field));
-  add("thresholds.json", of_study(std::move(thresholds), axis, conditions));
+    append(origin_fields(names, conditions));
+  if (conditions) append(condition_fields(axis));
+  if (!of_depth_widths(axis)) append(quantity_fields());
+  add("thresholds.json", thresholds);
   add("report.json", report_fields(tables));
   return dictionary;
 }

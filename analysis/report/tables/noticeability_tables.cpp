@@ -1,10 +1,13 @@
 #include "analysis/report/tables/noticeability_tables.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/angular_resolution.h"
 
 namespace seamline::analysis {
@@ -43,13 +46,14 @@ CsvTable cells_table(const Analysis& analysis) {
 
 CsvTable curves_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
+  const LevelWords words = level_words(axis);
   std::vector<std::string> conditions;
   CsvTable table{.name = "curves", .columns = with_means({artifact_column, level_column(axis)}), .rows = {}};
+  table.columns.push_back({"isotonic", "noticeability",
+                           fmt::format("{} isotonic fit, linear between {} in {}", words.monotone,
+                                       words.levels, words.short_axis)});
   table.columns.push_back(
-      {"isotonic", "noticeability",
-       in_words_of(axis, "non-increasing isotonic fit, linear between widths in log2 W")});
-  table.columns.push_back(
-      {"logistic", "noticeability", in_words_of(axis, "least-squares four-parameter logistic in log2 W")});
+      {"logistic", "noticeability", "least-squares four-parameter logistic in " + words.short_axis});
   table.columns.push_back(source_column);
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i) {
     const ArtifactScores& scores = analysis.data.artifacts[i];
@@ -82,8 +86,7 @@ CsvTable thresholds_table(const Analysis& analysis) {
           {artifact_column,
            {"quantity", "word", "PT perceptual threshold, SN slightly noticeable, IP inflection point"},
            {"level", "noticeability", "mean noticeability at the threshold; empty for IP"},
-           {"estimate" + suffix, unit,
-            in_words_of(axis, "width W") + "; empty when there is none, see reason"},
+           {"estimate" + suffix, unit, level_words(axis).symbol + "; empty when there is none, see reason"},
            {"ci95_low" + suffix, unit, "lower end of the 95 % interval; empty when open, see ci95_text"},
            {"ci95_high" + suffix, unit, "upper end of the 95 % interval; empty when open, see ci95_text"},
            {"ci95_text", "text", "the interval in words"},

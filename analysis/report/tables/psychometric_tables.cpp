@@ -1,8 +1,11 @@
 #include "analysis/report/tables/psychometric_tables.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "analysis/report/tables/table_columns.h"
+#include "analysis/scores/level_words.h"
 
 namespace seamline::analysis {
 
@@ -20,6 +23,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbers) {
   const LevelAxis& axis = numbers.axis;
+  const LevelWords words = level_words(axis);
   const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
   const std::string length = "_" + length_key(axis), lengths = length_unit(axis);
   std::vector<std::string> conditions;
@@ -30,8 +34,8 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
            people_column,
            {"answers", "count", "answers that are fitted"},
            {"threshold" + suffix, unit,
-            in_words_of(axis, "width W") +
-                " where the function, before guess and lapse, is 0.5; empty unless it is identified"},
+            words.symbol +
+                " where the function, before guess and lapse, is 0.5; empty unless its interval is closed"},
            {"threshold_low" + suffix, unit,
             "lower end of its 95 % interval over participants (scaled profile likelihood); empty when open"},
            {"threshold_high" + suffix, unit, "upper end of it; empty when open"},
@@ -41,12 +45,13 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
            {"width_low" + length, lengths, "lower end of its 95 % percentile interval over participants"},
            {"width_high" + length, lengths, "upper end of it"},
            {"lapse", "share 0 to 1",
-            in_words_of(axis, "wrong choices that have nothing to do with the width; bound 0.1")},
+            fmt::format("wrong choices that have nothing to do with the {}; bound 0.1", words.level)},
            {"lapse_low", "share 0 to 1", "lower end of its 95 % percentile interval over participants"},
            {"lapse_high", "share 0 to 1", "upper end of it"},
            {"guess", "share 0 to 1", "right choices of those who see nothing; fixed"},
            {"deviance", "", "twice the log likelihood that a function through every point would gain"},
-           {"degrees_of_freedom", "count", in_words_of(axis, "widths less free parameters")},
+           {"degrees_of_freedom", "count",
+            fmt::format("{} (neighbours of few answers together) less free parameters", words.levels)},
            {"deviance_p", "0 to 1",
             "share of data sets simulated from the fit that fit as badly, as if answers were independent; "
             "empty: not tested"},
@@ -73,7 +78,7 @@ CsvTable psychometric_table(const Analysis& analysis, const ReportNumbers& numbe
     for (const LevelCounts& level : fit.levels) answers += level.trials;
     const bool identified = has_threshold(curve);
     const auto known = [&](double value) { return identified ? finite(value) : CsvValue(std::monostate{}); };
-    row.insert(row.end(), {answers, known(fit.function.threshold), finite(pooled.threshold_ci95.low),
+    row.insert(row.end(), {answers, number(pooled.threshold), finite(pooled.threshold_ci95.low),
                            finite(pooled.threshold_ci95.high), known(fit.width), known(curve.width_ci95.low),
                            known(curve.width_ci95.high), known(fit.function.lapse),
                            known(curve.lapse_ci95.low), known(curve.lapse_ci95.high), fit.function.guess,
@@ -97,7 +102,7 @@ CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers
                              {"share", "share 0 to 1", "correct / trials"},
                              {"fitted", "share 0 to 1", "what the fitted function expects"},
                              {"deviance_residual", "",
-                              in_words_of(axis, "signed root of the width's part of the deviance") +
+                              fmt::format("signed root of the {}'s part of the deviance", level_word(axis)) +
                                   "; about standard normal when the fit is right"},
                              source_column},
                  .rows = {}};
@@ -120,17 +125,18 @@ CsvTable psychometric_levels_table(const Analysis& analysis, const ReportNumbers
 }
 
 CsvTable psychometric_band_table(const ReportNumbers& numbers) {
-  CsvTable table{.name = "psychometric_band",
-                 .columns = {artifact_column,
-                             {level_key(numbers.axis), std::string(facts(numbers.axis.quantity).unit),
-                              in_words_of(numbers.axis, "width W of the depth map where the curve is read")},
-                             {"fitted", "share 0 to 1", "expected share of right choices"},
-                             {"low", "share 0 to 1",
-                              in_words_of(numbers.axis,
-                                          "2.5 % point over bootstrap replicates of participants, width by "
-                                          "width")},
-                             {"high", "share 0 to 1", "97.5 % point of the same"}},
-                 .rows = {}};
+  CsvTable table{
+      .name = "psychometric_band",
+      .columns = {artifact_column,
+                  {level_key(numbers.axis), std::string(facts(numbers.axis.quantity).unit),
+                   of_depth_widths(numbers.axis) ? "width W of the depth map where the curve is read"
+                                                 : "level where the curve is read"},
+                  {"fitted", "share 0 to 1", "expected share of right choices"},
+                  {"low", "share 0 to 1",
+                   fmt::format("2.5 % point over bootstrap replicates of participants, {0} by {0}",
+                               level_word(numbers.axis))},
+                  {"high", "share 0 to 1", "97.5 % point of the same"}},
+      .rows = {}};
   std::vector<std::string> conditions;
   for (const ChoiceCurve& curve : numbers.choices)
     for (const BandPoint& point : curve.band) {

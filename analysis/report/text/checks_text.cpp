@@ -82,8 +82,8 @@ std::string guessers_text(const GuessCorrection& correction) {
   if (!guessers.known()) return "Nobody chose wrong: there are no guesses to learn from.";
   return fmt::format(
       "Guessers choose left, middle and right in {:.0f}, {:.0f} and {:.0f} %{} and rate {:.2f} on average "
-      "(from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability does not "
-      "fall below {:.2f}.",
+      "(from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability is not "
+      "expected below {:.2f}.",
       100 * guessers.position[0], 100 * guessers.position[1], 100 * guessers.position[2],
       guessers.position_estimated ? "" : " (assumed)", guessers.mean_rating(), guessers.wrong_answers,
       guessers.reference_answers, correction.floor);

@@ -24,10 +24,10 @@ std::string choices_text(const ReportNumbers& numbers) {
     const PooledFit& pooled = *curve.pooled;
     const bool known = has_threshold(curve);
     lines.push_back({std::string(word(curve.artifact)) + in_condition(curve.condition),
-                     known ? estimated_text(axis, pooled.fit.function.threshold) : "-",
-                     known ? estimated_text(axis, pooled.threshold_ci95.low) + " to " +
-                                 estimated_text(axis, pooled.threshold_ci95.high)
-                           : "-",
+                     pooled.threshold ? estimated_text(axis, *pooled.threshold) : "-",
+                     pooled.threshold ? estimated_text(axis, pooled.threshold_ci95.low) + " to " +
+                                            estimated_text(axis, pooled.threshold_ci95.high)
+                                      : "-",
                      known ? fmt::format("{:.2f}", pooled.fit.width) : "-",
                      known ? fmt::format("{:.3f}", pooled.fit.function.lapse) : "-",
                      std::isnan(curve.deviance_p) ? "-" : fmt::format("{:.3f}", curve.deviance_p),
