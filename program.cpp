@@ -14,6 +14,7 @@
 #include "study/online/commands/export_command.h"
 #include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
+#include "support/text/error.h"
 #ifdef SEAMLINE_HAS_WINDOW
 #include "live/window/show_live.h"
 #include "place/place_window.h"
@@ -21,6 +22,25 @@
 #endif
 
 namespace seamline {
+
+namespace {
+
+/// An empty text is most often a variable of the shell that is not set: `--slurm "$JOB"` would render
+/// everything here and now. Numbers say by themselves what they want.
+void refuse_empty_texts(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_items_expected_max() == 0 || !option->get_type_name().starts_with("TEXT")) continue;
+      const std::string field = (option->get_positional() ? "" : "--") + option->get_single_name();
+      option->check([field](const std::string& text) {
+        if (text.empty())
+          throw input_error({.field = field, .wanted = "a text that is not empty", .found = "nothing"});
+        return std::string();
+      });
+    }
+}
+
+}  // namespace
 
 std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   auto app = std::make_unique<CLI::App>(
@@ -47,6 +67,7 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   analysis::add_analysis_commands(*app);
   registration::add_registration_commands(*app);
   stability::add_stability_command(*app, any_case_failed);
+  refuse_empty_texts(*app);
   return app;
 }
 

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <string_view>
 
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
+#include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
@@ -19,15 +22,9 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// A path that an `#SBATCH` line can hold, where the shell's quotes mean nothing.
-std::string plain_path(const fs::path& path) {
-  const std::string text = path.string();
-  if (text.find_first_of(" \t\n\"'\\%#") != std::string::npos)
-    throw input_error(
-        {.field = "--slurm",
-         .wanted = "a path without spaces, quotes, % and #, which Slurm's own lines cannot hold",
-         .found = "\"" + text + "\""});
-  return text;
+/// `folder` as a word of the shell, with a name in it.
+std::string quoted(const fs::path& folder, const char* name) {
+  return quoted((folder / name).string());
 }
 
 /// A study's name where Slurm wants a word.
@@ -42,6 +39,10 @@ void write_script(const fs::path& path, const std::string& text) {
   fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add);
 }
 
+/// So long before its time limit a piece is asked to stop: it takes up to ten of them to end, and Slurm may
+/// ask a minute early.
+constexpr int seconds_before_the_limit = 60;
+
 /// Twice the estimate and five minutes, in whole minutes: a probe of a minute knows no better.
 int time_limit_min(double seconds) {
   return static_cast<int>(std::ceil(2 * seconds / 60)) + 5;
@@ -54,15 +55,18 @@ int memory_limit_mb(std::int64_t bytes) {
 }
 
 void write_task(const JobPlace& place, const RenderJob& job) {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path self = fs::read_symlink("/proc/self/exe");
   std::string options;
   for (const std::string& option : place.options) options += " " + quoted(option);
   write_script(
       place.folder / "task",
       fmt::format("#!/bin/bash\n"
                   "# One piece of the job: truth-N, stimuli-N or join.\n"
-                  "exec {} render {} --out {} --threads {}{} --job {} --element \"$1\"\n",
+                  "if [ $# -ne 1 ] || [ -z \"$1\" ]; then\n"
+                  "  echo \"$0: wanted one of truth-N, stimuli-N and join, found ${{*:-nothing}}\" >&2\n"
+                  "  exit 1\n"
+                  "fi\n"
+                  "exec {} render {} --out={} --threads={}{} --job={} --element=\"$1\"\n",
                   quoted(self.string()), quoted(place.study.string()), quoted(place.set_folder.string()),
                   job.threads, options, quoted(place.folder.string())));
 }
@@ -84,27 +88,50 @@ std::string batch_script(const RenderJob& job, const std::string& stage, const s
 
 std::string array_script(const JobPlace& place, const RenderJob& job, const std::string& stage,
                          const std::string& element, std::size_t count, double longest_s) {
-  const std::string limits =
-      fmt::format("#SBATCH --array=1-{}\n#SBATCH --time={}\n#SBATCH --output={}/logs/{}-%a.log\n", count,
-                  time_limit_min(longest_s), plain_path(place.folder), element);
+  const std::string limits = fmt::format(
+      "#SBATCH --array=1-{}\n#SBATCH --time={}\n#SBATCH --signal=B:USR1@{}\n#SBATCH "
+      "--output={}/logs/{}-%a.log\n",
+      count, time_limit_min(longest_s), seconds_before_the_limit, place.folder.string(), element);
   const std::string command = fmt::format(
-      "{0}/task {1}-\"$SLURM_ARRAY_TASK_ID\"\n"
+      "# Slurm sends USR1 shortly before the time limit: the piece stops, and what it had finished is kept.\n"
+      "trap 'kill \"$piece\"' USR1\n"
+      "{0} {1}-\"$SLURM_ARRAY_TASK_ID\" &\n"
+      "piece=$!\n"
+      "wait \"$piece\"\n"
       "status=$?\n"
+      "while kill -0 \"$piece\" 2>/dev/null; do\n"
+      "  wait \"$piece\"\n"
+      "  status=$?\n"
+      "done\n"
       "# Wrong input (1) would be wrong again. Whatever else ended the piece need not come again: once "
       "more,\n"
-      "# and this piece alone; what it had finished is kept.\n"
+      "# and this piece alone.\n"
       "if [ $status -gt 1 ] && [ \"${{SLURM_RESTART_COUNT:-0}}\" -lt 3 ]; then\n"
       "  scontrol requeue \"${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID\"\n"
       "fi\n"
       "exit $status",
-      plain_path(place.folder), element);
+      quoted(place.folder, "task"), element);
   return batch_script(job, stage, limits, command);
 }
 
 }  // namespace
 
+void check_slurm_folder(const fs::path& folder) {
+  const std::string text = folder.string();
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("/._-+=@,:~").find(c) != std::string_view::npos ||
+           static_cast<unsigned char>(c) >= 0x80;
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain) && printable(text, text.size()) == text) return;
+  throw input_error({.field = "--slurm",
+                     .wanted = "a path of letters, digits and / . _ - + = @ , : ~ alone, since Slurm's own "
+                               "lines can hold no others",
+                     .found = "\"" + text + "\""});
+}
+
 void write_slurm_scripts(const JobPlace& place, const RenderJob& job) {
-  const std::string folder = plain_path(place.folder);
+  check_slurm_folder(place.folder);
   prepare_output_folder(place.folder / "logs");
   write_task(place, job);
   write_file_atomically(
@@ -113,30 +140,39 @@ void write_slurm_scripts(const JobPlace& place, const RenderJob& job) {
   write_file_atomically(
       place.folder / "stimuli.sbatch",
       array_script(place, job, "stimuli", "stimuli", job.elements.size(), job.longest_element_s()));
+  const std::string stimuli = quoted(place.folder, "stimuli.sbatch"),
+                    join = quoted(place.folder, "join.sbatch");
   write_file_atomically(
       place.folder / "join.sbatch",
       batch_script(
-          job, "join", fmt::format("#SBATCH --time=60\n#SBATCH --output={}/logs/join.log\n", folder),
-          fmt::format("{0}/task join || {{\n"
-                      "  echo \"pieces that ended otherwise than well: sacct, or {0}/logs; run them again\"\n"
-                      "  echo \"by sbatch --array=N {0}/stimuli.sbatch, then sbatch {0}/join.sbatch\"\n"
-                      "  exit 1\n"
-                      "}}",
-                      folder)));
+          job, "join",
+          fmt::format("#SBATCH --time=60\n#SBATCH --output={}/logs/join.log\n", place.folder.string()),
+          fmt::format("{} join && exit\n"
+                      "echo pieces that ended otherwise than well: sacct, or {}\n"
+                      "echo run them again: sbatch --array=N {}, then sbatch {}\n"
+                      "exit 1",
+                      quoted(place.folder, "task"), quoted(place.folder, "logs"), stimuli, join)));
   write_script(place.folder / "submit",
                fmt::format("#!/bin/bash\n"
                            "# Hands the job to Slurm. Arguments go to sbatch, e.g. --partition=NAME.\n"
                            "set -euo pipefail\n"
-                           "truths=$(sbatch --parsable \"$@\" {0}/truths.sbatch)\n"
+                           "truths=$(sbatch --parsable \"$@\" {0})\n"
                            "stimuli=$(sbatch --parsable --dependency=afterok:\"${{truths%%;*}}\" "
-                           "--kill-on-invalid-dep=yes \"$@\" {0}/stimuli.sbatch)\n"
-                           "join=$(sbatch --parsable --dependency=afterany:\"${{stimuli%%;*}}\" \"$@\" "
-                           "{0}/join.sbatch)\n"
+                           "--kill-on-invalid-dep=yes \"$@\" {1})\n"
+                           "join=$(sbatch --parsable --dependency=afterany:\"${{stimuli%%;*}}\" \"$@\" {2})\n"
                            "echo \"truths ${{truths%%;*}}, stimuli ${{stimuli%%;*}}, join ${{join%%;*}}\"\n",
-                           folder));
+                           quoted(place.folder, "truths.sbatch"), stimuli, join));
+}
+
+void check_parallel_folder(const fs::path& folder) {
+  if (folder.string().find_first_of("{}") != std::string::npos)
+    throw input_error({.field = "--parallel",
+                       .wanted = "a path without { and }, which GNU parallel would read as its own",
+                       .found = "\"" + folder.string() + "\""});
 }
 
 void write_parallel_scripts(const JobPlace& place, const RenderJob& job) {
+  check_parallel_folder(place.folder);
   prepare_output_folder(place.folder / "logs");
   write_task(place, job);
   const std::string folder = quoted(place.folder.string());

@@ -15,6 +15,12 @@ struct JobPlace {
   std::vector<std::string> options = {};  ///< of `seamline render` that decide what is rendered
 };
 
+/// Throws InputError where the folder's path has a letter that lines of Slurm's own (`#SBATCH`) or the shell
+/// would read as something else.
+void check_slurm_folder(const std::filesystem::path& folder);
+/// Likewise where GNU parallel would put something in the place of a part of it ({}, {#}).
+void check_parallel_folder(const std::filesystem::path& folder);
+
 /// `task`, the one command that every piece runs; `truths.sbatch` and `stimuli.sbatch`, arrays;
 /// `join.sbatch`; and `submit`, which hands them to Slurm, each waiting for the one before. Memory and time
 /// limits are the job's estimates with room above them.

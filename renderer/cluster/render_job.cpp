@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
+#include "renderer/set/sharing/set_running.h"
+#include "renderer/set/sharing/work_list.h"
 #include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -65,6 +70,43 @@ double longest(const std::vector<double>& seconds) {
   return seconds.empty() ? 0 : *std::max_element(seconds.begin(), seconds.end());
 }
 
+std::vector<Stimulus> asked_stimuli(const StudyDefinition& study, const RenderRequest& request) {
+  std::vector<Stimulus> stimuli;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), request.only)) stimuli.push_back(stimulus);
+  return stimuli;
+}
+
+/// A study that lost or got a level, an artifact or a condition: `join` would wait for what no piece renders,
+/// or leave out what they did.
+void require_same_stimuli(const RenderJob& job, const fs::path& folder, const StudyDefinition& study,
+                          const RenderRequest& request) {
+  std::set<std::string> of_job, of_study, others;
+  for (const JobElement& element : job.elements) of_job.insert(element.ids.begin(), element.ids.end());
+  for (const Stimulus& stimulus : asked_stimuli(study, request)) of_study.insert(stimulus_id(stimulus));
+  std::set_symmetric_difference(of_job.begin(), of_job.end(), of_study.begin(), of_study.end(),
+                                std::inserter(others, others.end()));
+  if (others.empty()) return;
+  throw input_error(
+      {.file = (folder / "job.json").string(),
+       .wanted = fmt::format("the {} stimuli that the job was made with", of_job.size()),
+       .found = fmt::format("{} in {}, where {} {}: make the job again", of_study.size(), study.file.string(),
+                            *others.begin(), of_job.contains(*others.begin()) ? "is missing" : "is new")});
+}
+
+/// The number from 1 to `count` that follows the word in a piece's name; 0: none.
+std::size_t number_after(const std::string& word, const std::string& element, std::size_t count) {
+  if (!element.starts_with(word)) return 0;
+  for (std::size_t i = 1; i <= count; ++i)
+    if (element == word + std::to_string(i)) return i;
+  return 0;
+}
+
+bool has_piece(const RenderJob& job, const std::string& element) {
+  return element == "join" || number_after("truth-", element, job.truths.size()) > 0 ||
+         number_after("stimuli-", element, job.elements.size()) > 0;
+}
+
 InputError wrong_machine(const fs::path& folder, const std::string& what, const std::string& wanted,
                          const std::string& found) {
   return input_error({.file = (folder / "job.json").string(),
@@ -88,9 +130,7 @@ double RenderJob::longest_element_s() const {
 
 RenderJob plan_job(const StudyDefinition& study, const RenderRequest& request, const JobCosts& costs,
                    int elements) {
-  std::vector<Stimulus> stimuli;
-  for (const Stimulus& stimulus : list_stimuli(study))
-    if (matches_pattern(stimulus_id(stimulus), request.only)) stimuli.push_back(stimulus);
+  const std::vector<Stimulus> stimuli = asked_stimuli(study, request);
   RenderJob job{.study_name = study.name,
                 .program_version = program_version(),
                 .instruction_set = RayDevice::instruction_set(),
@@ -185,23 +225,19 @@ void take_element(const RenderJob& job, const fs::path& folder, const std::strin
   if (job.inputs != InputHashes(study, render_settings(study, request)).of_set())
     throw wrong_machine(folder, "the study, scene files and program", job.study_name,
                         "others: make the job again");
+  require_same_stimuli(job, folder, study, request);
   request.element = element;
+  request.job = fs::absolute(folder).string();
   if (element == "join") {
     request.part = JobPart::join;
     return;
   }
-  const auto number_after = [&](const std::string& word, std::size_t count) -> std::size_t {
-    if (!element.starts_with(word)) return 0;
-    for (std::size_t i = 1; i <= count; ++i)
-      if (element == word + std::to_string(i)) return i;
-    return 0;
-  };
-  if (const std::size_t i = number_after("truth-", job.truths.size()); i > 0) {
+  if (const std::size_t i = number_after("truth-", element, job.truths.size()); i > 0) {
     request.part = JobPart::truth;
     request.truth = job.truths[i - 1].name;
     return;
   }
-  if (const std::size_t i = number_after("stimuli-", job.elements.size()); i > 0) {
+  if (const std::size_t i = number_after("stimuli-", element, job.elements.size()); i > 0) {
     request.part = JobPart::stimuli;
     request.ids = {job.elements[i - 1].ids.begin(), job.elements[i - 1].ids.end()};
     return;
@@ -210,6 +246,18 @@ void take_element(const RenderJob& job, const fs::path& folder, const std::strin
                      .wanted = fmt::format("truth-1 to truth-{}, stimuli-1 to stimuli-{}, or join",
                                            job.truths.size(), job.elements.size()),
                      .found = "\"" + element + "\""});
+}
+
+void leave_refusal(const fs::path& set_folder, const fs::path& job_folder, const std::string& element,
+                   const std::string& complaint) {
+  try {
+    const RenderJob job = read_job(job_folder);
+    const std::optional<WorkList> list = read_work_list(set_folder);
+    if (has_piece(job, element) && list && list->job == fs::absolute(job_folder).string())
+      leave_complaint(set_folder, element, complaint);
+  } catch (const InputError&) {
+    // The complaint itself goes to standard error, and thus into the piece's log.
+  }
 }
 
 }  // namespace seamline::renderer

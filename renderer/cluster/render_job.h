@@ -53,9 +53,14 @@ void write_job(const std::filesystem::path& folder, const RenderJob& job);
 [[nodiscard]] RenderJob read_job(const std::filesystem::path& folder);
 
 /// What the process is to do that is called `truth-N`, `stimuli-N` or `join`, put into the request. Throws
-/// InputError when the job has no such piece, or when this program, this machine's instruction set or the
-/// study's files are not those that the job was made with.
+/// InputError when the job has no such piece, or when this program, this machine's instruction set, the
+/// study's files or its list of stimuli are not those that the job was made with.
 void take_element(const RenderJob& job, const std::filesystem::path& folder, const std::string& element,
                   const StudyDefinition& study, RenderRequest& request);
+
+/// Says in the set, where `--status` finds it, why a piece ended. Does nothing where the job has no such
+/// piece, or where the set is another job's or cannot be written to.
+void leave_refusal(const std::filesystem::path& set_folder, const std::filesystem::path& job_folder,
+                   const std::string& element, const std::string& complaint);
 
 }  // namespace seamline::renderer

@@ -1,23 +1,11 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-namespace seamline::renderer {
+#include "renderer/set/sharing/set_running.h"
 
-/// A process at work on a set, or one that ended otherwise than well.
-struct ElementStatus {
-  enum class State {
-    running,
-    failed,  ///< with a complaint
-    died     ///< without one: its mark has not been renewed for `dead_after_s`
-  };
-  std::string name, host, complaint;
-  State state = State::running;
-  int done = 0, of = 0;
-  double mark_age_s = 0;
-};
+namespace seamline::renderer {
 
 /// How far each truth of a set is.
 struct TruthStatus {
@@ -29,17 +17,19 @@ struct TruthStatus {
 /// How far a set is, from its folder alone.
 struct SetStatus {
   std::string study;
+  std::string job;  ///< folder of the job that makes it; empty where none does, or a list does not say
   std::vector<TruthStatus> truths;
-  std::vector<ElementStatus> elements;  ///< running, failed and dead ones, by name
-  bool joined = false;                  ///< there is a manifest, and it lists every stimulus
+  std::vector<FoundMark> marks;  ///< of pieces at work, and of those that ended otherwise than well
+  bool by_job = true;            ///< false: rendered by one process or by shards, which leave no marks
+  bool joined = false;           ///< there is a manifest, and it lists every stimulus
 
   [[nodiscard]] int done() const;
   [[nodiscard]] int of() const;
 };
 
 /// Reads what renders left in `SET/records`; pictures are not looked at (`seamline verify` does that). A
-/// record of other inputs counts as not done. Throws InputError when the folder is no set that a render of
-/// this version has begun.
+/// record of other inputs counts as not done. Throws InputError when the folder is no set that a job of this
+/// version makes and has no manifest either.
 [[nodiscard]] SetStatus read_status(const std::filesystem::path& set_folder);
 
 /// The status for a person, some lines.

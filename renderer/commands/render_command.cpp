@@ -15,6 +15,7 @@
 #include "renderer/set/pages/errors_page.h"
 #include "renderer/set/pages/explain.h"
 #include "renderer/set/render_set.h"
+#include "renderer/set/set_work.h"
 #include "renderer/set/true_error_set.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
@@ -71,9 +72,9 @@ void print_plan(const StudyDefinition& study, const RenderRequest& request) {
 
 /// The options that decide what is rendered, as they were given: for the pieces of a job.
 std::vector<std::string> options_for_pieces(const RenderOptions& options) {
-  std::vector<std::string> out = {"--estimator", options.estimator};
+  std::vector<std::string> out = {"--estimator=" + options.estimator};
   const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) out.insert(out.end(), {name, value});
+    if (!value.empty()) out.push_back(std::string(name) + "=" + value);
   };
   if (!options.asset_root.empty()) add("--asset-root", fs::absolute(options.asset_root).string());
   add("--only", options.only);
@@ -96,6 +97,7 @@ void make_job(const RenderOptions& options, const StudyDefinition& study, const 
   RenderRequest request = asked;
   request.threads = options.threads > 0 ? options.threads : 1;
   const fs::path folder = fs::absolute(options.slurm.empty() ? options.parallel : options.slurm);
+  options.slurm.empty() ? check_parallel_folder(folder) : check_slurm_folder(folder);
   prepare_output_folder(folder);
   const JobCosts costs = measure_costs(study, request, probe_s);
   const RenderJob job = plan_job(study, request, costs, options.elements);
@@ -104,6 +106,11 @@ void make_job(const RenderOptions& options, const StudyDefinition& study, const 
                        .study = fs::absolute(options.study),
                        .options = options_for_pieces(options)};
   write_job(folder, job);
+  // Now, so that `--status` knows the job before its first piece has begun.
+  prepare_output_folder(place.set_folder / "records");
+  write_work_list(
+      place.set_folder,
+      list_work(study, request.only, InputHashes(study, render_settings(study, request)), folder.string()));
   if (options.slurm.empty())
     write_parallel_scripts(place, job);
   else
@@ -184,6 +191,16 @@ void run_render(const RenderOptions& options) {
   if (request.part == JobPart::whole || request.part == JobPart::join) write_errors_page(options.set);
 }
 
+/// A piece of a job that fails, whatever for, says so in the set too: `--status` is asked elsewhere.
+void run_render_or_complain(const RenderOptions& options) {
+  try {
+    run_render(options);
+  } catch (const std::exception& error) {
+    if (!options.element.empty()) leave_refusal(options.set, options.job, options.element, error.what());
+    throw;
+  }
+}
+
 void run_verify(const std::string& set) {
   const Manifest manifest = read_manifest(set);
   (void)study_of_set(set, manifest);
@@ -255,7 +272,7 @@ void add_render_command(CLI::App& app) {
       "render nothing: say what of a job's set is done, running, failed and left, from any machine");
   render->add_option("--html", options->html, "write what --status says as a page")->needs(status);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
-  render->callback([options] { run_render(*options); });
+  render->callback([options] { run_render_or_complain(*options); });
 
   auto set = std::make_shared<std::string>();
   CLI::App* verify = app.add_subcommand("verify", "compare every file of a set with the manifest's hashes");

@@ -62,15 +62,13 @@ class SetRenderer {
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
-    if (!request_.element.empty()) list_work();
-    if (!request_.element.empty())
-      mark_.emplace(request_.set_folder, request_.element, static_cast<int>(work_.pending.size()));
-    try {
-      render_scenes();
-    } catch (const InputError& error) {
-      if (mark_) mark_->failed(error.what());
-      throw;
+    if (!request_.element.empty()) {
+      write_work_list(request_.set_folder, list_work(study_, request_.only, hashes_, request_.job));
+      const int done = request_.part == JobPart::stimuli ? work_.already_finished : 0;
+      mark_.emplace(request_.set_folder, request_.element, done,
+                    done + static_cast<int>(work_.pending.size()));
     }
+    render_scenes();
     if (request_.part == JobPart::whole || request_.part == JobPart::join) write_set();
     if (request_.part == JobPart::join) truths_of_others_.remove_all();
     mark_.reset();
@@ -80,17 +78,6 @@ class SetRenderer {
   }
 
  private:
-  /// What the whole set is going to hold, for `--status`. The same bytes by every process of a job.
-  void list_work() const {
-    if (request_.part == JobPart::join || !request_.only.empty()) return;
-    WorkList list{.study = study_.name, .stimuli = {}, .references = {}};
-    for (const Stimulus& stimulus : list_stimuli(study_))
-      list.stimuli.push_back({stimulus_id(stimulus), hashes_.of_stimulus(stimulus), truth_of(stimulus)});
-    for (const SceneDefinition& truth : truths_)
-      list.references.push_back({truth.truth, hashes_.of_reference(truth.truth)});
-    write_work_list(request_.set_folder, list);
-  }
-
   void render_scenes() {
     progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
     for (const SceneDefinition& truth : truths_) {

@@ -29,6 +29,7 @@ struct RenderRequest {
   int shard = 1, shard_count = 1;        ///< this process renders every shard_count-th object of a scene
   JobPart part = JobPart::whole;
   std::string element = {};        ///< its name, where the job has several
+  std::string job = {};            ///< folder of the job that has it
   std::string truth = {};          ///< of `JobPart::truth`
   std::set<std::string> ids = {};  ///< only these stimuli; empty: all
   bool layers = false;             ///< also write the float EXR layers of every stimulus

@@ -39,6 +39,21 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
   return work;
 }
 
+WorkList list_work(const StudyDefinition& study, const std::string& only, const InputHashes& hashes,
+                   const std::string& job) {
+  WorkList list{.study = study.name, .job = job, .stimuli = {}, .references = {}};
+  std::set<std::string> truths;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), only)) {
+      list.stimuli.push_back({stimulus_id(stimulus), hashes.of_stimulus(stimulus), truth_of(stimulus)});
+      truths.insert(truth_of(stimulus));
+    }
+  for (const SceneDefinition& scene : list_truths(study))
+    if (truths.contains(scene.truth))
+      list.references.push_back({scene.truth, hashes.of_reference(scene.truth)});
+  return list;
+}
+
 Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth) {
   std::set<std::pair<Artifact, Isolation>> asking;
   for (const Stimulus& stimulus : list_stimuli(study))

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/set/render_set.h"
+#include "renderer/set/sharing/work_list.h"
 #include "renderer/transport/answers.h"
 
 namespace seamline::renderer {
@@ -28,6 +29,10 @@ struct SetWork {
 /// matches none.
 [[nodiscard]] SetWork find_work(const StudyDefinition& study, const RenderRequest& request,
                                 const InputHashes& hashes, const SetRecords& records);
+
+/// What a job makes that renders the stimuli that match `only`: these, and the references of their truths.
+[[nodiscard]] WorkList list_work(const StudyDefinition& study, const std::string& only,
+                                 const InputHashes& hashes, const std::string& job);
 
 /// What any stimulus of a truth asks of the depth mesh, whichever are left to render: a set that was
 /// interrupted has the same bytes.

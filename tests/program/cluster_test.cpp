@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "run_program.h"
+#include "running_program.h"
 
 namespace seamline {
 namespace {
@@ -97,7 +101,10 @@ TEST(Cluster, ADamagedTruthPassIsMadeAgain) {
 TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const Job job = make_job(fresh_folder("cluster-status"), "--spp 2");
   const std::string status = "render --status " + job.set.string();
-  EXPECT_THAT(run_built(status).output, HasSubstr("wanted a set that a job of `seamline render` has begun"));
+  EXPECT_THAT(run_built(status).output,
+              HasSubstr("0 of 6 stimuli done (0 %), 6 left; 0 at work, 0 failed, 0 died\n"));
+  EXPECT_THAT(run_built(status).output,
+              HasSubstr("no piece has begun: not submitted (" + (job.folder / "run").string() + " does it)"));
   ASSERT_EQ(job.piece("truth-1").status, 0);
   EXPECT_THAT(run_built(status).output, HasSubstr("0 of 6 stimuli done"));
   ASSERT_EQ(job.piece("stimuli-1").status, 0);
@@ -108,22 +115,125 @@ TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const std::string half = run_built(status).output;
   EXPECT_THAT(half, Not(HasSubstr("0 of 6 stimuli done")));
   EXPECT_THAT(half, Not(HasSubstr("6 of 6 stimuli done")));
-  EXPECT_THAT(half, HasSubstr("0 at work, 0 failed"));
+  EXPECT_THAT(half, HasSubstr("0 at work, 1 failed, 0 died"));
+  EXPECT_THAT(half,
+              HasSubstr("failed: " + job.set.string() + ": wanted a set whose stimuli are all rendered"));
+  EXPECT_THAT(half, HasSubstr("nothing is at work: what is left waits in a queue, or "));
   // A mark that nobody renews, and one with a complaint.
   const fs::path marks = job.set / "records" / "running";
   test::write_text(marks / "stimuli-2.json", R"({"element":"stimuli-2","host":"far","done":1,"of":4})");
   EXPECT_THAT(run_built(status).output, HasSubstr("stimuli-2 on far: 1 of 4 done"));
   fs::last_write_time(marks / "stimuli-2.json",
                       fs::file_time_type::clock::now() - std::chrono::seconds(1000));
-  EXPECT_THAT(run_built(status).output, HasSubstr("stimuli-2 on far: died: silent for 1000 s, after 1 of 4"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("stimuli-2 on far: died: silent for 1000 s; 1 of 4 done"));
   test::write_text(marks / "stimuli-2.json", R"({"host":"far","failed":"study.toml: wanted <light>"})");
-  EXPECT_THAT(run_built(status).output, HasSubstr("0 at work, 1 failed"));
+  EXPECT_THAT(run_built(status).output, HasSubstr("0 at work, 2 failed"));
   ASSERT_EQ(run_built(status + " --html " + (job.set / "status.html").string()).status, 0);
   EXPECT_THAT(read_text(job.set / "status.html"), HasSubstr("failed: study.toml: wanted &lt;light&gt;"));
   ASSERT_EQ(job.piece("stimuli-2").status, 0);
+  EXPECT_THAT(run_built(status).output, HasSubstr("every stimulus is there, and no manifest yet"));
   ASSERT_EQ(job.piece("join").status, 0);
-  EXPECT_THAT(run_built(status).output, HasSubstr("6 of 6 stimuli done (100 %), 0 left; 0 at work, 0 failed; "
-                                                  "the manifest lists all"));
+  EXPECT_THAT(
+      run_built(status).output,
+      HasSubstr("6 of 6 stimuli done (100 %), 0 left; 0 at work, 0 failed, 0 died; the manifest lists all"));
+  // Of a set that one process made, and of none.
+  const std::string one = run_built("render --status " + set_of_one_process(job).string()).output;
+  EXPECT_THAT(one, HasSubstr("6 of 6 stimuli done"));
+  EXPECT_THAT(one, HasSubstr("rendered without a job"));
+  EXPECT_THAT(run_built("render --status " + (job.set / "none").string()).output,
+              HasSubstr("no such folder"));
+}
+
+TEST(Cluster, MarksOfWrongTypesAreNone) {
+  const Job job = make_job(fresh_folder("cluster-types"), "--spp 2");
+  const fs::path marks = job.set / "records" / "running";
+  fs::create_directories(marks);
+  int number = 0;
+  for (const char* text : {R"({"host":1})", R"({"done":"x"})", R"({"done":1e99})", R"({"of":[1]})",
+                           R"({"failed":{}})", "[1,2]", "", R"({"kernel":null})", R"({"locked":"yes"})",
+                           "{\"host\":\"\xFF\"}", R"({"done":99999999999999999999})"})
+    test::write_text(marks / ("stimuli-" + std::to_string(++number) + ".json"), text);
+  test::write_text(marks / "nested.json", std::string(10000, '['));
+  fs::create_directory(marks / "folder.json");
+  const Outcome status = run_built("render --status " + job.set.string());
+  EXPECT_EQ(status.status, 0) << status.output;
+  EXPECT_THAT(status.output, HasSubstr("0 of 6 stimuli done (0 %), 6 left; 0 at work, 0 failed, 0 died"));
+}
+
+TEST(Cluster, APieceIsAtWorkUntilItIsKilledWhateverTheClocksSay) {
+  const fs::path place = fresh_folder("cluster-killed");
+  const Job job = make_job(place, "--spp 4096");
+  const std::string status = "render --status " + job.set.string();
+  const test::Running piece =
+      test::start({"render", job.study.string(), "--out", job.set.string(), "--threads", "1", "--spp", "4096",
+                   "--job", job.folder.string(), "--element", "stimuli-1"},
+                  place / "piece.txt");
+  const fs::path mark = job.set / "records" / "running" / "stimuli-1.json";
+  while (!fs::exists(mark)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (const int apart_s : {-3600, -300, 300, 3600}) {
+    fs::last_write_time(mark, fs::file_time_type::clock::now() + std::chrono::seconds(apart_s));
+    EXPECT_THAT(run_built(status).output, HasSubstr("; 1 at work, 0 failed, 0 died")) << apart_s;
+  }
+  ASSERT_EQ(test::status_after(piece, SIGKILL), 128 + SIGKILL) << read_text(piece.output);
+  const std::string said = run_built(status).output;
+  EXPECT_THAT(said, HasSubstr("; 0 at work, 0 failed, 1 died"));
+  EXPECT_THAT(said, HasSubstr("died: killed, or its machine failed"));
+}
+
+TEST(Cluster, AStudyWithOtherStimuliIsRefusedByEveryPiece) {
+  const Job job = make_job(fresh_folder("cluster-changed"), "--spp 2");
+  const std::string study = read_text(job.study);
+  ASSERT_EQ(job.piece("truth-1").status, 0);
+  for (const auto& [from, to] :
+       {std::pair("[64, 512]", "[64, 128, 512]"), std::pair("[64, 512]", "[64]"),
+        std::pair("artifacts = [\"receiver\"]", "artifacts = [\"receiver\", \"occlusion\"]")}) {
+    SCOPED_TRACE(to);
+    test::write_text(job.study, test::with_replaced(study, {{from, to}}));
+    for (const char* piece : {"truth-1", "stimuli-1", "stimuli-2", "join"}) {
+      const Outcome outcome = job.piece(piece);
+      EXPECT_EQ(outcome.status, 1);
+      EXPECT_THAT(outcome.output, HasSubstr("wanted the 6 stimuli that the job was made with"));
+    }
+    EXPECT_THAT(run_built("render --status " + job.set.string()).output, HasSubstr("; 0 at work, 4 failed"));
+  }
+  EXPECT_FALSE(fs::exists(job.set / "manifest.json"));
+  // A study that cannot be read is said there too.
+  test::write_text(job.study, "format = 1\n");
+  EXPECT_EQ(job.piece("stimuli-2").status, 1);
+  EXPECT_THAT(run_built("render --status " + job.set.string()).output,
+              HasSubstr("failed: " + job.study.string() + ": format: "));
+  test::write_text(job.study, study);
+  for (const char* piece : {"truth-1", "stimuli-1", "stimuli-2", "join"})
+    EXPECT_EQ(job.piece(piece).status, 0);
+  expect_same_set(job);
+}
+
+TEST(Cluster, ThePiecesOfSomeStimuliAreCountedAmongThemAlone) {
+  const Job job = make_job(fresh_folder("cluster-only"), "--spp 2 --only '*-0064'");
+  EXPECT_THAT(run_built("render --status " + job.set.string()).output, HasSubstr("0 of 3 stimuli done"));
+  for (const char* piece : {"truth-1", "stimuli-1", "stimuli-2", "join"})
+    ASSERT_EQ(job.piece(piece).status, 0);
+  EXPECT_THAT(
+      run_built("render --status " + job.set.string()).output,
+      HasSubstr("3 of 3 stimuli done (100 %), 0 left; 0 at work, 0 failed, 0 died; the manifest lists all"));
+}
+
+TEST(Cluster, NoPieceAndNoFolderAreNotAllOfThem) {
+  const Job job = make_job(fresh_folder("cluster-empty"), "--spp 2");
+  const auto refused = [&](const Outcome& outcome, const std::string& said) {
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.output, HasSubstr(said));
+  };
+  refused(job.piece(""), "wanted one of truth-N, stimuli-N and join, found nothing");
+  refused(job.piece("\"\""), "wanted one of truth-N, stimuli-N and join");
+  refused(job.piece("truth-1 stimuli-1"), "wanted one of truth-N, stimuli-N and join");
+  refused(job.piece("--help"), "wanted truth-1 to truth-1");
+  const fs::path other = job.set.parent_path() / "other";
+  const std::string render = render_of(job) + " --out " + other.string();
+  for (const char* unset :
+       {"--slurm ''", "--parallel ''", "--status ''", "--job x --element ''", "--only ''"})
+    refused(run_built(render + " " + unset), "wanted a text that is not empty");
+  EXPECT_FALSE(fs::exists(other));
 }
 
 TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
@@ -144,12 +254,12 @@ TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
               HasSubstr("wanted a machine with the instruction set that the job was made with"));
   EXPECT_THAT(with("\"inputs\": \"", "\"inputs\": \"0"), HasSubstr("others: make the job again"));
   EXPECT_THAT(with("\"truths\"", "\"lies\""), HasSubstr("wanted a job that `seamline render --slurm`"));
-  EXPECT_FALSE(fs::exists(job.set));
+  EXPECT_FALSE(fs::exists(job.set / "stimuli"));
   const std::string render = "render " + job.study.string() + " --out " + job.set.string();
   EXPECT_THAT(run_built(render + " --elements 3").output, HasSubstr("wanted --slurm DIR or --parallel DIR"));
   EXPECT_EQ(run_built(render + " --shard 1/2 --slurm x").status, 1);
   EXPECT_THAT(run_built(render + " --spp 2 --slurm '" + (job.set / "a b").string() + "'").output,
-              HasSubstr("wanted a path without spaces"));
+              HasSubstr("wanted a path of letters, digits and"));
 }
 
 }  // namespace

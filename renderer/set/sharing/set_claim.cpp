@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "renderer/set/sharing/byte_lock.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {
@@ -16,19 +17,6 @@ namespace {
 /// Bytes of the file that locks are taken on; it need not be so long.
 constexpr off_t part_byte = 1000;  ///< everybody who renders shares it
 constexpr off_t gate_byte = 1001;  ///< one newcomer at a time reads the inputs, or changes them
-
-enum class Lock { taken, busy, not_supported };
-
-Lock lock_byte(int descriptor, off_t byte, short type, int how = F_OFD_SETLK) {
-  struct flock lock = {};
-  lock.l_type = type;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = byte;
-  lock.l_len = 1;
-  while (::fcntl(descriptor, how, &lock) != 0)
-    if (errno != EINTR) return errno == EAGAIN || errno == EACCES ? Lock::busy : Lock::not_supported;
-  return Lock::taken;
-}
 
 std::string text_of(int descriptor) {
   std::array<char, 256> text{};
@@ -56,7 +44,7 @@ SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
   if (lock_byte(descriptor_, gate_byte, F_WRLCK, F_OFD_SETLKW) == Lock::not_supported) return;
   if (text_of(descriptor_) != inputs) {
     // Exclusive only when nobody else has a part: then the set is ours to change.
-    if (lock_byte(descriptor_, part_byte, F_WRLCK) != Lock::taken) {
+    if (lock_byte(descriptor_, part_byte, F_WRLCK, F_OFD_SETLK) != Lock::taken) {
       ::close(descriptor_);
       throw input_error({.file = set_folder.string(),
                          .wanted = "a set that nobody is rendering with other settings or inputs",
@@ -64,8 +52,8 @@ SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
     }
     if (!write_text(descriptor_, inputs)) throw unwritable();
   }
-  lock_byte(descriptor_, part_byte, F_RDLCK);
-  lock_byte(descriptor_, gate_byte, F_UNLCK);
+  lock_byte(descriptor_, part_byte, F_RDLCK, F_OFD_SETLK);
+  lock_byte(descriptor_, gate_byte, F_UNLCK, F_OFD_SETLK);
 }
 
 SetClaim::~SetClaim() {

@@ -20,10 +20,12 @@ fs::path list_path(const fs::path& set_folder) {
 
 void write_work_list(const fs::path& set_folder, const WorkList& list) {
   // Lists, not tables: of 20,000 names each would be looked for among all before it.
-  Json json = {{"study", list.study}, {"stimuli", Json::array()}, {"references", Json::array()}};
+  Json json = {
+      {"study", list.study}, {"job", list.job}, {"stimuli", Json::array()}, {"references", Json::array()}};
   for (const auto& [id, inputs, truth] : list.stimuli) json["stimuli"].push_back({id, inputs, truth});
   for (const auto& [truth, inputs] : list.references) json["references"].push_back({truth, inputs});
-  const std::string text = json.dump(0) + "\n";
+  // A folder's name may be no text.
+  const std::string text = json.dump(0, ' ', false, Json::error_handler_t::replace) + "\n";
   std::error_code error;
   const fs::path path = list_path(set_folder);
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) == text.size() &&
@@ -42,6 +44,7 @@ std::optional<WorkList> read_work_list(const fs::path& set_folder) {
   WorkList list;
   try {
     list.study = json.at("study").get<std::string>();
+    list.job = json.value("job", std::string());
     const auto word = [](const Json& row, std::size_t i) { return row.at(i).get<std::string>(); };
     for (const Json& row : json.at("stimuli"))
       list.stimuli.push_back({word(row, 0), word(row, 1), word(row, 2)});

@@ -6,7 +6,7 @@
 
 namespace seamline::renderer {
 
-/// What a set is going to hold when all of it is rendered: names, each with the hash of what it is made from.
+/// What a job is going to make of a set: names, each with the hash of what it is made from.
 /// `SET/records/work.json`, for `seamline render --status`; no render reads it.
 struct WorkList {
   struct Stimulus {
@@ -16,6 +16,7 @@ struct WorkList {
     std::string truth, inputs;
   };
   std::string study;
+  std::string job;  ///< the job's folder; empty in lists of older versions
   std::vector<Stimulus> stimuli;
   std::vector<Reference> references;
 };
