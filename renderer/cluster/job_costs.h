@@ -15,13 +15,15 @@ struct JobCosts {
   double start = 0;                      ///< of every process: files read, trees built
   std::int64_t memory_bytes = 0;         ///< of one process, at most
   double measured_s = 0;                 ///< how long the probe took
+  double share_probed = 0;               ///< of the render's work, as counted in advance
 };
 
-/// Renders samples of the study for about `budget_s` seconds (at least one truth, however long that takes)
-/// and scales them: of every truth, of its first object, each artifact and condition at the first and the
-/// last level, with 2 and with 8 samples a pixel. Time grows evenly with samples; levels between are
-/// interpolated; truths that the budget did not reach cost what those measured did on average. With an error
-/// to reach, the samples that it takes are estimated from the error of the probe.
+/// Renders samples of the study and scales them: of a truth, of its first object, each artifact and condition
+/// at the first and the last level, with 2 samples a pixel, and with 8. The first truth's 2 samples are
+/// always taken; further ones, and further truths, as long as all of them together are a fifth of the
+/// render's work and took less than `budget_s` seconds. Time grows evenly with samples; levels between are
+/// interpolated; truths that were not reached cost what those measured did on average. With an error to
+/// reach, the samples that it takes are estimated from the error of the probe.
 [[nodiscard]] JobCosts measure_costs(const StudyDefinition& study, const RenderRequest& request,
                                      double budget_s);
 

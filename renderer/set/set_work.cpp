@@ -19,11 +19,12 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
   std::map<std::string, int> objects;  // in study order, for sharing out
   for (const Stimulus& stimulus : list_stimuli(study)) {
     if (!matches_pattern(stimulus_id(stimulus), request.only)) continue;
-    work.selected_truths.insert(truth_of(stimulus));
+    const bool is_asked = request.ids.empty() || request.ids.contains(stimulus_id(stimulus));
+    if (is_asked) work.selected_truths.insert(truth_of(stimulus));
     const auto [object, added] =
         objects.emplace(truth_of(stimulus) + "/" + stimulus.object, static_cast<int>(objects.size()));
     if (object->second % request.shard_count != request.shard - 1) continue;
-    if (!request.ids.empty() && !request.ids.contains(stimulus_id(stimulus))) continue;
+    if (!is_asked) continue;
     const std::string inputs = hashes.of_stimulus(stimulus);
     if (records.finished(stimulus_id(stimulus), inputs) &&
         !(request.layers && !has_layers(request.set_folder, stimulus, inputs)))

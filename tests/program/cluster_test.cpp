@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "renderer/cluster/job_costs.h"
 #include "run_program.h"
 #include "running_program.h"
+#include "stimuli/study_file/study_file.h"
 
 namespace seamline {
 namespace {
@@ -216,6 +218,19 @@ TEST(Cluster, ThePiecesOfSomeStimuliAreCountedAmongThemAlone) {
   EXPECT_THAT(
       run_built("render --status " + job.set.string()).output,
       HasSubstr("3 of 3 stimuli done (100 %), 0 left; 0 at work, 0 failed, 0 died; the manifest lists all"));
+}
+
+TEST(Cluster, WritingAJobIsASmallShareOfItsWork) {
+  const fs::path folder = fresh_folder("cluster-probe");
+  test::write_small_study(folder, test::small_study_with({}));
+  const StudyDefinition study = read_study(folder / "study.toml");
+  const renderer::JobCosts costs =
+      renderer::measure_costs(study, {.set_folder = folder / "set", .threads = 1}, 60);
+  EXPECT_GT(costs.share_probed, 0);
+  EXPECT_LE(costs.share_probed, 0.2);
+  EXPECT_EQ(costs.stimuli.size(), list_stimuli(study).size());
+  for (const auto& [id, seconds] : costs.stimuli) EXPECT_GT(seconds, 0) << id;
+  for (const auto& [truth, seconds] : costs.truths) EXPECT_GT(seconds, 0) << truth;
 }
 
 TEST(Cluster, NoPieceAndNoFolderAreNotAllOfThem) {
