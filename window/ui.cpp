@@ -74,6 +74,11 @@ void Ui::end() {
   if (items_ != last_items_) changed_ = true;
 }
 
+bool Ui::acts(bool acted) {
+  changed_ = changed_ || acted;
+  return acted;
+}
+
 bool Ui::activates() const {
   return input_.key && !input_.key->repeated && (input_.pressed(Key::enter) || input_.pressed(Key::space));
 }

@@ -22,8 +22,9 @@ struct UiItem {
 /// A page of text and controls on a card in the middle of the screen. Tab and Shift-Tab move the focus, Enter
 /// and Space use what has it, arrows change it; a page that is longer than the screen scrolls.
 ///
-/// Controls return what happened in this frame. The page is laid out from the heights of the frame before, so
-/// a page that `changed()` must be laid out once more before it is shown.
+/// Controls return what happened in this frame. The page is laid out from the heights of the frame before,
+/// and what was drawn above a control does not know yet that it was used, so a page that `changed()` must be
+/// laid out once more before it is shown.
 class Ui {
  public:
   explicit Ui(Canvas& canvas) : canvas_(canvas) {}
@@ -84,6 +85,8 @@ class Ui {
     bool hovered = false, focused = false, used = false;
   };
   Use item(const std::string& id, const Rect& rect);
+  /// What was drawn so far may be of before. Returns `acted`.
+  bool acts(bool acted);
   [[nodiscard]] double button_width_px(const ButtonText& text) const;
   /// Draws a button; returns whether it was used. `enter_leads`: Enter uses it where nothing has the focus.
   bool button(const ButtonText& text, const Rect& rect, bool enter_leads);

@@ -35,7 +35,7 @@ bool Ui::button(const ButtonText& text, const Rect& rect, bool enter_leads) {
                leading ? look::ink_on_chosen : look::ink);
   const bool led = leading && enter_leads && focus_.empty() && input_.pressed(Key::enter) &&
                    !input_.key->repeated && !key_taken_;
-  return use.used || led;
+  return acts(use.used || led);
 }
 
 std::optional<int> Ui::buttons(std::span<const ButtonText> texts, bool enter_leads) {
@@ -64,6 +64,7 @@ bool Ui::button_in(const ButtonText& text, const Point& middle) {
 
 int Ui::choice(const std::string& id, std::span<const std::string> options, int chosen, Font font) {
   // One control for the keyboard: Tab comes to it once, arrows change it.
+  const int before = chosen;
   double x_px = card_.x_px;
   std::vector<Rect> rects;
   const double height_px = std::round(control_em * canvas_.size_px(font) * 0.9);
@@ -114,6 +115,7 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
                  options[static_cast<std::size_t>(i)], on ? look::ink_on_chosen : look::ink);
   }
   if (focused) ring(all);
+  acts(chosen != before);
   return chosen;
 }
 
@@ -149,7 +151,7 @@ bool Ui::number(const std::string& id, std::string& text, double width_em) {
     canvas_.line({caret_px, rect.y_px + 0.4 * em()}, {caret_px, rect.bottom_px() - 0.4 * em()}, look::ink, 2);
     ring(rect);
   }
-  return edited;
+  return acts(edited);
 }
 
 bool Ui::slider(const std::string& id, double& value, double least, double most, double step) {
@@ -179,7 +181,7 @@ bool Ui::slider(const std::string& id, double& value, double least, double most,
   canvas_.fill(knob, look::control, 5);
   canvas_.outline(knob, look::chosen, 2, 5);
   if (focused) ring(rect);
-  return value != before;
+  return acts(value != before);
 }
 
 bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
@@ -204,7 +206,7 @@ bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
   canvas_.text(Font::body, {rect.x_px + 2 * em(), rect.y_px}, text, look::ink, wrap_px);
   if (use.focused) ring(rect);
   gap(0.4);
-  return use.used;
+  return acts(use.used);
 }
 
 }  // namespace seamline::inline window

@@ -6,9 +6,9 @@
 
 #include "study/app/screens/instruction_pictures.h"
 #include "study/app/screens/screen_names.h"
-#include "window/look.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 namespace {
@@ -178,19 +178,19 @@ void Application::show_frame(std::int64_t begun_ns) {
     step(Event(Tick{shown_ns}));
   }
   ++swap_;
-  plan_next_frame(shown_ns);
+  plan_next_frame(begun_ns, shown_ns);
 }
 
-/// When something changes by itself.
-void Application::plan_next_frame(std::int64_t now_ns) {
+/// When something changes by itself: after what a frame that began at `begun_ns` could know.
+void Application::plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns) {
   const Session* session = session_on_screen(visit_);
   if (session == nullptr) return;
   if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
     due_ns_ = *grey->since_ns + session->pace.inter_trial_ns;
-  if (is_awaiting(session)) due_ns_ = now_ns + decoding_wait_ns;
+  if (is_awaiting(session)) due_ns_ = shown_ns + decoding_wait_ns;
   if (const auto* choosing = std::get_if<Choosing>(&session->phase)) {
     const std::int64_t open_ns = choosing->onset_ns + session->pace.minimum_viewing_ns;
-    if (open_ns > now_ns) due_ns_ = open_ns;
+    if (open_ns > begun_ns) due_ns_ = open_ns;
   }
 }
 

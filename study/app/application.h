@@ -7,10 +7,10 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trace.h"
-#include "window/canvas.h"
-#include "window/window.h"
 #include "study/commands/commands.h"
 #include "study/running/visit_store.h"
+#include "window/canvas.h"
+#include "window/window.h"
 
 namespace seamline::study::app {
 
@@ -44,7 +44,7 @@ class Application {
   [[nodiscard]] bool handle_pause();
   void prepare_pictures();
   void show_frame(std::int64_t begun_ns);
-  void plan_next_frame(std::int64_t now_ns);
+  void plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns);
 
   const RenderedSet& set_;
   VisitStore& store_;

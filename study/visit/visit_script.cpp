@@ -1,10 +1,16 @@
 #include "study/visit/visit_script.h"
 
+#include <algorithm>
+
 #include "study/trials/training_trials.h"
 #include "study/trials/trial_picture.h"
 
 namespace seamline::study {
 namespace {
+
+/// Nobody has seen a picture and answered it sooner after its onset: that was a press of before, or of two
+/// keys.
+constexpr std::int64_t fastest_choice_ns = 100'000'000;
 
 std::int64_t nanoseconds(double seconds) {
   return static_cast<std::int64_t>(seconds * 1e9);
@@ -18,7 +24,8 @@ VisitScript make_visit_script(const RenderedSet& set) {
                      .instruction_pages = static_cast<int>(study.instructions.size()),
                      .training = training_trials(set),
                      .pace = {.break_every_trials = study.session.break_every_trials,
-                              .minimum_viewing_ns = nanoseconds(study.session.minimum_viewing_s),
+                              .minimum_viewing_ns =
+                                  std::max(fastest_choice_ns, nanoseconds(study.session.minimum_viewing_s)),
                               .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
   for (const Trial& trial : script.training) script.training_right.push_back(right_object(set, trial));
   return script;

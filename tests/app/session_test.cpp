@@ -87,7 +87,16 @@ class SessionTest : public testing::Test {
     window->wait_screen("display");
     save("06-display-card");
     window->keys("Right Right Tab Return");
-    window->wait("distance", [](const Line& line) { return line["items"].contains("distance"); });
+    Line distance =
+        window->wait("distance", [](const Line& now) { return now["items"].contains("distance"); });
+    // What was refused is said at once: nothing else happens that would draw the page again.
+    window->type("5");
+    window->keys("Tab Return");
+    const double before = distance["items"]["continue"][1];
+    window->wait("the refused distance",
+                 [&](const Line& now) { return now["items"]["continue"][1] != before; });
+    save("07-display-distance-refused");
+    window->keys("shift+Tab BackSpace");
     window->type("60");
     save("07-display-distance");
     window->keys("Tab Return");
@@ -146,6 +155,25 @@ class SessionTest : public testing::Test {
     return different;
   }
 
+  /// The chosen object has bolder corners than the one that is only pointed at.
+  void expect_bolder_corners(const Line& chosen, const Line& pointed_at) {
+    window->move(pointed_at[0].get<double>() + pointed_at[2].get<double>() / 2,
+                 pointed_at[1].get<double>() + pointed_at[3].get<double>() / 2);
+    const auto is_white = [&](const Line& frame, int from_corner_px) {
+      const ByteImage screen = server->picture();
+      const int x = frame[0].get<int>() + from_corner_px, y = frame[1].get<int>() + from_corner_px;
+      return screen.values[static_cast<std::size_t>((y * screen.width_px + x) * 3)] == 255;
+    };
+    bool as_wanted = false;
+    for (int look = 0; look < 500 && !as_wanted; ++look) {  // the server copies after the swap
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      as_wanted =
+          is_white(chosen, 1) && is_white(chosen, 5) && is_white(pointed_at, 1) && !is_white(pointed_at, 5);
+    }
+    EXPECT_TRUE(as_wanted);
+    save("17-rating-pointed-at");
+  }
+
   void pause_and_go_on(int trial) {
     window->key("1");
     window->wait_trial("trial", trial, "rating");
@@ -177,6 +205,7 @@ class SessionTest : public testing::Test {
     if (trial == 0) save("17-rating");
     if (trial == 4) {  // the choice may change until it is rated
       window->click(line["objects"][0]);
+      expect_bolder_corners(line["objects"][0], line["objects"][1]);
       window->click(line["objects"][static_cast<std::size_t>(pressed.chosen - 1)]);
     }
     if (trial % 3 == 0)

@@ -38,6 +38,7 @@ const map = unpackMap({ width_px: 4, height_px: 2, frames: [], runs: [3, 0, 2, 1
 assert.deepEqual([objectAt(map, 3.9, 0), objectAt(map, 0, 1.9), objectAt(map, 1, 1), objectAt(map, 4, 0), objectAt(map, -0.1, 0)], [1, 1, 2, 0, 0]);
 assert.equal(bracketBars({ x: 10, y: 10, width: 60, height: 40 }).length, 8);
 assert.deepEqual(bracketBars({ x: 10, y: 10, width: 60, height: 40 })[0], [10, 10, 13, 3]);
+assert.deepEqual(bracketBars({ x: 10, y: 10, width: 60, height: 40 }, true)[0], [10, 10, 13, 7]);
 assert.deepEqual(bracketBars({ x: 0, y: 0, width: 0, height: 0 }), []);
 
 // Progress: what the kept messages say is what happened.

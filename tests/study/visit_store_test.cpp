@@ -16,6 +16,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+TEST_F(VisitStoreTest, NobodyAnswersInTheFirstTenthOfASecond) {
+  const auto minimum_viewing_ns = [&](double asked_s) {
+    set.study.session.minimum_viewing_s = asked_s;
+    return make_visit_script(set).pace.minimum_viewing_ns;
+  };
+  EXPECT_EQ(minimum_viewing_ns(0), 100'000'000);
+  EXPECT_EQ(minimum_viewing_ns(0.05), 100'000'000);
+  EXPECT_EQ(minimum_viewing_ns(0.5), 500'000'000);
+}
+
 TEST_F(VisitStoreTest, AWholeVisitIsInTheLog) {
   ScriptedPerson person(5);
   {

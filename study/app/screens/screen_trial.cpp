@@ -6,8 +6,8 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trial_view.h"
-#include "window/look.h"
 #include "support/running/overloaded.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 namespace {
@@ -26,11 +26,11 @@ struct TrialOnScreen {
     const Point& before = stage.drafts.mouse_at_onset;
     return stage.input.mouse.x_px != before.x_px || stage.input.mouse.y_px != before.y_px;
   }
-  void bracket(int object) const {
+  void bracket(int object, Bracket kind) const {
     if (object < 1) return;
     const auto index = static_cast<std::size_t>(object - 1);
-    draw_bracket(stage, place, objects.frames.at(index));
-    draw_bracket(stage, place, objects.right_eye_frames.at(index));
+    draw_bracket(stage, place, objects.frames.at(index), kind);
+    draw_bracket(stage, place, objects.right_eye_frames.at(index), kind);
   }
 };
 
@@ -66,7 +66,7 @@ Outcome choose(const TrialOnScreen& trial) {
   move_focus(stage, first_object_place, places - 1);
   const int hovered = trial.object_under_mouse();
   const int focused = stage.drafts.trial_focus - first_object_place + 1;
-  trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused);
+  trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused, Bracket::pointed);
   int chosen = 0;
   if (stage.input.mouse_pressed) chosen = hovered;
   if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus) chosen = digit;
@@ -102,9 +102,9 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   move_focus(stage, 0, places - 1);
   const int hovered_object = trial.object_under_mouse();
   const int focus = stage.drafts.trial_focus;
-  trial.bracket(phase.chosen_index);
-  if (hovered_object != 0) trial.bracket(hovered_object);
-  if (focus >= first_object_place) trial.bracket(focus - first_object_place + 1);
+  if (hovered_object != 0) trial.bracket(hovered_object, Bracket::pointed);
+  if (focus >= first_object_place) trial.bracket(focus - first_object_place + 1, Bracket::pointed);
+  trial.bracket(phase.chosen_index, Bracket::chosen);  // over the others
 
   Font font = Font::body;
   std::array<Rect, 4> buttons = rating_buttons(trial, font);

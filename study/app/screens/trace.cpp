@@ -41,7 +41,10 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
                          {"items", nlohmann::json::object()}};
   for (const UiItem& item : stage.ui.items()) line["items"][item.id] = rectangle(item.rect);
   if (const Session* session = session_on_screen(visit)) {
-    line["phase"] = phase_name(session->phase);
+    const auto* choosing = std::get_if<Choosing>(&session->phase);
+    const bool too_soon =
+        choosing != nullptr && monotonic_ns() < choosing->onset_ns + session->pace.minimum_viewing_ns;
+    line["phase"] = too_soon ? "viewing" : phase_name(session->phase);  // nothing is asked yet
     line["trial"] = answered_trials(session->trials);
     const TrialPlace place = trial_place(stage);
     line["picture"] = rectangle(place.picture);

@@ -27,14 +27,15 @@ void draw_fixation(Stage& stage, bool two_eyes) {
   for (const double share : {0.25, 0.75}) draw(std::round(picture.x_px + share * picture.width_px));
 }
 
-void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture) {
+void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture,
+                  Bracket bracket) {
   if (frame_in_picture.width_px <= 0) return;
   const Rect frame = on_screen(place, frame_in_picture);
   const double arm_px = std::round(std::min({24.0, frame.width_px / 3, frame.height_px / 3}));
   const auto corner = [&](double x_px, double y_px, double to_right, double to_bottom, double edge_px,
                           Colour colour) {
-    // Two bars that meet at the corner, each 3 pixels wide, with an edge that is seen on any picture.
-    const double across_px = 3;
+    // Two bars that meet at the corner, with an edge that is seen on any picture.
+    const double across_px = bracket == Bracket::chosen ? 7 : 3;
     const Rect lying{to_right > 0 ? x_px : x_px - arm_px, to_bottom > 0 ? y_px : y_px - across_px, arm_px,
                      across_px};
     const Rect standing{to_right > 0 ? x_px : x_px - across_px, to_bottom > 0 ? y_px : y_px - arm_px,

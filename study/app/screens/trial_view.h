@@ -11,8 +11,12 @@ namespace seamline::study::app {
 /// Grey with a mark where the middle of the picture will be, or of each eye's half of it.
 void draw_fixation(Stage& stage, bool two_eyes);
 
+/// What corners around an object say: it is pointed at, or it is the choice, whose corners are bolder.
+enum class Bracket { pointed, chosen };
+
 /// Corners around an object's frame. They look the same for every object, and never follow its outline.
-void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture);
+void draw_bracket(Stage& stage, const TrialPlace& place, const PictureFrame& frame_in_picture,
+                  Bracket bracket = Bracket::pointed);
 
 /// A line of text in the middle of the strip below the picture, `from_top_em` below its upper edge.
 void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::string& text,

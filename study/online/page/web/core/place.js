@@ -33,11 +33,11 @@ export function objectAt(map, x_px, y_px) {
   return map.nearest[Math.floor(y_px) * map.width_px + Math.floor(x_px)];
 }
 
-/** The bars of the corners around a frame, [x, y, width, height] each: as the window draws them. */
-export function bracketBars(frame) {
+/** The bars of the corners around a frame, [x, y, width, height] each, bolder where it is chosen: as the window draws them. */
+export function bracketBars(frame, isChosen = false) {
   if (!(frame.width > 0)) return [];
   const arm = Math.round(Math.min(24, frame.width / 3, frame.height / 3));
-  const across = 3;
+  const across = isChosen ? 7 : 3;
   const right = frame.x + frame.width;
   const bottom = frame.y + frame.height;
   const corner = (x, y, toRight, toBottom) => [

@@ -51,21 +51,21 @@ function makeStage(app, display) {
   };
 
   const bars = [];
-  /** Corners around frames of the picture; the same for every object, so they give nothing away. */
-  stage.bracket = (frames) => {
-    const wanted = JSON.stringify(frames);
+  /** Corners around frames of the picture, bolder around the chosen one; the same for every object, so they give nothing away. */
+  stage.bracket = (frames, chosen = null) => {
+    const wanted = JSON.stringify([frames, chosen]);
     if (bars.wanted === wanted) return;
     bars.wanted = wanted;
     bars.splice(0).forEach((bar) => bar.remove());
-    for (const edge of [1, 0])
-      for (const frame of frames) {
+    for (const frame of chosen ? [...frames, chosen] : frames)
+      for (const edge of [1, 0]) {
         const onScreen = {
           x: stage.place.x + frame.x_px,
           y: stage.place.y + frame.y_px,
           width: frame.width_px,
           height: frame.height_px,
         };
-        for (const [x, y, width, height] of bracketBars(onScreen))
+        for (const [x, y, width, height] of bracketBars(onScreen, frame === chosen))
           bars.push(
             svg("rect", {
               class: edge ? "edge" : "bar",
@@ -155,12 +155,14 @@ function drawTrial(app, display, isPractice) {
     const now = phase();
     const indices = new Set();
     const focused = controls ? controls.buttons.indexOf(document.activeElement) + 1 : 0;
-    if (now.name === "rating") indices.add(now.chosen_index);
+    const chosen = now.name === "rating" ? now.chosen_index : 0;
     if (now.name === "rating" || now.name === "choosing") {
       if (hovered > 0 && moved) indices.add(hovered);
       else if (focused > 0 && (now.name === "rating" || !stage.questions.hidden)) indices.add(focused);
     }
-    stage.bracket(picture ? [...indices].sort().map((index) => picture.map.frames[index - 1]) : []);
+    indices.delete(chosen);
+    const frames = picture ? picture.map.frames : [];
+    stage.bracket(picture ? [...indices].map((index) => frames[index - 1]) : [], frames[chosen - 1]);
   }
 
   function showQuestion() {
