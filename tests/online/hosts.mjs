@@ -11,7 +11,7 @@ const TYPES = {
   png: "image/png", jpg: "image/jpeg", txt: "text/plain", ttf: "font/ttf",
 };
 
-function sendFile(folder, path, response) {
+export function sendFile(folder, path, response) {
   const name = normalize(path === "/" ? "/index.html" : path);
   const file = join(folder, name);
   if (!file.startsWith(folder) || !existsSync(file) || name.endsWith("/")) {
@@ -22,13 +22,13 @@ function sendFile(folder, path, response) {
   response.end(readFileSync(file));
 }
 
-const bodyOf = async (request) => {
+export const bodyOf = async (request) => {
   const parts = [];
   for await (const part of request) parts.push(part);
   return Buffer.concat(parts).toString("utf8");
 };
 
-async function listening(handler) {
+export async function listening(handler) {
   const requests = [];
   const host = {};
   const server = createServer((request, response) => {
@@ -44,6 +44,7 @@ async function listening(handler) {
     instead: null,
     address: "http://localhost:" + server.address().port + "/",
     requests,
+    server,
     stop: () => (server.closeAllConnections(), new Promise((resolve) => server.close(resolve))),
   });
 }
@@ -67,41 +68,9 @@ export async function onTheWayTo(host) {
 }
 
 /** Fails before it stores, or after; `trouble` is the share of requests that fail. */
-function fails(trouble) {
+export function fails(trouble) {
   if (Math.random() >= trouble) return null;
   return ["before", "after", "cut"][Math.floor(Math.random() * 3)];
-}
-
-const JATOS = `globalThis.jatos = {
-  onLoad(then) { setTimeout(then, 20); },
-  async appendResultData(text) {
-    const response = await fetch("/append", { method: "POST", body: text });
-    if (!response.ok) throw new Error("JATOS: " + response.status);
-  },
-  endStudyWithoutRedirect() { return fetch("/end", { method: "POST" }); },
-};`;
-
-export async function jatosHost(folder, trouble = 0.3) {
-  const lines = [];
-  const host = await listening(async (request, response, path) => {
-    if (path === "/append") {
-      const failure = fails(host.trouble);
-      const text = await bodyOf(request);
-      if (failure !== "before") lines.push(...text.split("\n").filter((line) => line !== ""));
-      if (failure === "cut") return response.destroy();
-      response.writeHead(failure ? 500 : 200).end();
-    } else if (path === "/end") {
-      host.ended = true;
-      response.writeHead(200).end();
-    } else if (path === "/publix/1/jatos.js") {
-      response.writeHead(200, { "Content-Type": "text/javascript" }).end(JATOS);
-    } else if (path.startsWith("/publix/1/")) {
-      sendFile(folder + "-jatos", path.slice("/publix/1".length), response);
-    } else {
-      response.writeHead(404).end();
-    }
-  });
-  return Object.assign(host, { address: host.address + "publix/1/", lines, trouble, ended: false });
 }
 
 /** The protocol of `seamline serve`, in memory. `next(answers)` places the trials of an adaptive study. */

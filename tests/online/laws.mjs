@@ -146,4 +146,46 @@ for (const [status, reason] of [[401, "forgotten"], [409, "excluded"], [409, und
   const stopped = next(over, { type: "store_failed", message: refusal.message, reason: refusal.reason });
   assert.deepEqual(stopped.screen, { name: "stopped", message: "a sentence", reason });
 }
+
+// JATOS: a run's name is in the address; what jatos.js says of a failure (3.10 with its parts beside the sentence, before
+// without) ends the study where JATOS itself refuses, and passes where anybody else may have answered, or nobody.
+const { append, faultOf, leave, runOf } = await importPart(web, "keeping/jatos.js");
+assert.equal(runOf("/publix/0b1c/77aa/start"), "0b1c");
+assert.equal(runOf("/jatos/publix/0b1c/77aa/start"), "0b1c");
+for (const elsewhere of ["/", "/study/index.html", "/publix/"]) assert.equal(runOf(elsewhere), null);
+const sentence = (...parts) => "POST to http://localhost/publix/0b1c/77aa/resultData failed: " + parts.filter((part) => part).join(", ");
+const faults = [
+  ["Refused", 400, "Bad Request", "A study result 0b1c doesn't exist."],
+  ["Refused", 403, "Forbidden", "Study run is already finished (study result 1)"],
+  ["Refused", 413, "Request Entity Too Large", "Result data size exceeds allowed 5 MB. Consider using result files instead."],
+  ["NotNow", 403, "Forbidden", "<html>a proxy</html>"],
+  ["NotNow", 403, "Forbidden", null],
+  ["NotNow", 404, "Not Found", null],
+  ["NotNow", 408, "Request Timeout", "later"],
+  ["NotNow", 429, "Too Many Requests", "later"],
+  ["NotNow", 500, "Internal Server Error", "JATOS error"],
+  ["NotNow", 503, "Service Unavailable", null],
+  ["Error", 0, "", null],
+  ["Error", undefined, undefined, "timeout"],
+];
+for (const [kind, status, name, answer] of faults) {
+  const said = sentence(status, name, answer);
+  assert.equal(faultOf(said, status, name, answer).constructor.name, kind, said);
+  assert.equal(faultOf(said).constructor.name, kind, "before 3.10: " + said);
+  if (kind === "Refused") assert.equal(faultOf(said, status, name, answer).message, answer);
+}
+assert.equal(faultOf("Can't send result data. This study run is invalid.").constructor.name, "Refused");
+assert.equal(faultOf().constructor.name, "Error");
+
+// It is asked once for each append, so that the page sees every failure; and what it would do by itself is as before.
+const asked = [];
+const jatos = {
+  httpRetry: 5,
+  appendResultData: (text) => (asked.push([text, jatos.httpRetry]), { then: (yes) => yes() }),
+  endStudy: (...how) => asked.push(how),
+};
+await append(jatos, "a line\n");
+for (const screen of ["stopped", "thanks", "declined"]) leave(jatos, screen);
+assert.deepEqual(asked, [["a line\n", 0], [true], [false, "declined", false]]);
+assert.equal(jatos.httpRetry, 5);
 console.log("the page's parts keep their laws");

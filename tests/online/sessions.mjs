@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { fakeServe, jatosHost, onTheWayTo, realServe, staticHost } from "./hosts.mjs";
+import { fakeServe, onTheWayTo, realServe, staticHost } from "./hosts.mjs";
+import { jatosHost } from "./jatos.mjs";
 import { actUntil, look, openBrowser } from "./person.mjs";
 import { checkWhole, messagesOf } from "./stream.mjs";
 
@@ -66,21 +67,6 @@ const tests = {
       await actUntil(page, ["thanks"]);
       assert.ok(await page.locator("#save").isVisible());
     });
-    await host.stop();
-  },
-
-  async "an append interface like JATOS that fails at random: by keys alone"() {
-    const host = await jatosHost(folderOf("tiny"), 0.3);
-    await visiting(host.address, async (page) => {
-      const seen = await actUntil(page, ["thanks"], { patience_ms: 120000 });
-      const messages = messagesOf(host.lines, seen.participant);
-      assert.equal(messages[0].body.origin, "jatos");
-      checkWhole(messages, orderOf("tiny", messages[0].body.slot));
-      for (let i = 0; i < 50 && !host.ended; ++i) await page.waitForTimeout(100);
-      assert.ok(host.ended);
-    });
-    console.log("  " + importLines(host.lines).said.trim().split("\n").join("\n  "));
-    console.log("  %d lines appended for %d messages", host.lines.length, new Set(host.lines).size);
     await host.stop();
   },
 

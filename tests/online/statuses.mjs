@@ -4,7 +4,8 @@
 import assert from "node:assert/strict";
 import { mkdtempSync } from "node:fs";
 import { join } from "node:path";
-import { fakeServe, jatosHost, onTheWayTo, realServe, staticHost } from "./hosts.mjs";
+import { fakeServe, onTheWayTo, realServe, staticHost } from "./hosts.mjs";
+import { jatosHost } from "./jatos.mjs";
 import { act, chromium, look } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
@@ -82,7 +83,7 @@ async function once(browser, kind, statuses) {
   const left = new Map(); // by request
   let refused = 0;
   host.instead = (method, path) => {
-    const request = method + " " + path;
+    const request = method + " " + path.replace(/[0-9a-f-]{36}/g, "RUN"); // each study link begins a run
     if (!left.has(request)) left.set(request, [...statuses]);
     const status = left.get(request).shift();
     if (status === undefined) return null;
@@ -156,11 +157,11 @@ for (const statuses of rows(wanted.filter(isFinal)))
     jobs.push([`${statuses[0]} to ${statuses.at(-1)} by the server itself, ${path}`, (browser) => ownWords(browser, path, statuses)]);
 for (const kind of Object.keys(HOSTS)) {
   const parts = ["/jspsych.js", "/seamline.js", "/seamline.css", "/study.json", "/orders/", "/pictures/", "/maps/"];
-  if (kind === "jatos") parts.push("/jatos.js", "/append");
+  if (kind === "jatos") parts.push("/jatos.js", "/resultData");
   if (kind === "serve") parts.push("/api/enrol", "/api/messages");
   for (const part of parts)
     for (const answer of [{ status: 403, body: STRANGER }, { status: 404, body: STRANGER }, { status: 429, body: "" }, { status: 503, body: "" }, { status: 200, body: STRANGER }]) {
-      if (answer.status === 200 && /\.(js|css)$|append/.test(part)) continue; // a login page in place of a script: the words of the first page stand
+      if (answer.status === 200 && /\.(js|css)$|resultData/.test(part)) continue; // a login page in place of a script: the words of the first page stand
       if (answer.status < from || answer.status > to) continue;
       jobs.push([`${answer.status} for a while on ${part}, ${kind}`, (browser) => forAWhile(browser, kind, part, answer)]);
     }

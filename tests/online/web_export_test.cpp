@@ -256,6 +256,7 @@ TEST_F(WebExport, APageIsOfItsHostAndSaysSo) {
   const auto bytes_of = [&](const char* name) { return files_below(folder / name); };
   EXPECT_NE(bytes_of("serve"), bytes_of("static"));
   EXPECT_NE(bytes_of("jatos"), bytes_of("static"));
+  EXPECT_EQ(bytes_of("jatos").size(), bytes_of("static").size() + 1);  // JATOS's end page
   // Nothing but `seamline serve` gives answers to a log: it takes no other page.
   EXPECT_EQ(read_site_files(folder / "serve").slots, 5);
   EXPECT_THAT(
@@ -292,6 +293,18 @@ TEST_F(WebExport, TheFirstPageSpeaksTheStudysLanguageAndNamesItsScript) {
       test::run_program("sh", "-c 'openssl dgst -sha256 -binary " +
                                   (web_page_folder() / "start.js").string() + " | openssl base64 -A'");
   EXPECT_THAT(page, HasSubstr("'sha256-" + hash.output + "'"));
+}
+
+/// JATOS shows a file of this name when a run has ended; then it gives out no other file of the study.
+TEST_F(WebExport, AtJatossEndThereAreTheStudysThanks) {
+  make_set("language = \"de\"\n",
+           "[texts]\nthanks_title = \"@text@ & Dank\"\nthanks_text = \"<b>Fertig.</b>\"\n");
+  export_to("web", {.host = Origin::jatos});
+  const std::string page = read_file(folder / "web/endPage.html");
+  EXPECT_THAT(page, HasSubstr("<html lang=\"de\">"));
+  EXPECT_THAT(page, HasSubstr("<title>@text@ &amp; Dank</title>"));
+  EXPECT_THAT(page, HasSubstr("&lt;b&gt;Fertig.&lt;/b&gt;"));
+  EXPECT_THAT(page, Not(testing::ContainsRegex("src=|href=|@(language|title)@")));
 }
 
 TEST_F(WebExport, FontAndPicturesOfTheInstructionsComeAlong) {

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include "study/online/page/web_study.h"
@@ -75,8 +77,18 @@ std::string without_source_map(std::string script) {
   return at == std::string::npos ? script : script.substr(0, at + 1);
 }
 
-void put(std::string& page, const std::string& place, const std::string& value) {
-  page.replace(page.find(place), place.size(), value);
+/// A page of HTML with a value for each `@place@` of it; values are put in as they are, and not looked into.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {
+  std::string whole;
+  for (std::size_t at = 0; at < page.size();) {
+    const std::size_t end = page[at] == '@' ? page.find('@', at + 1) : std::string_view::npos;
+    const auto value = end == std::string_view::npos
+                           ? values.end()
+                           : values.find(std::string(page.substr(at + 1, end - at - 1)));
+    whole += value == values.end() ? std::string(1, page[at]) : value->second;
+    at = value == values.end() ? at + 1 : end + 1;
+  }
+  return whole;
 }
 
 /// A script within a page, as the page's policy names it (Content Security Policy, hash-source).
@@ -90,16 +102,22 @@ std::string hash_source(const std::string& script) {
 
 /// `index.html`: it speaks the study's language before anything else has arrived, and has the script within
 /// itself that asks again for everything else.
-std::string first_page(std::string page, const std::string& start, const StudyDefinition& study) {
-  put(page, "@language@", html_escape(study.session.language));
-  put(page, "@script@", hash_source(start));
-  put(page, "@wait@", html_escape(phrase_text(study.texts, Phrase::online_wait)));
-  put(page, "@start@", start);
-  return page;
+std::string first_page(std::string_view page, const std::string& start, const StudyDefinition& study) {
+  return filled(page, {{"language", html_escape(study.session.language)},
+                       {"script", hash_source(start)},
+                       {"wait", html_escape(phrase_text(study.texts, Phrase::online_wait))},
+                       {"start", start}});
+}
+
+/// `endPage.html`, which JATOS shows at the end of a run where the study's settings lead nowhere else.
+std::string end_page(std::string_view page, const StudyDefinition& study) {
+  return filled(page, {{"language", html_escape(study.session.language)},
+                       {"title", html_escape(phrase_text(study.texts, Phrase::thanks_title))},
+                       {"text", html_escape(phrase_text(study.texts, Phrase::thanks_text))}});
 }
 
 /// The page itself: what is the same for every study, but for a few words.
-void add_page(WebFiles& files, const StudyDefinition& study) {
+void add_page(WebFiles& files, const StudyDefinition& study, Origin host) {
   const fs::path folder = web_page_folder();
   std::error_code error;
   if (!fs::is_regular_file(folder / "jspsych.js", error) ||
@@ -114,9 +132,12 @@ void add_page(WebFiles& files, const StudyDefinition& study) {
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
     const std::string bytes = read_file(folder / name);
-    if (name == "start.js") continue;
-    files.add(name, name == "index.html" ? first_page(bytes, read_file(folder / "start.js"), study)
-                                         : without_source_map(bytes));
+    if (name == "index.html")
+      files.add(name, first_page(bytes, read_file(folder / "start.js"), study));
+    else if (name == "endPage.html") {
+      if (host == Origin::jatos) files.add(name, end_page(bytes, study));
+    } else if (name != "start.js")
+      files.add(name, without_source_map(bytes));
   }
 }
 
@@ -158,7 +179,7 @@ WebSummary export_web(const WebRequest& request) {
   fs::create_directory(folder);
 
   WebFiles files(folder);
-  add_page(files, set.study);
+  add_page(files, set.study, request.host);
   const TrialRules rules = make_trial_rules(set);
   const ShownNames names(set);
   const WebPictures pictures = add_pictures(set, names, files);

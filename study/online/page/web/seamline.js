@@ -8,6 +8,7 @@ import { FORMAT, makeMessage, nanoseconds, progressOf } from "./core/messages.js
 import { beginVisit, next, resumeVisit, sessionOnScreen } from "./core/visit.js";
 import { makeCourier } from "./keeping/courier.js";
 import { findHost, wrongHost } from "./keeping/hosts.js";
+import { runOf } from "./keeping/jatos.js";
 import { onlyTab } from "./keeping/one_tab.js";
 import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patience.js";
 import { askForPersistence, openStore } from "./keeping/store.js";
@@ -336,7 +337,7 @@ class Study {
   }
 
   finished() {
-    if (this.visit.screen.name === "thanks") this.host.leave();
+    this.host.leave(this.visit.screen.name);
   }
 }
 
@@ -417,7 +418,9 @@ async function main() {
   const reason = unfit(study);
   if (reason !== null) return refuse(study, reason);
 
-  const name = ["seamline", study.set_hash.slice(0, 16), study.study_hash.slice(0, 16), token ?? addressed.get("visit") ?? ""];
+  // In JATOS a run is a visit: the next one is somebody else's.
+  const visit = (study.host === "jatos" ? runOf(location.pathname) : null) ?? token ?? addressed.get("visit") ?? "";
+  const name = ["seamline", study.set_hash.slice(0, 16), study.study_hash.slice(0, 16), visit];
   if (!(await onlyTab(name.join(" ")))) return refuse(study, study.texts.online_tabs);
   let store;
   try {

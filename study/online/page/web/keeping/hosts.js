@@ -1,9 +1,10 @@
 // Who hosts the page, which its export said, and how a message is acknowledged there. A host is
 //   {kind, enrol(message) -> {participant, slot, secret?}, decline(message), send(messages) -> number acknowledged,
-//    where() -> facts or null, nextTrial() -> trial or null, leave()}
+//    where() -> facts or null, nextTrial() -> trial or null, leave(screen)}
 // and throws Refused for what will never be accepted; any other error means: try again.
 import { drawCode, drawSlot } from "../core/messages.js";
 import { fillIn } from "../core/texts.js";
+import { append, leave, loadJatos } from "./jatos.js";
 import { NotNow, Refused, verdict } from "./verdict.js";
 
 const PATIENCE_MS = 20000;
@@ -82,51 +83,21 @@ function staticHost(study) {
   };
 }
 
-function within(milliseconds, promise) {
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error("JATOS did not answer")), milliseconds);
-  });
-  return Promise.race([promise, late]).finally(() => clearTimeout(timer));
-}
-
 /** JATOS: appended, awaited, and sent again when that fails. What arrives twice is recognised by its id. */
 function jatosHost(study, jatos) {
-  const append = (text) =>
-    within(PATIENCE_MS, new Promise((resolve, reject) => jatos.appendResultData(text).then(resolve, reject)));
   return {
     kind: "jatos",
     drawn: () => drawnEnrolment(study.slots),
     enrol: async (message) => ({ participant: message.participant, slot: message.body.slot }),
-    decline: (message) => append(lines([message])),
+    decline: (message) => append(jatos, lines([message])),
     async send(messages) {
-      await append(lines(messages));
+      await append(jatos, lines(messages));
       return messages.length;
     },
     where: async () => null,
     nextTrial: async () => null,
-    leave() {
-      if (jatos.endStudyWithoutRedirect) return jatos.endStudyWithoutRedirect(true);
-      return jatos.endStudyAjax?.(true);
-    },
+    leave: (screen) => leave(jatos, screen),
   };
-}
-
-/** JATOS's own script. Whatever else answers, it is waited for: else the answers would stay in the browser. */
-async function loadJatos() {
-  const response = await fetch("jatos.js", { cache: "no-cache", signal: AbortSignal.timeout(PATIENCE_MS) });
-  const no = verdict(response.status, { of: "jatos.js" });
-  if (no) throw no;
-  return new Promise((resolve, reject) => {
-    const script = document.createElement("script");
-    script.src = "jatos.js";
-    script.onload = () =>
-      globalThis.jatos
-        ? globalThis.jatos.onLoad(() => resolve(globalThis.jatos))
-        : reject(new NotNow("jatos.js: an answer, but not JATOS's"));
-    script.onerror = () => reject(new Error("jatos.js did not arrive"));
-    document.head.append(script);
-  });
 }
 
 /** How a person knows a host: for words about the wrong one. */
