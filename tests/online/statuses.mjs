@@ -1,6 +1,6 @@
 // Every status from 400 to 599 once on every file and request of a visit, in the place of each kind of host, and on every kind of
 // file for some time: nobody is stuck without a word, and nobody is told that an answer is stored that is not.
-//   statuses.mjs FROM TO     which ones (default 400 to 599)
+//   statuses.mjs FROM TO WORD     which ones (default 400 to 599), of the visits whose name has WORD
 import assert from "node:assert/strict";
 import { mkdtempSync } from "node:fs";
 import { join } from "node:path";
@@ -174,6 +174,7 @@ let refusals = 0;
 async function worker() {
   for (let job = jobs.shift(); job; job = jobs.shift()) {
     const [name, work_on] = job;
+    if (!name.includes(process.argv[4] ?? "")) continue;
     try {
       const count = await work_on(browser);
       refusals += count ?? 1;
