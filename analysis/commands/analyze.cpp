@@ -32,6 +32,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
               options);
 
   if (archive) compare_with_archive(analysis, *archive);
+  for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
 
   const ReportNumbers numbers = report_numbers(analysis);
   const std::filesystem::path& folder = request.report_folder;

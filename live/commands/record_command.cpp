@@ -101,7 +101,8 @@ void add_record_command(CLI::App& app) {
                                     "the point it looks at, and orbits about");
   at->needs(look_at);
   look_at->needs(at);
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6}, "scale of the sensor's noise; 0: none")
+  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
+             "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
   add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples")
       ->capture_default_str();

@@ -4,18 +4,27 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "renderer/commands/pictures/asset_root_option.h"
+#include "renderer/depth/local_scene.h"
+#include "renderer/scene/eyes.h"
 #include "renderer/scene/truth_scene.h"
 #include "renderer/set/check.h"
 #include "renderer/set/pages/artists_map.h"
 #include "renderer/set/pages/seams_page.h"
 #include "renderer/set/set_seams.h"
+#include "stimuli/set/level_notes.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/markdown_table.h"
 #include "support/running/interrupt.h"
+#include "support/running/parallel.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -28,9 +37,32 @@ struct CheckOptions {
   std::optional<int> coarse_px, fine_px;
 };
 
+/// What the study's sensors see of a scene without its first object, at every level and condition.
+void add_holes_of_scene(const StudyDefinition& study, const SceneDefinition& scene, const TruthScene& truth,
+                        std::vector<LevelHoles>& holes) {
+  std::map<std::string, std::optional<SensorCounts>> counted;  // by what is captured
+  std::set<std::pair<std::string, double>> seen;               // condition and level
+  std::optional<Geometry> geometry;
+  for (const Stimulus& stimulus : list_stimuli(study)) {
+    if (stimulus.scene != scene.name || stimulus.object_index != 1 || !stimulus.depth.chain ||
+        !seen.insert({stimulus.condition, stimulus.level}).second)
+      continue;
+    stop_if_interrupted();
+    if (!geometry) geometry.emplace(truth.geometry_without(1));
+    const std::string what = fmt::format("{} {} {}", canonical_text(stimulus.depth.chain),
+                                         stimulus.depth.width_px, stimulus.depth.yaw_texels);
+    const auto [found, added] = counted.emplace(what, std::nullopt);
+    if (added)
+      found->second =
+          count_captured(*geometry, stimulus.depth, centre_camera(truth.camera), default_thread_count());
+    if (found->second) add_holes(holes, stimulus, *found->second);
+  }
+}
+
 void check_study(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
   int broken = 0;
+  std::vector<LevelHoles> holes;
   for (const SceneDefinition& scene : study.scenes) {
     stop_if_interrupted();
     SceneDefinition by_one_eye = scene;  // the rules are of the scene, however it is shown
@@ -43,7 +75,10 @@ void check_study(const std::string& path, const std::string& asset_root) {
                  result.found);
       broken += result.met ? 0 : 1;
     }
+    add_holes_of_scene(study, scene, truth, holes);
   }
+  for (const std::string& said : notes_on_levels(study)) fmt::print("note    {}\n", said);
+  for (const std::string& said : sentences(holes)) fmt::print("note    {}\n", said);
   if (broken > 0)
     throw input_error({.file = path,
                        .wanted = "scenes that keep the study's rules",
@@ -65,6 +100,7 @@ void check_set(const CheckOptions& options) {
     throw input_error({.field = "--coarse",
                        .wanted = fmt::format("at most --fine, {}", rule.fine_px),
                        .found = std::to_string(rule.coarse_px)});
+  const Manifest manifest = read_manifest(folder);  // before anything is made
   if (!out.empty()) prepare_output_folder(out);
   if (options.artists) {
     for (const std::filesystem::path& file : write_artists_maps(out, folder, rule))
@@ -74,6 +110,7 @@ void check_set(const CheckOptions& options) {
   const SetSeams seams = read_set_seams(folder);
   if (!out.empty()) write_seams_page(out, seams);
   fmt::print("{}\n\n{}", seams_meaning(seams), markdown_table(seam_cells_table(seams)));
+  for (const std::string& said : sentences(holes_of_set(manifest))) fmt::print("\n{}\n", said);
   if (!out.empty())
     fmt::print("\nFigure and tables: {}\n", (std::filesystem::path(out) / "seams.html").string());
 }

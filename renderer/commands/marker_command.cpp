@@ -338,7 +338,8 @@ void add_marker_command(CLI::App& app) {
   command->add_option("--sensor", options->sensor, "preset of a rig (documentation/sensors.md)")
       ->capture_default_str();
   add_number(*command, "--side", options->side_m, {0.01, 1, "m"}, "of the marker")->capture_default_str();
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6}, "scale of the sensor's noise; 0: none")
+  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
+             "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
   add_number(*command, "--frames", options->frames, {1, 10000}, "of the depth camera, for each place")
       ->capture_default_str();

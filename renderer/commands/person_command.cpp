@@ -102,7 +102,8 @@ void add_person_command(CLI::App& app) {
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
   command->add_option("--sensor", options->sensor, "preset of a rig (documentation/sensors.md)")
       ->capture_default_str();
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6}, "scale of the sensor's noise; 0: none")
+  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
+             "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
   add_number(*command, "--joint-noise", options->joint_noise_m, {0, 1, "m"},
              "standard deviation of every coordinate of the joints, as tracking would have it")

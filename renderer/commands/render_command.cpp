@@ -17,6 +17,7 @@
 #include "renderer/set/render_set.h"
 #include "renderer/set/set_work.h"
 #include "renderer/set/true_error_set.h"
+#include "stimuli/set/level_notes.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
@@ -188,7 +189,12 @@ void run_render(const RenderOptions& options) {
                                 .spp = options.true_error_spp,
                                 .threads = options.threads,
                                 .mesh = request.mesh});
-  if (request.part == JobPart::whole || request.part == JobPart::join) write_errors_page(options.set);
+  if (request.part == JobPart::whole || request.part == JobPart::join) {
+    write_errors_page(options.set);
+    for (const std::string& said : notes_on_levels(study)) fmt::print("{}\n", said);
+    for (const std::string& said : sentences(holes_of_set(read_manifest(options.set))))
+      fmt::print("{}\n", said);
+  }
 }
 
 /// A piece of a job that fails, whatever for, says so in the set too: `--status` is asked elsewhere.

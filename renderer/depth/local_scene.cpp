@@ -68,6 +68,13 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
 
 }  // namespace
 
+std::optional<SensorCounts> count_captured(const Geometry& truth, const DepthSettings& settings,
+                                           const Camera& photograph, int threads) {
+  if (!settings.chain) return std::nullopt;
+  return is_panorama(*settings.chain) ? panorama_counts(truth, settings, threads)
+                                      : sensor_counts(truth, *settings.chain, photograph, threads);
+}
+
 LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
   Rebuilt made = rebuilt(truth, settings, use);
   const bool in_place = (!settings.chain || is_seen_from_its_place(*settings.chain)) &&

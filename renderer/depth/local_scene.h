@@ -52,4 +52,9 @@ struct LocalSceneUse {
 [[nodiscard]] LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings,
                                           const LocalSceneUse& use);
 
+/// What sensors deliver of the truth, as `make_local_scene` counts it, but before any repair; none of exact
+/// panoramas. Throws InputError likewise.
+[[nodiscard]] std::optional<SensorCounts> count_captured(const Geometry& truth, const DepthSettings& settings,
+                                                         const Camera& photograph, int threads);
+
 }  // namespace seamline::renderer

@@ -309,6 +309,11 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
   return map;
 }
 
+SensorCounts panorama_counts(const Geometry& truth, DepthSettings settings, int threads) {
+  settings.chain->repair = sensors::NoRepair{};
+  return capture_panorama(truth, settings, threads).counts;
+}
+
 MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings, int threads) {
   MeasuredMap captured = capture_panorama(truth, settings, threads);
   MeasuredPanorama made{.map = std::move(captured.map), .mesh = {}, .counts = captured.counts};

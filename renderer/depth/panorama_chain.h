@@ -19,6 +19,9 @@ struct MeasuredPanorama {
 [[nodiscard]] MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings,
                                              int threads);
 
+/// The texels of such a panorama before any repair.
+[[nodiscard]] SensorCounts panorama_counts(const Geometry& truth, DepthSettings settings, int threads);
+
 /// The mesh of a map without the triangles, of about a texel and smaller, that lie between texels whose
 /// distances differ by more than the ratio, and without the vertices that only they used.
 [[nodiscard]] DepthMesh without_jumps(const DepthMesh& mesh, const DepthMap& map, double yaw_texels,

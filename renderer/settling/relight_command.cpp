@@ -154,7 +154,7 @@ void add_relight_command(CLI::App& app) {
              "towards the virtual light, in the scene's world")
       ->capture_default_str();
   add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none")
+             "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
   add_number(*command, "--seed", options->sensed.seed, {0, 2147483647}, "seed of the noise")
       ->capture_default_str();

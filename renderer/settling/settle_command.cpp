@@ -231,7 +231,7 @@ void add_settle_command(CLI::App& app) {
   CLI::Option* look_at =
       add_number(*command, "--look-at", options->sensed.look_at_m, any_place_m, "the point it looks at");
   add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none")
+             "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
   add_number(*command, "--seed", options->sensed.seed, {0, 2147483647}, "seed of the noise")
       ->capture_default_str();

@@ -22,7 +22,7 @@ struct GenericNoise {
   auto operator<=>(const GenericNoise&) const = default;
 };
 
-/// One pixel's measurement, a pure function of its arguments; `scale` above 0.
+/// One pixel's measurement, a pure function of its arguments; `scale` 0 or more.
 [[nodiscard]] MeasuredPixel measure_pixel(const GenericNoise& model, const SeenPixel& seen,
                                           const NoiseStream& stream, double scale);
 

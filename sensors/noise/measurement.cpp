@@ -37,14 +37,6 @@ void count_states(Measurement& measurement) {
   for (const PixelState state : measurement.states) ++measurement.counts[static_cast<std::size_t>(state)];
 }
 
-Measurement without_noise(const SeenFrame& seen, DepthConvention convention) {
-  Measurement measurement{.frame = true_depth(seen, convention), .states = {}};
-  for (const float depth_m : measurement.frame.depth_m)
-    measurement.states.push_back(DepthFrame::is_hole(depth_m) ? PixelState::nothing : PixelState::measured);
-  count_states(measurement);
-  return measurement;
-}
-
 }  // namespace
 
 DepthConvention convention_of(const NoiseModel& model) {
@@ -90,7 +82,6 @@ Measurement measure(const SeenFrame& seen, const NoiseModel& model, const NoiseK
   require_valid(seen);
   require_within(scale, 0, 1e9, "depth noise scale");
   std::visit([](const auto& one) { require_valid(one, "noise: "); }, model);
-  if (scale == 0) return without_noise(seen, convention_of(model));
 
   const std::size_t pixels = seen.radial_m.size();
   const bool has_amplitude = std::holds_alternative<TimeOfFlightNoise>(model);

@@ -50,9 +50,9 @@ struct Measurement {
 /// any number of threads (0: one for each core).
 ///
 /// `scale` multiplies every standard deviation, step and share (shares end at 1). What is no error but the
-/// way the instrument works stays as it is: mixing, wrapping, range, the least amplitude, saturation, the
-/// projector's shadow. 0 stands apart: nothing of the model is left, and the depths are `true_depth`, byte
-/// for byte.
+/// way the instrument works stays as it is, at 0 too: mixing, wrapping, range, the least amplitude,
+/// saturation, the projector's shadow. So 0 is the limit of small scales, with the instrument's holes; what
+/// no instrument lacks is `true_depth`.
 ///
 /// Throws InputError for a scale below 0, a model or camera that is none, and vectors of another size.
 [[nodiscard]] Measurement measure(const SeenFrame& seen, const NoiseModel& model, const NoiseKey& key,

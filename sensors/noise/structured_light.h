@@ -42,7 +42,7 @@ struct StructuredLightNoise {
   auto operator<=>(const StructuredLightNoise&) const = default;
 };
 
-/// One pixel's measurement, planar, a pure function of its arguments; `scale` above 0.
+/// One pixel's measurement, planar, a pure function of its arguments; `scale` 0 or more.
 [[nodiscard]] MeasuredPixel measure_pixel(const StructuredLightNoise& model, const SeenPixel& seen,
                                           const NoiseStream& stream, double scale);
 

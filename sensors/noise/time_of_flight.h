@@ -57,7 +57,7 @@ struct TimeOfFlightNoise {
 /// Amplitude of one surface that fills the pixel, in photoelectrons a sample; 0 where there is none.
 [[nodiscard]] double amplitude_e(const TimeOfFlightNoise& model, const SubRay& surface);
 
-/// One pixel's measurement, radial, a pure function of its arguments; `scale` above 0. The amplitude
+/// One pixel's measurement, radial, a pure function of its arguments; `scale` 0 or more. The amplitude
 /// delivered is |P'|; the confidence q / (1 + q) with q = |P'|^2 / (s^2 V / 2), the ratio of signal and noise
 /// in power.
 [[nodiscard]] MeasuredPixel measure_pixel(const TimeOfFlightNoise& model, const SeenPixel& seen,

@@ -161,8 +161,9 @@ std::string described(const DepthSource& source, int panorama_width_px) {
 }
 
 void simplify(DepthSource& source) {
+  // The generic model is errors and nothing else; the others are instruments, which stay.
   const auto drop_noise = [](std::optional<SourceNoise>& noise) {
-    if (noise && noise->scale == 0) noise.reset();
+    if (noise && noise->scale == 0 && std::holds_alternative<GenericNoise>(noise->model)) noise.reset();
   };
   if (auto* panorama = std::get_if<PanoramaSource>(&source)) {
     drop_noise(panorama->noise);
@@ -308,7 +309,7 @@ const SourceNoise* noise_of(const DepthSource& source) {
 
 bool has_noise(const DepthChain& chain) {
   for (const DepthSource& source : chain.sources)
-    if (noise_of(source) != nullptr) return true;
+    if (const SourceNoise* noise = noise_of(source); noise != nullptr && noise->scale > 0) return true;
   return false;
 }
 

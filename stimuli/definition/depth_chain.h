@@ -18,7 +18,7 @@
 namespace seamline::inline stimuli {
 
 /// What a sensor makes of what it sees. `scale` multiplies the model's errors (sensors/noise/measurement.h);
-/// it is above 0: without errors there is no noise here.
+/// at 0 the instrument stays, with its holes and flying pixels.
 struct SourceNoise {
   sensors::NoiseModel model;
   double scale = 1;
@@ -154,14 +154,14 @@ struct DepthChain {
 [[nodiscard]] const sensors::PinholeCamera* camera_of(const DepthSource& source);
 /// Noise of a source, null where it has none.
 [[nodiscard]] const SourceNoise* noise_of(const DepthSource& source);
-[[nodiscard]] bool has_noise(const DepthChain& chain);
+[[nodiscard]] bool has_noise(const DepthChain& chain);  ///< whether any source errs: not at scale 0
 /// Whether the photograph guides a repair.
 [[nodiscard]] bool guided_by_photograph(const DepthChain& chain);
 /// Whether planes and boxes stand for a panorama.
 [[nodiscard]] bool has_boxes(const DepthChain& chain);
 
-/// The same with defaults wherever a value has no meaning (a noise of scale 0 is none, a ratio of jumps
-/// beside sheets); nothing when that is the paper's exact panorama.
+/// The same with defaults wherever a value has no meaning (a generic noise of scale 0 is none, a ratio of
+/// jumps beside sheets); nothing when that is the paper's exact panorama.
 [[nodiscard]] std::optional<DepthChain> meaningful(DepthChain chain);
 
 /// The chain link by link as a text of one line, for hashes and the manifest; empty without a chain.

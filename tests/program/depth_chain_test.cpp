@@ -1,8 +1,10 @@
 // Studies that say how depth is captured, as people run them.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "run_program.h"
 
@@ -16,6 +18,7 @@ using test::run_seamline;
 using test::studies;
 using test::write_text;
 using testing::HasSubstr;
+using testing::Not;
 
 /// The shipped study of noise in smaller pictures and with coarser meshes.
 std::string small_study_text() {
@@ -44,23 +47,47 @@ TEST(DepthChain, ASetOfNoisyDepthIsRenderedCountedVerifiedAndKept) {
                               " --only 'bedroom-receiver-statue-*' --spp 2 --explain --out " + set;
   const Outcome outcome = run_seamline(command);
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  for (const char* part : {"pinhole 320 x 288 px", "time_of_flight, scale 1", "registration       none"})
+  for (const char* part : {"pinhole 320 x 288 px", "time_of_flight, scale 1", "registration       none",
+                           "\nbedroom: holes in the depth pictures: "})
     EXPECT_THAT(outcome.output, HasSubstr(part));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("The levels differ in holes")));
+  EXPECT_THAT(run_seamline("check " + set).output, HasSubstr("\nbedroom: holes in the depth pictures: "));
   const nlohmann::json manifest = manifest_of(set);
   EXPECT_EQ(manifest["version"], 2);
+  std::set<int> holes;  // of the camera, whatever its noise
   for (const nlohmann::json& stimulus : manifest["stimuli"]) {
-    const bool none = stimulus["level"]["value"] == 0;
     const nlohmann::json& counts = stimulus["mesh"]["sensor"];
     EXPECT_EQ(counts["measured"].get<int>() + counts["holes"].get<int>() + counts["outliers"].get<int>(),
               320 * 288);
     const std::string depth = stimulus["condition"]["depth"];
-    EXPECT_EQ(depth.find("noise") == std::string::npos, none) << depth;
+    EXPECT_THAT(depth, HasSubstr(fmt::format(" scale {};", stimulus["level"]["value"].get<double>())));
+    holes.insert(counts["holes"].get<int>());
   }
+  EXPECT_GT(*holes.begin(), 0);
+  EXPECT_LT(*holes.rbegin() - *holes.begin(), 320 * 288 / 100);
   EXPECT_EQ(run_seamline("verify " + set).status, 0);
   EXPECT_THAT(run_seamline(command).output, HasSubstr("0 stimuli rendered, 5 kept"));
   EXPECT_EQ(manifest_of(set), manifest);
   EXPECT_EQ(run_seamline(command + " --true-error 'bedroom-receiver-statue-0004*' --true-error-spp 2").status,
             0);
+}
+
+TEST(DepthChain, CheckSaysWhereLevelsDifferInHoles) {
+  const auto folder = fresh_folder("depth_holes");
+  const auto checked = [&](const std::string& noise) {
+    write_text(
+        folder / "study.toml",
+        study_text("[level]\nquantity = \"depth_noise\"\nvalues = [0, 2]\n[depth]\nsource = \"pinhole\"\n"
+                   "size_px = [64, 48]\nfield_of_view_deg = 60\nnoise = { " +
+                   noise + " }\n"));
+    return run_seamline("check " + (folder / "study.toml").string()).output;
+  };
+  EXPECT_THAT(checked("model = \"time_of_flight\", weakest_amplitude_e = 300"),
+              testing::AllOf(HasSubstr("note    bedroom: holes in the depth pictures: "),
+                             Not(HasSubstr("The levels differ in holes"))));
+  EXPECT_THAT(
+      checked("model = \"generic\", relative_sigma = 0.01, dropout_share = 0.05"),
+      HasSubstr("The levels differ in holes: a threshold of the depth noise over them is one of holes"));
 }
 
 TEST(DepthChain, ADepthMapInAFileIsASourceAndAnotherFileIsAnotherPicture) {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <optional>
 
+#include "stimuli/set/level_notes.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/files/atomic_file.h"
 #include "support/running/parallel.h"
@@ -161,6 +162,15 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
     return rows;
   } catch (const InputError& error) {
     return std::string("The stimulus set cannot be read, so no stimuli are shown: ") + error.what();
+  }
+}
+
+std::vector<std::string> notes_on_depth(const study::LogContents& log) {
+  try {
+    if (log.set_folder.empty() || set_hash(log.set_folder) != log.set_hash) return {};
+    return sentences(holes_of_set(read_manifest(log.set_folder)));
+  } catch (const InputError&) {
+    return {};  // `sample_stimuli` says so
   }
 }
 

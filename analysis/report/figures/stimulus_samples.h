@@ -40,6 +40,10 @@ using StimulusSamples = std::variant<std::vector<SampleRow>, std::string>;
 /// and why the first is not; nothing when all are.
 [[nodiscard]] std::vector<std::string> notes_on(const StimulusSamples& samples);
 
+/// What a reader must know about the depth of the set that the log names: how many holes it has at each
+/// level. Nothing where no sensor measured it, or the set is not there any more.
+[[nodiscard]] std::vector<std::string> notes_on_depth(const study::LogContents& log);
+
 struct Rectangle {
   int x = 0, y = 0, width_px = 0, height_px = 0;
 };

@@ -116,6 +116,12 @@ struct Capture {
   }
 };
 
+void count(const Captured& captured, SensorCounts& counts) {
+  counts.measured += captured.measured;
+  counts.outliers += captured.outliers;
+  counts.holes += std::ssize(captured.frame.depth_m) - captured.measured - captured.outliers;
+}
+
 registration::MeshRegistration mesh_registration(const DepthChain& chain, int threads) {
   return {.jumps = chain.jumps == Jumps::stretch ? registration::Jumps::stretch : registration::Jumps::cut,
           .jump_ratio = chain.jump_ratio,
@@ -193,6 +199,15 @@ bool is_seen_from_its_place(const DepthChain& chain) {
   return chain.sources.size() == 1 && chain.jumps != Jumps::layer && in_place;
 }
 
+SensorCounts sensor_counts(const Geometry& truth, const DepthChain& chain, const Camera& photograph,
+                           int threads) {
+  const Eigen::Isometry3d world = world_from_photograph(photograph);
+  SensorCounts counts;
+  for (std::size_t i = 0; i < chain.sources.size(); ++i)
+    count(std::visit(Capture{truth, chain, world, i, threads}, chain.sources[i]), counts);
+  return counts;
+}
+
 MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
                          const SeenPhotograph& photograph, int threads) {
   const DepthChain& chain = *settings.chain;
@@ -201,9 +216,7 @@ MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
   for (std::size_t i = 0; i < chain.sources.size(); ++i) {
     const DepthSource& source = chain.sources[i];
     const Captured captured = std::visit(Capture{truth, chain, world, i, threads}, source);
-    made.counts.measured += captured.measured;
-    made.counts.outliers += captured.outliers;
-    made.counts.holes += std::ssize(captured.frame.depth_m) - captured.measured - captured.outliers;
+    count(captured, made.counts);
     const auto mended = [&](const sensors::DepthFrame& frame, const std::optional<Image>& guide) {
       sensors::Repaired repaired = sensors::repair(frame, chain.repair, guide ? &*guide : nullptr, threads);
       made.counts.invented += repaired.count(sensors::RepairMark::invented);

@@ -33,6 +33,10 @@ struct SeenPhotograph {
 [[nodiscard]] MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
                                        const SeenPhotograph& photograph, int threads);
 
+/// The pixels of all sources of such a chain before any repair; no mesh is made. Throws InputError likewise.
+[[nodiscard]] SensorCounts sensor_counts(const Geometry& truth, const DepthChain& chain,
+                                         const Camera& photograph, int threads);
+
 /// Whether the mesh is seen from its own sensors' one place, the photograph's: rays from there meet each part
 /// of it once.
 [[nodiscard]] bool is_seen_from_its_place(const DepthChain& chain);
