@@ -5,8 +5,8 @@
 #include "analysis/log_analysis/adaptive_log.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
-
 #include "study/observers/observer.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
@@ -132,11 +132,24 @@ AnalysisOptions with_catch_trials(AnalysisOptions options, const study::LogConte
   return options;
 }
 
+/// The log's, or the frozen study's where the two differ in nothing that people are shown.
+std::string hash_beside(const Archive& archive, const study::LogContents& log) {
+  if (archive.content.study_hash == log.study_hash) return log.study_hash;
+  try {
+    if (same_but_observer(read_study_text(archive.content.study_text, archive.file),
+                          read_study_text(log.study_text, log.file)))
+      return archive.content.study_hash;
+  } catch (const InputError&) {
+    // a text of another program's time
+  }
+  return log.study_hash;
+}
+
 }  // namespace
 
 void compare_with_archive(Analysis& analysis, const Archive& archive) {
   AnalysisDone done{.program_version = program_version(),
-                    .study_hash = analysis.log.study_hash,
+                    .study_hash = hash_beside(archive, analysis.log),
                     .set_hash = analysis.log.set_hash,
                     .analysis = {.thresholds = {},
                                  .include_pilot = analysis.include_pilot,

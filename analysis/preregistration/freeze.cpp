@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stimuli/set/manifest.h"
+#include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -24,12 +25,13 @@ void require_text(const std::string& field, const std::string& text) {
   if (!is_utf8(text)) throw input_error({.field = field, .wanted = "UTF-8", .found = "other bytes"});
 }
 
-FrozenSet frozen_set(const std::filesystem::path& folder, const std::string& study_hash) {
+FrozenSet frozen_set(const std::filesystem::path& folder, const StudyDefinition& study) {
   const Manifest manifest = read_manifest(folder);
-  if (manifest.study_hash != study_hash)
+  const std::string hash = study_hash(study);
+  if (manifest.study_hash != hash && !same_but_observer(study_of_set(folder, manifest), study))
     throw input_error({.file = folder.string(),
                        .field = "study.sha256",
-                       .wanted = "a set of the study that is frozen (" + study_hash.substr(0, 12) + ")",
+                       .wanted = "a set of the study that is frozen (" + hash.substr(0, 12) + ")",
                        .found = manifest.study_hash.substr(0, 12)});
   return {.set_hash = set_hash(folder), .stimuli = static_cast<int>(manifest.stimuli.size())};
 }
@@ -53,7 +55,7 @@ Preregistration freeze_study(const std::filesystem::path& study_file,
   require_text(study_file.string(), content.study_text);
   content.analysis.rules = rules_of_analysis();
   for (const std::filesystem::path& folder : sets) {
-    const FrozenSet set = frozen_set(folder, content.study_hash);
+    const FrozenSet set = frozen_set(folder, study);
     if (std::find(content.sets.begin(), content.sets.end(), set) != content.sets.end())
       throw input_error({.file = folder.string(), .wanted = "each set once", .found = "it twice"});
     content.sets.push_back(set);

@@ -36,8 +36,8 @@ void print_bodies(const FallingBodies& bodies) {
 }  // namespace
 
 void run_headless(const LiveRequest& request) {
-  if (!request.out.empty()) prepare_output_folder(request.out);
   LiveSession session(request);
+  if (!request.out.empty()) prepare_output_folder(request.out);
   const LoadedRecording& recording = session.recording();
   const int frames = request.frames > 0 ? request.frames : static_cast<int>(recording.frames.size());
   std::vector<TimedFrame> timed;

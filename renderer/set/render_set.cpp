@@ -21,6 +21,7 @@
 #include "renderer/set/timings.h"
 #include "renderer/set/view_depth.h"
 #include "stimuli/pictures/difference.h"
+#include "stimuli/set/set_study.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -107,9 +108,10 @@ class SetRenderer {
 
   /// Manifest and study file change together, at the end: until then a set stays what it was.
   void write_set() {
+    identity_ = identity_in(request_.set_folder, study_);
     Manifest written = manifest();
     copy_carried_files(study_, request_.set_folder);
-    write_file_atomically(request_.set_folder / "study.toml", read_file(study_.file));
+    write_study_file(request_.set_folder, study_, identity_);
     write_manifest(request_.set_folder, written);
     // Another shard may have finished meanwhile: the last to look lists everything.
     for (Manifest now = manifest(); now.stimuli.size() != written.stimuli.size(); now = manifest()) {
@@ -280,7 +282,9 @@ class SetRenderer {
     return compose(traced.sums, Compositing::ratio, threads_).picture;
   }
 
-  [[nodiscard]] Manifest manifest() { return set_manifest({study_, settings_, hashes_, records_}, lights_); }
+  [[nodiscard]] Manifest manifest() {
+    return set_manifest({study_, settings_, hashes_, records_, identity_}, lights_);
+  }
 
   const StudyDefinition& study_;
   const std::vector<SceneDefinition> truths_ = list_truths(study_);
@@ -288,6 +292,7 @@ class SetRenderer {
   RenderSettings settings_;
   InputHashes hashes_;
   SetRecords records_;
+  std::string identity_;  ///< of the set in the folder; known when it is written
   int threads_;
   Timings timings_;
   SetWork work_;

@@ -29,7 +29,7 @@ RenderPlan plan_of(const std::set<std::string>& scenes, const SetState& set,
 Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights) {
   Manifest out;
   out.study_name = set.study.name;
-  out.study_hash = study_hash(set.study);
+  out.study_hash = set.identity;
   out.program_version = program_version();
   out.instruction_set = RayDevice::instruction_set();
   out.width_px = set.study.width_px;

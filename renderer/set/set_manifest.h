@@ -14,6 +14,7 @@ struct SetState {
   const RenderSettings& settings;
   const InputHashes& hashes;
   const SetRecords& records;
+  const std::string& identity;  ///< the study's hash in the manifest (`identity_in`)
 };
 
 /// The manifest of what is finished, in the study's order, with what was left out for it. `lights` holds

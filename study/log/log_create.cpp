@@ -76,6 +76,24 @@ SQLite::Database open_or_create(const fs::path& path, const std::function<void(S
 
 }  // namespace
 
+bool remove_log_of_nobody(const fs::path& path) {
+  try {
+    SQLite::Database database = open_log_database(path, LogAccess::alone);
+    for (const auto& [kind, name, table, sql] : schema_of(database))
+      if (kind == "table" && name != "study" && name != "stimuli" && !name.starts_with("sqlite_") &&
+          database.execAndGet("SELECT EXISTS (SELECT 1 FROM " + name + ")").getInt() != 0)
+        return false;
+    for (const fs::path& file : {log_place(path), ahead_file(path), journal_file(path), claims_file(path)})
+      ::unlink(file.c_str());
+    ::unlink((log_place(path).string() + "-shm").c_str());
+    return true;
+  } catch (const InputError&) {
+    return false;
+  } catch (const SQLite::Exception&) {
+    return false;
+  }
+}
+
 SQLite::Database open_or_create_log_database(const fs::path& path,
                                              const std::function<void(SQLite::Database&)>& fill,
                                              const fs::path& called, int version) {

@@ -19,4 +19,8 @@ namespace seamline::study {
                                                            const std::filesystem::path& called = {},
                                                            int version = log_schema_version);
 
+/// Removes a log that holds nothing but its study and its stimuli, and the files beside it. Returns false,
+/// and leaves everything, where it holds more, another program has it open, or it is no sound log.
+[[nodiscard]] bool remove_log_of_nobody(const std::filesystem::path& path);
+
 }  // namespace seamline::study

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <exception>
 
+#include "stimuli/set/set_study.h"
+#include "stimuli/study_file/study_file.h"
 #include "study/log/log_create.h"
 #include "study/log/log_tables.h"
 #include "support/files/assets.h"
@@ -13,13 +16,19 @@ namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
+/// A sound log, but of another study or set.
+struct OtherStudy : InputError {
+  explicit OtherStudy(const InputError& error) : InputError(error) {}
+};
+
 void check_same(const fs::path& path, const char* field, const std::string& wanted,
                 const std::string& found) {
   if (wanted == found) return;
-  throw input_error({.file = path.string(),
-                     .field = field,
-                     .wanted = wanted + " (one log holds one set of one study; name another log file)",
-                     .found = found});
+  throw OtherStudy(
+      input_error({.file = path.string(),
+                   .field = field,
+                   .wanted = wanted + " (one log holds one set of one study; name another log file)",
+                   .found = found}));
 }
 
 }  // namespace
@@ -61,6 +70,21 @@ void enter_study(SQLite::Database& database, const RenderedSet& set) {
                        .found = std::to_string(entered) + " different ones among " + std::to_string(wanted)});
 }
 
+/// Whose log it is.
+struct LogIdentity {
+  std::string study_hash, set_hash, set_folder, study_text;
+};
+
+LogIdentity identity_of(SQLite::Database& database, const fs::path& path) {
+  SQLite::Statement row(database, "SELECT study_hash, set_hash, set_folder, study_text FROM study");
+  if (!row.executeStep())
+    throw input_error({.file = path.string(), .field = "study", .wanted = "a study", .found = "none"});
+  return {.study_hash = row.getColumn(0).getString(),
+          .set_hash = row.getColumn(1).getString(),
+          .set_folder = row.getColumn(2).getString(),
+          .study_text = row.getColumn(3).getString()};
+}
+
 /// Trials name stimuli by their place in the manifest.
 void check_stimuli(SQLite::Database& database, const fs::path& path,
                    const std::vector<ManifestStimulus>& wanted) {
@@ -94,24 +118,64 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
        .found = fmt::format("other ones from place {} on", same)});
 }
 
+/// Whether the log's set is this one but for the [observer] of its study, which is part of both hashes. The
+/// stimuli are compared one by one (`check_stimuli`).
+bool is_set_but_observer(const LogIdentity& log, const RenderedSet& set) {
+  try {
+    return set_hash_as(set.folder, log.study_hash) == log.set_hash &&
+           same_but_observer(read_study_text(log.study_text, "the log's study"), set.study);
+  } catch (const InputError&) {
+    return false;  // a text of another program's time
+  }
+}
+
 /// The study and set of the log are those at hand. Writes where the set is now, which is the write test.
 void claim_log(SQLite::Database& database, const fs::path& path, const RenderedSet& set) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-  SQLite::Statement row(database, "SELECT study_hash, set_hash FROM study");
-  if (!row.executeStep())
-    throw input_error({.file = path.string(), .field = "study", .wanted = "a study", .found = "none"});
-  check_same(path, "study_hash", row.getColumn(0).getString(), set.manifest.study_hash);
-  check_same(path, "set_hash", row.getColumn(1).getString(), set.set_hash);
-  row.reset();
+  const LogIdentity log = identity_of(database, path);
+  const bool is_other = log.study_hash != set.manifest.study_hash && is_set_but_observer(log, set);
+  if (!is_other) {
+    check_same(path, "study_hash", log.study_hash, set.manifest.study_hash);
+    check_same(path, "set_hash", log.set_hash, set.set_hash);
+  }
   check_stimuli(database, path, set.manifest.stimuli);
   SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");
-  run(moved, set.folder.string());
+  run(moved, is_other ? log.set_folder : set.folder.string());
   transaction.commit();
+}
+
+/// Whether a log's text of the study means what the set's does, [observer] and all.
+bool means_the_same(const std::string& log_text, const RenderedSet& set) {
+  if (log_text == set.study_text) return true;
+  try {
+    return canonical_text(read_study_text(log_text, "the log's study")) ==
+           canonical_text(read_study_text(set.study_text, set.folder / set.manifest.study_file));
+  } catch (const InputError&) {
+    return true;  // a text of another program's time: nobody can tell
+  }
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
 }
 
 }  // namespace
 
-LogWriter::LogWriter(fs::path path, const RenderedSet& set) : path_(std::move(path)) {
+LogWriter::LogWriter(fs::path path, const RenderedSet& set)
+    : path_(std::move(path)), begun_here_(!is_there(path_)), exceptions_(std::uncaught_exceptions()) {
+  try {
+    open(set);
+  } catch (const OtherStudy&) {
+    if (!remove_log_of_nobody(path_)) throw;
+    open(set);  // what a session left that stored nothing belongs to no study
+  } catch (...) {
+    if (begun_here_) (void)remove_log_of_nobody(path_);
+    throw;
+  }
+}
+
+void LogWriter::open(const RenderedSet& set) {
   const auto fill = [&](SQLite::Database& database) { enter_study(database, set); };
   const auto& stimuli = set.manifest.stimuli;
   const bool mirrors = std::any_of(stimuli.begin(), stimuli.end(), [](const auto& one) {
@@ -126,7 +190,25 @@ LogWriter::LogWriter(fs::path path, const RenderedSet& set) : path_(std::move(pa
   });
 }
 
-LogWriter::~LogWriter() = default;
+LogWriter::~LogWriter() {
+  tables_.reset();
+  if (begun_here_ && std::uncaught_exceptions() > exceptions_) (void)remove_log_of_nobody(path_);
+}
+
+void LogWriter::take_observer(const RenderedSet& set) {
+  transaction([&] {
+    if (means_the_same(identity_of(tables_->database, path_).study_text, set)) return;
+    SQLite::Statement simulated(tables_->database, "SELECT 1 FROM participants WHERE observer IS NOT NULL");
+    if (simulated.executeStep())
+      throw input_error({.file = (set.folder / set.manifest.study_file).string(),
+                         .field = "observer",
+                         .wanted = "that of the simulated observers in " + path_.string() +
+                                   " (to simulate others name another log file)",
+                         .found = "another one"});
+    SQLite::Statement taken(tables_->database, "UPDATE study SET study_text = ?");
+    run(taken, set.study_text);
+  });
+}
 
 void LogWriter::Tables::check_still_there() const {
   if (file_identity(place) == file && file_identity(ahead_file(place)) == ahead) return;

@@ -88,13 +88,18 @@ void check_participant_code(const std::string& code);
 /// fails; what was committed before stays.
 class LogWriter {
  public:
-  /// Opens or creates the log of a set, and proves by a committed write that it can be written to. Throws
-  /// InputError when it cannot, or when the log belongs to another study or set; a log begun here is removed
-  /// again then.
+  /// Opens or creates the log of a set, and proves by a committed write that it can be written to. A set
+  /// whose study differs in nothing but [observer] is the log's own. Throws InputError when it cannot, or
+  /// when the log belongs to another study or set and holds anything. A log begun here in which nothing is
+  /// stored yet is removed when this ends by an exception, then or later.
   LogWriter(std::filesystem::path path, const RenderedSet& set);
   ~LogWriter();
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
+
+  /// Before simulated observers enter: the log's text of the study becomes the set's, so that it says what
+  /// they are made of. Throws InputError where the log has simulated observers of another [observer].
+  void take_observer(const RenderedSet& set);
 
   /// What the log knows of a code; none: a newcomer. Throws InputError as open_session does.
   [[nodiscard]] std::optional<KnownParticipant> find(const Enrolment& enrolment);
@@ -151,8 +156,12 @@ class LogWriter {
  private:
   friend class OnlineLog;  // study/log/online: people in browsers
   struct Tables;
+  void open(const RenderedSet& set);
+
   std::filesystem::path path_;
   std::unique_ptr<Tables> tables_;
+  bool begun_here_;
+  int exceptions_;  ///< that were on their way when this was made
 };
 
 }  // namespace seamline::study

@@ -129,6 +129,7 @@ SimulationSummary run_simulated_study(const SimulationRequest& request) {
   if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;
   study.differences = look_at_pictures(request, study.set);
   LogWriter log(request.log, study.set);
+  log.take_observer(study.set);
   SimulationSummary summary;
   for (int first = 1; first <= request.count; first += participants_a_transaction) {
     if (interrupted()) throw Interrupted{};

@@ -23,17 +23,17 @@ Geometry room_with_dark_things() {
       test::sphere({0.9F, -0.6F, -3.2F}, 0.7F, 48, 0.8F)});
 }
 
-struct Case {
+struct ZeroCase {
   Quantity quantity = Quantity::depth_noise;
   double small = 1e-4;  ///< the smallest level that ids tell from 0
   std::string depth;    ///< beside size and field of view
 };
 
-void PrintTo(const Case& one, std::ostream* out) {
+void PrintTo(const ZeroCase& one, std::ostream* out) {
   *out << facts(one.quantity).key << ", " << one.depth;
 }
 
-std::vector<LocalScene> local_scenes(const Case& one, const Geometry& truth) {
+std::vector<LocalScene> local_scenes(const ZeroCase& one, const Geometry& truth) {
   const std::string key(facts(one.quantity).key);
   std::string text = test::study_of_no_files(
       "", "[level]\nquantity = \"" + key + "\"\nvalues = [0, " + fmt::format("{}", one.small) +
@@ -49,7 +49,7 @@ std::vector<LocalScene> local_scenes(const Case& one, const Geometry& truth) {
 }
 
 /// Share of the view's rays that meet both at the same distance, or neither.
-double share_alike(const Geometry& a, const Geometry& b) {
+double share_of_same_rays(const Geometry& a, const Geometry& b) {
   constexpr int side = 101;
   int alike = 0;
   for (int y = 0; y < side; ++y)
@@ -65,36 +65,39 @@ double share_alike(const Geometry& a, const Geometry& b) {
   return static_cast<double>(alike) / (side * side);
 }
 
-class LevelZero : public testing::TestWithParam<Case> {};
+class LevelZero : public testing::TestWithParam<ZeroCase> {};
 
 TEST_P(LevelZero, IsTheLimitOfSmallLevels) {
   const std::vector<LocalScene> scenes = local_scenes(GetParam(), room_with_dark_things());
   ASSERT_EQ(scenes.size(), 2U);
-  EXPECT_GT(share_alike(scenes[0].geometry, scenes[1].geometry), 0.995);
+  EXPECT_GT(share_of_same_rays(scenes[0].geometry, scenes[1].geometry), 0.995);
   ASSERT_TRUE(scenes[0].mesh.sensor && scenes[1].mesh.sensor);
   EXPECT_NEAR(static_cast<double>(scenes[0].mesh.sensor->holes),
               static_cast<double>(scenes[1].mesh.sensor->holes), 2);
 }
 
-constexpr const char* flight = "noise = { model = \"time_of_flight\", weakest_amplitude_e = 300 }\n";
-constexpr const char* light =
+constexpr const char* zero_flight = "noise = { model = \"time_of_flight\", weakest_amplitude_e = 300 }\n";
+constexpr const char* zero_light =
     "projector_m = [0.075, 0, 0]\nnoise = { model = \"structured_light\", baseline_m = 0.075 }\n";
-constexpr const char* generic =
+constexpr const char* zero_generic =
     "noise = { model = \"generic\", relative_sigma = 0.02, dropout_share = 0.1 }\n";
-const std::string exact, by_mesh = "pose = { position_m = [0.05, 0, 0] }\nregistration = \"mesh\"\n";
+const std::string zero_exact,
+    zero_by_mesh = "pose = { position_m = [0.05, 0, 0] }\nregistration = \"mesh\"\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Every, LevelZero,
-    testing::Values(Case{Quantity::depth_noise, 1e-4, flight}, Case{Quantity::depth_noise, 1e-4, light},
-                    Case{Quantity::depth_noise, 1e-4, generic}, Case{Quantity::outlier_share, 1e-7, flight},
-                    Case{Quantity::outlier_share, 1e-7, light},
-                    Case{Quantity::calibration_error_deg, 1e-4, exact},
-                    Case{Quantity::calibration_error_deg, 1e-4, by_mesh},
-                    Case{Quantity::calibration_error_m, 1e-5, exact},
-                    Case{Quantity::calibration_error_m, 1e-5, by_mesh},
-                    Case{Quantity::depth_delay_ms, 0.01, "velocity_m_s = [1, 0, 0]\n"},
-                    Case{Quantity::depth_delay_ms, 0.01, by_mesh + "velocity_m_s = [1, 0, 0]\n"},
-                    Case{Quantity::mesh_tolerance, 1e-9, exact}));
+    testing::Values(ZeroCase{Quantity::depth_noise, 1e-4, zero_flight},
+                    ZeroCase{Quantity::depth_noise, 1e-4, zero_light},
+                    ZeroCase{Quantity::depth_noise, 1e-4, zero_generic},
+                    ZeroCase{Quantity::outlier_share, 1e-7, zero_flight},
+                    ZeroCase{Quantity::outlier_share, 1e-7, zero_light},
+                    ZeroCase{Quantity::calibration_error_deg, 1e-4, zero_exact},
+                    ZeroCase{Quantity::calibration_error_deg, 1e-4, zero_by_mesh},
+                    ZeroCase{Quantity::calibration_error_m, 1e-5, zero_exact},
+                    ZeroCase{Quantity::calibration_error_m, 1e-5, zero_by_mesh},
+                    ZeroCase{Quantity::depth_delay_ms, 0.01, "velocity_m_s = [1, 0, 0]\n"},
+                    ZeroCase{Quantity::depth_delay_ms, 0.01, zero_by_mesh + "velocity_m_s = [1, 0, 0]\n"},
+                    ZeroCase{Quantity::mesh_tolerance, 1e-9, zero_exact}));
 
 TEST(LevelNotes, SayWhereLevelsDifferInHoles) {
   std::vector<LevelHoles> holes;

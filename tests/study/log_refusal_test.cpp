@@ -64,7 +64,10 @@ TEST_F(LogTest, TheTablesRefuseValuesOutOfRange) {
 }
 
 TEST_F(LogTest, ALogOfAnotherStudyOrSetIsRefusedAndUnharmed) {
-  { LogWriter log(path, set); }
+  {
+    LogWriter log(path, set);
+    (void)enter(log, {.code = "p1"}, 1);
+  }
   const RenderedSet other_study = write_set(folder / "other", "64, 512", "another");
   EXPECT_THAT(complaint_of([&] { LogWriter log(path, other_study); }), HasSubstr("study_hash"));
   Manifest rendered_again = set.manifest;
