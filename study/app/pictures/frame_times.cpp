@@ -17,14 +17,16 @@ FrameTimes::FrameTimes(const std::filesystem::path& file) {
                        .field = "--frame-times",
                        .wanted = "a file that can be written to",
                        .found = std::strerror(errno)});
-  fmt::print(file_.get(), "swap,screen,begun_ns,frame_ns,late,turn_to_shown_ns\n");
+  std::fputs("swap,screen,begun_ns,frame_ns,late,turn_to_shown_ns\n", file_.get());
 }
 
 void FrameTimes::add(const FrameTime& frame) {
   if (!file_) return;
-  fmt::print(file_.get(), "{},{},{},{},{},{}\n", frame.swap, frame.screen, frame.begun_ns,
-             frame.shown_ns - frame.begun_ns, frame.late ? 1 : 0,
-             frame.turn_ns ? fmt::format("{}", frame.shown_ns - *frame.turn_ns) : "");
+  // Not fmt::print, which throws on a full disk: a session goes on without its times.
+  const std::string line = fmt::format(
+      "{},{},{},{},{},{}\n", frame.swap, frame.screen, frame.begun_ns, frame.shown_ns - frame.begun_ns,
+      frame.late ? 1 : 0, frame.turn_ns ? fmt::format("{}", frame.shown_ns - *frame.turn_ns) : "");
+  std::fputs(line.c_str(), file_.get());
 }
 
 }  // namespace seamline::study::app
