@@ -1,11 +1,10 @@
-#include "stimuli/study_file/carried_texts.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 #include <regex>
 
+#include "stimuli/study_file/carried_files.h"
 #include "support/files/toml_table.h"
 #include "support/text/printable.h"
 

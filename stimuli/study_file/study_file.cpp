@@ -6,7 +6,6 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
-#include "stimuli/study_file/carried_texts.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"

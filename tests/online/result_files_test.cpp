@@ -8,7 +8,7 @@
 #include "study/log/log.h"
 #include "study/online/intake/import.h"
 #include "study/online/intake/result_values.h"
-#include "support/files/zip_file.h"
+#include "study/online/intake/zip_file.h"
 #include "support/text/printable.h"
 #include "tests/complaint.h"
 

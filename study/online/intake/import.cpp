@@ -9,9 +9,9 @@
 #include "study/log/log.h"
 #include "study/online/intake/intake.h"
 #include "study/online/intake/result_values.h"
+#include "study/online/intake/zip_file.h"
 #include "study/online/messages/message_reader.h"
 #include "support/files/atomic_file.h"
-#include "support/files/zip_file.h"
 #include "support/running/interrupt.h"
 #include "support/text/printable.h"
 

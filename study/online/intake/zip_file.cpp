@@ -1,4 +1,4 @@
-#include "support/files/zip_file.h"
+#include "study/online/intake/zip_file.h"
 
 #include <fmt/core.h>
 #include <zlib.h>
@@ -11,7 +11,7 @@
 #include "support/text/limits.h"
 #include "support/text/printable.h"
 
-namespace seamline {
+namespace seamline::study::online {
 namespace {
 
 constexpr std::uint32_t local_signature = 0x04034b50, central_signature = 0x02014b50;
@@ -143,4 +143,4 @@ std::vector<ZippedFile> unzip(std::string_view bytes, const std::filesystem::pat
   return files;
 }
 
-}  // namespace seamline
+}  // namespace seamline::study::online

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace seamline {
+namespace seamline::study::online {
 
 /// A file in a ZIP archive.
 struct ZippedFile {
@@ -23,4 +23,4 @@ struct ZippedFile {
 [[nodiscard]] std::vector<ZippedFile> unzip(std::string_view bytes, const std::filesystem::path& archive,
                                             const std::function<bool(const std::string& name)>& wanted);
 
-}  // namespace seamline
+}  // namespace seamline::study::online
