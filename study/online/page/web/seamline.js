@@ -27,6 +27,7 @@ import { card, element, paragraphs } from "./screens/dom.js";
 
 const addressed = new URLSearchParams(location.search + "&" + location.hash.slice(1));
 const token = addressed.get("token");
+const USER_AGENT = navigator.userAgent.replace(/[^ -~]/g, "?").slice(0, 512); // as a message may have it
 const statusLine = document.getElementById("status");
 const spoken = document.getElementById("spoken");
 
@@ -225,7 +226,7 @@ class Study {
       slot: drawn.slot,
       consent_sha256: this.study.consent.sha256,
       accepted_unix_s,
-      user_agent: navigator.userAgent.slice(0, 512),
+      user_agent: USER_AGENT,
       origin: this.host.kind,
       pilot: this.study.pilot,
     });
@@ -282,7 +283,7 @@ class Study {
       this.visit = { ...beginVisit(this.script), screen: { name: "thanks" } };
       return;
     }
-    await this.courier.deliver("begin", { user_agent: navigator.userAgent.slice(0, 512) });
+    await this.courier.deliver("begin", { user_agent: USER_AGENT });
     this.visit = resumeVisit(this.script, { ...known, trials });
     if (this.visit.pending) this.#keepPending();
     if (this.visit.screen.name === "display") await this.confirmKnownDisplay();
