@@ -133,7 +133,8 @@ void write_all(const fs::path& folder, const RegistrationRig& rig, const Registe
   write_png(folder / "filled.png", mask_picture(rig.colour, registered.filled));
   write_png(folder / "extruded.png", mask_picture(rig.colour, registered.extruded));
   write_png(folder / "invented.png", mask_picture(rig.colour, registered.invented));
-  write_png(folder / "edges.png", edges_over_photograph(registered, photograph, edge_ratio));
+  write_png(folder / "edges.png", edges_over_photograph(registered, photograph, edge_ratio,
+                                                        rig.colour.fx_px / rig.depth_form.camera.fx_px));
   const ByteImage picture = display_image(photograph);
   write_png(folder / "points.png",
             points_picture(registered, picture, rig.depth_form.camera, rig.colour_from_depth));
@@ -189,7 +190,6 @@ void run_register(const RegisterOptions& options) {
   const Image photograph = read_photograph(options.colour, rig.colour);
   std::optional<sensors::DepthFrame> truth;
   if (!options.true_depth.empty()) truth = read_true_depth(options.true_depth, rig);
-  prepare_output_folder(options.out);
   const double read_s = stopwatch.lap_s();
   const sensors::RepairMethod method = method_of(options.repair);
   sensors::Repaired mended = options.repair_after
@@ -203,16 +203,16 @@ void run_register(const RegisterOptions& options) {
     take_repaired(registered, mended);
     repair_s += stopwatch.lap_s();
   }
-  write_all(options.out, rig, registered, photograph);
+  std::optional<Section> section;
   if (options.section_row) {
     MeshRegistration mesh = options.mesh;
     mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
     const sensors::DepthFrame& meshed = options.repair_after ? measured : mended.frame;
-    draw_section(
-        fs::path(options.out) / "section.svg",
-        section_of(meshed, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row),
-        *options.section_row);
+    section = section_of(meshed, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row);
   }
+  prepare_output_folder(options.out);
+  write_all(options.out, rig, registered, photograph);
+  if (section) draw_section(fs::path(options.out) / "section.svg", *section, *options.section_row);
   std::string errors;
   if (truth) errors = errors_text(write_errors(options, rig, *truth, measured, registered, photograph));
   const double write_s = stopwatch.lap_s();

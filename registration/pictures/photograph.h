@@ -18,12 +18,13 @@ namespace seamline::registration {
                                                const Eigen::Isometry3d& colour_from_depth,
                                                const sensors::PinholeCamera& colour, int threads = 0);
 
-/// The edges of registered depth over the photograph (paper 000, Fig. 4): red where the depth of a pixel and
-/// that of its neighbour to the right or below differ by more than `ratio`; pixels without a depth are
-/// darkened to a third, extruded ones to two thirds of their code. Where depth and photograph agree, red runs
-/// along the outlines of things.
+/// The edges of registered depth over the photograph (paper 000, Fig. 4): red where depth changes the most,
+/// by more than `ratio`, across as many pixels of the photograph as one of the depth camera covers, because a
+/// mesh spreads a jump over them; on either side the median of three pixels of the depth camera counts, and
+/// what was extruded has no edges. Pixels without a depth are darkened to a third, extruded ones to two
+/// thirds of their code. Where depth and photograph agree, red runs along the outlines of things.
 [[nodiscard]] ByteImage edges_over_photograph(const RegisteredFrame& registered, const Image& photograph,
-                                              double ratio);
+                                              double ratio, double depth_pixel_px = 1);
 
 /// Marks of pixels as a picture: 255 where the mask is 1, else 0.
 [[nodiscard]] ByteImage mask_picture(const sensors::PinholeCamera& camera,

@@ -44,6 +44,7 @@ struct CompositeRequest {
   PhotoOcclusion occlusion = PhotoOcclusion::mesh;
   sensors::DepthBuffer buffer;
   std::string occlusion_mask, shadow_matte;  ///< files; empty: none
+  bool shadows = true;  ///< that objects cast onto real surfaces; else these keep the photograph's bytes
 
   std::optional<int>
       depth_width_px;     ///< of the panorama that the local scene is seen through; none: all of it

@@ -62,7 +62,7 @@ std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, doubl
 }
 
 bool fast_can_render(const PhotoScene& scene) {
-  if (scene.occlusion.nothing_hides) return false;
+  if (scene.occlusion.nothing_hides || !scene.shadows) return false;
   const Camera& camera = scene.camera;
   if (!camera.directions) return true;
   const auto right = static_cast<float>(camera.width_px), lower = static_cast<float>(camera.height_px);

@@ -71,6 +71,7 @@ std::vector<std::string> answers_text(const CompositeRequest& request) {
     text.push_back("who is in front: the objects, always, and nothing real shades them");
   if (!request.shadow_matte.empty())
     text.push_back("which real surfaces suns reach: the matte " + printable(request.shadow_matte));
+  if (!request.shadows) text.emplace_back("real surfaces: as the photograph shows them, without shadows");
   return text;
 }
 
@@ -116,8 +117,8 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
   if (out.by == Estimator::fast && !can_be_fast)
     throw input_error(
         {.field = "--estimator",
-         .wanted = "path beside --occlusion none, where nothing real shades the objects, and beside a lens "
-                   "that leaves the picture's corners empty",
+         .wanted = "path beside --occlusion none, where nothing real shades the objects, beside --shadows "
+                   "none and beside a lens that leaves the picture's corners empty",
          .found = "fast"});
   Progress progress(title, 1.0);
   const PassOptions pass{.spp = request.spp,
@@ -257,7 +258,8 @@ void make_composite(const CompositeRequest& asked) {
                       .objects = object_geometry,
                       .light = scene.light,
                       .occlusion = given.occlusion(request.occlusion),
-                      .shadow_matte = given.shadow_matte ? &*given.shadow_matte : nullptr};
+                      .shadow_matte = given.shadow_matte ? &*given.shadow_matte : nullptr,
+                      .shadows = request.shadows};
   };
   judge_sight(look_at_objects(seen.camera, *local.geometry, object_geometry, objects), notes);
 

@@ -48,7 +48,7 @@ class PhotoSampler {
       out.object += leaving_object(ObjectQuestions::all_of(question), scene_.objects, *hit,
                                    shaded ? scene_.light : light_past_nothing_, sampler)
                         .total();
-    } else if (real) {
+    } else if (real && scene_.shadows) {
       const auto [without_object, with_object] = uncovered(sight, *real, sampler);
       out.without_object += without_object;
       out.with_object += with_object;

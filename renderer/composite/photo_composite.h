@@ -24,6 +24,7 @@ struct PhotoScene {
   const Light& light;
   Occlusion occlusion = {};
   const Mask* shadow_matte = nullptr;  ///< where the suns do not reach; null: the local scene says it
+  bool shadows = true;  ///< false: real surfaces keep the photograph's light, whatever the objects take
 };
 
 /// Sums of no samples yet.

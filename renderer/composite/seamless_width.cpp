@@ -133,7 +133,7 @@ PresentArtifacts present_artifacts(const PhotoScene& scene, bool masked_occlusio
         continue;
       }
       hidden += object ? 1 : 0;
-      if (!real) continue;
+      if (!real || !scene.shadows) continue;
       shades.each_light(*real, [&](bool by_object, bool by_real) {
         present.receiver = present.receiver || (by_object && !by_real);
         present.overlap = present.overlap || (by_object && by_real);
@@ -141,7 +141,7 @@ PresentArtifacts present_artifacts(const PhotoScene& scene, bool masked_occlusio
     }
   // Light from all around is taken a little of by everything that stands in it.
   const bool around = scene.light.environment != nullptr || (scene.light.environment_radiance > 0.0F).any();
-  present.receiver = present.receiver || (around && on_object > 0);
+  present.receiver = present.receiver || (scene.shadows && around && on_object > 0);
   if (!has_points && around && scene.light.photographed == nullptr) present.shadow = true;
   present.occlusion =
       !masked_occlusion && static_cast<double>(hidden) > least_hidden_share * static_cast<double>(on_object);

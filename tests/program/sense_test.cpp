@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "run_program.h"
 #include "support/files/image.h"
 
@@ -75,6 +78,47 @@ TEST(Sense, ItsFilesAreThoseThatRegisterAndCompositeRead) {
   EXPECT_GE(different_pixels(none, photograph), different_pixels(test, photograph));
   EXPECT_GT(different_pixels(test, photograph), 300);
   EXPECT_LT(different_pixels(test, buffer), 30);
+}
+
+TEST(Sense, OcclusionOnlyLeavesEveryOtherByteOfThePhotograph) {
+  const auto in = [](const fs::path& name) { return (sensed() / name).string(); };
+  test::write_cube(sensed());
+  write_png(in("colour.png"), display_image(read_image(in("colour.exr"))));
+  const auto picture = [&](const std::string& name, const std::string& options) {
+    const test::Outcome outcome =
+        run_seamline("composite --background " + in("colour.png") + " --depth " + in("depth-for-it.exr") +
+                     " --camera " + in("camera.toml") + " --object " + in("cube.gltf") +
+                     " --position 0 -1.5 -3.2 --scale 1.6 --environment 1 1 1 --spp 4 --bounces 0 " +
+                     options + " --out " + in(name));
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return read_image(in(name));
+  };
+  // Noise that no repair has touched, in the photograph's pixels.
+  ASSERT_EQ(run_seamline("register --depth " + in("depth.exr") + " --colour " + in("colour.png") +
+                         " --camera " + in("camera.toml") + " --out " + in("registered-noisy"))
+                .status,
+            0);
+  fs::copy_file(in("registered-noisy/registered.exr"), in("depth-for-it.exr"),
+                fs::copy_options::overwrite_existing);
+  const Image photograph = read_image(in("colour.png")),
+              everywhere = picture("everywhere.png", "--shadows none --occlusion none"),
+              occluded = picture("occluded.png", "--shadows none"), shaded = picture("shaded.png", "");
+  int object = 0, specks = 0;
+  for (int y = 0; y < photograph.height_px; ++y)
+    for (int x = 0; x < photograph.width_px; ++x) {
+      bool covers = false;  // the object, or what it covers so little that its colour is rounded away
+      for (int v = std::max(0, y - 1); v <= std::min(photograph.height_px - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(photograph.width_px - 1, x + 1); ++u)
+          covers = covers || (everywhere.rgb(u, v) != photograph.rgb(u, v)).any();
+      if (covers) {
+        object += (occluded.rgb(x, y) != photograph.rgb(x, y)).any() ? 1 : 0;
+      } else {
+        ASSERT_TRUE((occluded.rgb(x, y) == photograph.rgb(x, y)).all()) << x << " " << y;
+        specks += shaded.rgb(x, y).mean() < 0.5F * photograph.rgb(x, y).mean() ? 1 : 0;
+      }
+    }
+  EXPECT_GT(object, 300);
+  EXPECT_GT(specks, 0);  // which is why
 }
 
 TEST(Sense, ThePhotographsTrueDepthIsWhatRegisterFindsOfDepthWithoutNoise) {

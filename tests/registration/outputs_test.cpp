@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "registration/files/point_cloud.h"
 #include "registration/mesh/register_by_mesh.h"
 #include "registration/pictures/photograph.h"
+#include "registration/points/register_by_points.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 #include "tests/complaint.h"
@@ -80,6 +83,67 @@ TEST(EdgesOverPhotograph, AreRedAlongAJumpAndNowhereElse) {
         ASSERT_EQ(int{edges.values[at * 3 + channel]}, wanted) << column << " " << row;
       }
     }
+}
+
+/// Pixels from which the true depth of the pixel to the right or below differs by more than the ratio.
+std::vector<std::uint8_t> true_outline(const DepthFrame& truth, double ratio) {
+  std::vector<std::uint8_t> outline(truth.depth_m.size());
+  for (int row = 0; row + 1 < truth.camera.height_px; ++row)
+    for (int column = 0; column + 1 < truth.camera.width_px; ++column)
+      for (const float there : {truth.at(column + 1, row), truth.at(column, row + 1)}) {
+        const auto [near_m, far_m] = std::minmax({truth.at(column, row), there});
+        if (double{far_m} > ratio * double{near_m}) outline[truth.index(column, row)] = 1;
+      }
+  return outline;
+}
+
+/// Share of the marked pixels of `a` that have a marked one of `b` within `px`.
+double share_near(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
+                  const PinholeCamera& camera, int px) {
+  DepthFrame frame;
+  frame.camera = camera;
+  int marked = 0, near = 0;
+  for (int row = 0; row < camera.height_px; ++row)
+    for (int column = 0; column < camera.width_px; ++column) {
+      if (a[frame.index(column, row)] == 0) continue;
+      ++marked;
+      bool found = false;
+      for (int y = std::max(0, row - px); y <= std::min(camera.height_px - 1, row + px); ++y)
+        for (int x = std::max(0, column - px); x <= std::min(camera.width_px - 1, column + px); ++x)
+          found = found || b[frame.index(x, y)] != 0;
+      near += found ? 1 : 0;
+    }
+  return marked == 0 ? 0 : static_cast<double>(near) / marked;
+}
+
+// A pixel of the depth camera covers 3.5 of the photograph, over which the mesh spreads a jump.
+TEST(EdgesOverPhotograph, FollowTheTrueOutlineWhereDepthIsCoarse) {
+  const PinholeCamera colour = sensors::pinhole_of_field_of_view(280, 210, 60),
+                      depth = sensors::pinhole_of_field_of_view(80, 60, 60);
+  // A disc before a wall, both a little slanted; the jump is an eighth of the distance.
+  const Scene disc = [](const Vector3d& from_m, const Vector3d& direction) {
+    const double to_disc = plane({0.05, 0, 1})(from_m, direction);
+    const Vector3d at_m = from_m + to_disc * direction;
+    if (std::hypot(at_m.x() - 0.05, at_m.y()) < 0.27) return to_disc;
+    return plane({0, 0.04, 0.88})(from_m, direction);
+  };
+  const std::vector<std::uint8_t> outline =
+      true_outline(depth_of(disc, colour, DepthConvention::planar), 1.05);
+  const Image grey(280, 210, 3, 0.5F);
+  for (const bool by_mesh : {true, false}) {
+    const DepthFrame seen = depth_of(disc, depth, DepthConvention::planar);
+    const RegisteredFrame registered = by_mesh ? register_by_mesh(seen, Isometry3d::Identity(), colour)
+                                               : register_by_points(seen, Isometry3d::Identity(), colour);
+    const ByteImage picture = edges_over_photograph(registered, grey, 1.05, colour.fx_px / depth.fx_px);
+    std::vector<std::uint8_t> red;
+    for (std::size_t i = 0; i < picture.values.size(); i += 3)
+      red.push_back(picture.values[i] == 255 && picture.values[i + 1] == 0 ? 1 : 0);
+    EXPECT_GT(share_near(outline, red, colour, by_mesh ? 3 : 4), 0.98) << by_mesh;
+    EXPECT_GT(share_near(red, outline, colour, by_mesh ? 3 : 4), 0.98) << by_mesh;
+    if (by_mesh) {
+      EXPECT_LT(count_of(red), 2 * count_of(outline));  // a line, no band
+    }
+  }
 }
 
 TEST(PhotographInDepthPixels, IsTheColourOfWhereEachDepthLands) {

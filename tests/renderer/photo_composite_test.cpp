@@ -9,6 +9,7 @@
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"
+#include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
 namespace {
@@ -60,6 +61,53 @@ TEST_F(PhotoComposite, WhatNoObjectTouchesStaysThePhotograph) {
     same += std::abs(made.values[i] - photograph_.values[i]) < 1e-6F ? 1 : 0;
   EXPECT_GT(same, made.values.size() / 2);
   EXPECT_LT(same, made.values.size());
+}
+
+/// Depth of a camera errs: a floor whose distances are off by a hundredth, each on its own.
+DepthMesh noisy_mesh() {
+  DepthMap map = capture_depth(Geometry(Meshes{test::floor(-1, 20)}), 512, 0, 2);
+  Random random(3);
+  for (float& distance_m : map.distance_m) distance_m *= static_cast<float>(1 + 0.02 * random.normal());
+  return build_depth_mesh(map, {.density = MeshDensity::full, .threads = 2});
+}
+
+// 002, section 5: only who is in front is asked; the photograph is left alone.
+TEST_F(PhotoComposite, OcclusionOnlyLeavesThePhotographAloneOnNoisyDepth) {
+  Random random(5);
+  for (float& value : photograph_.values) value = static_cast<float>(random.uniform());
+  mesh_ = noisy_mesh();
+  depth_.emplace(mesh_, Rgb::Constant(0.5F));
+  const Geometry objects(Meshes{test::sphere({0.5F, 0.1F, -4}, 0.5F, 32, 0.5F, 1)});
+  PhotoScene asked = scene(objects);
+  asked.shadows = false;
+  EXPECT_FALSE(fast_can_render(asked));
+  const Image kept = picture(asked, 4);
+  asked.shadows = true;
+  const Image shaded = picture(asked, 4);
+  int object = 0, outside = 0, changed = 0, darker_by_shadows = 0;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x) {
+      bool touches = false;  // any of 9 x 9 places in the pixel
+      for (int i = 0; i < 81; ++i) {
+        const float right = static_cast<float>(x) + static_cast<float>(i % 9) / 8,
+                    down = static_cast<float>(y) + static_cast<float>(i / 9) / 8;
+        const Ray ray{Eigen::Vector3f::Zero(), camera_.direction(right, down)};
+        touches = touches || objects.nearest(ray).has_value();
+      }
+      const Rgb before = photograph_.rgb(x, y);
+      const bool same = ((kept.rgb(x, y) - before).abs() <= 2e-5F * before).all();  // what sums round
+      if (touches) {
+        object += same ? 0 : 1;
+        continue;
+      }
+      ++outside;
+      changed += same ? 0 : 1;
+      darker_by_shadows += shaded.rgb(x, y).mean() < 0.7F * before.mean() ? 1 : 0;
+    }
+  EXPECT_GT(object, 100);
+  EXPECT_GT(outside, 2000);
+  EXPECT_EQ(changed, 0);
+  EXPECT_GT(darker_by_shadows, 20);
 }
 
 TEST_F(PhotoComposite, SeveralObjectsShadeEachOther) {

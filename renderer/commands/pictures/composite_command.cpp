@@ -61,6 +61,8 @@ void check_given(const CompositeOptions& options, const Given& given) {
                "--occlusion " + options.occlusion);
   given.refuse({"--occlusion"}, !given("--occlusion-mask"),
                "no --occlusion-mask beside it, which answers the same", "both");
+  given.refuse({"--shadow-matte", "--additive"}, options.shadows == "cast", "--shadows cast beside it",
+               "--shadows none");
   given.refuse({"--look-at", "--fov"}, !given("--scene"), "no --scene beside it, whose camera it is",
                "--scene " + options.request.scene_file);
   given.refuse({"--spp"}, !given("--error"), "--spp or --error, not both", "both");
@@ -164,6 +166,7 @@ CompositeRequest request_of(const CompositeOptions& options, const Given& given)
                       : options.occlusion == "depth_test" ? PhotoOcclusion::depth_test
                       : options.occlusion == "mesh"       ? PhotoOcclusion::mesh
                                                           : PhotoOcclusion::depth_buffer;
+  request.shadows = options.shadows == "cast";
   if (given("--depth-width")) {
     if (options.depth_width_px % 2 != 0)
       throw input_error({.field = "--depth-width",
@@ -192,9 +195,9 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
 
 /// What `place` leaves to `composite`, whose command line is the same but for the first word.
 constexpr std::array left_to_composite = {
-    "--object",         "--out",          "--layers",    "--report",      "--local-scene",
-    "--error",          "--spp",          "--estimator", "--depth-width", "--seamless",
-    "--occlusion-mask", "--shadow-matte", "--occlusion", "--seed",        "--condition"};
+    "--object",  "--out",       "--layers",      "--report",   "--local-scene",    "--error",
+    "--spp",     "--estimator", "--depth-width", "--seamless", "--occlusion-mask", "--shadow-matte",
+    "--shadows", "--occlusion", "--seed",        "--condition"};
 
 void run_place(const CompositeOptions& options, const std::vector<std::string>& added,
                const CLI::App& command, PlaceInWindow in_window) {

@@ -193,6 +193,12 @@ void add_answer_options(CLI::App& command, CompositeOptions& options) {
       "--occlusion-mask", request.occlusion_mask,
       "who is in front, given: .png or .exr, white where something real stands before all objects; by "
       "direction (twice as wide as high) or of the photograph's shape, in any resolution");
+  command
+      .add_option("--shadows", options.shadows,
+                  "that objects cast onto real surfaces: cast, or none: occlusion only, where everything but "
+                  "the objects keeps the photograph's bytes, whatever the depth's noise")
+      ->check(CLI::IsMember({"cast", "none"}))
+      ->capture_default_str();
   command.add_option("--shadow-matte", request.shadow_matte,
                      "where the sun does not reach real surfaces, given: white in shadow; likewise");
 }
@@ -203,7 +209,7 @@ void add_sampling_options(CLI::App& command, CompositeOptions& options) {
       .add_option("--estimator", options.estimator,
                   "fast (filtered bounce light), path (every path traced), or auto: fast, but path beside "
                   "--occlusion "
-                  "none and where a lens leaves the picture's corners empty")
+                  "none or --shadows none and where a lens leaves the picture's corners empty")
       ->check(CLI::IsMember({"auto", "fast", "path"}))
       ->capture_default_str();
   add_number(command, "--error", options.error, {1e-5, 1},

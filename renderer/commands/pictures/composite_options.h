@@ -13,7 +13,7 @@ struct CompositeOptions {
   CompositeRequest request;
   MeshCommandOptions mesh;
   std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
-              occlusion = "mesh", estimator = "auto", seamless, asset_root;
+              occlusion = "mesh", shadows = "cast", estimator = "auto", seamless, asset_root;
   std::string object, objects, materials = "gltf", environment_map;
   std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1},
       environment{0, 0, 0};
