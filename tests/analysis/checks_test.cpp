@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -166,6 +167,17 @@ TEST(Checks, InTheReportAreEscaped) {
   EXPECT_THAT(html, Not(HasSubstr(evil)));
   EXPECT_THAT(html, HasSubstr("&lt;b&gt;sim"));
   EXPECT_THAT(html, HasSubstr("corrected for guessing"));
+}
+
+/// Intervals of under five people hold less often than they say, and that is said.
+TEST(Checks, FewPeopleAreWarnedOf) {
+  for (const int people : {2, 4, 5, 9}) {
+    const std::vector<std::string> notes = analyze(test::simulate_log(people, 1), false, few).notes;
+    const bool warned = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("hold the truth less often than they say") != std::string::npos;
+    });
+    EXPECT_EQ(warned, people < 5) << people;
+  }
 }
 
 }  // namespace
