@@ -24,10 +24,14 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   AnalysisOptions options;
   options.field_of_view_deg = request.field_of_view_deg;
   options.exclude_screened = request.exclude_screened;
+  options.exclude_inattentive = request.exclude_inattentive;
+  options.exclude_uncorrected = request.exclude_uncorrected;
   std::optional<Archive> archive;
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
+  study::LogContents log = study::read_log(request.log);
+  options.displays = study::read_displays(request.log);
   Analysis analysis =
-      analyze(study::read_log(request.log), request.include_pilot,
+      analyze(std::move(log), request.include_pilot,
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
 

@@ -17,6 +17,8 @@ struct AnalysisRequest {
   double field_of_view_deg = 90;      ///< horizontal, for which thresholds are also stated
   std::filesystem::path frozen = {};  ///< an archive of seamline freeze to compare with; empty: none
   bool exclude_screened = false;      ///< leave out the participants whom a screen names
+  bool exclude_inattentive = false;   ///< leave out those whom catch trials name
+  bool exclude_uncorrected = false;   ///< leave out those whose vision is neither normal nor corrected
 };
 
 struct AnalysisSummary {

@@ -39,6 +39,10 @@ void add_analysis_commands(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--exclude-screened", request->exclude_screened,
                     "leave out the participants whom a screen names (else they are named and used)");
+  command->add_flag("--exclude-inattentive", request->exclude_inattentive,
+                    "leave out the participants whom catch trials name");
+  command->add_flag("--exclude-uncorrected", request->exclude_uncorrected,
+                    "leave out the participants whose vision is neither normal nor corrected");
   command->add_option("--frozen", request->frozen,
                       "an archive of seamline freeze: says what deviates from it");
   command->callback([request] { run_analyze(*request); });

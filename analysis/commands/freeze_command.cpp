@@ -105,6 +105,10 @@ void add_freeze_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--exclude-screened", analysis.exclude_screened,
                     "analyze will leave out the participants whom a screen names");
+  command->add_flag("--exclude-inattentive", analysis.exclude_inattentive,
+                    "analyze will leave out the participants whom catch trials name");
+  command->add_flag("--exclude-uncorrected", analysis.exclude_uncorrected,
+                    "analyze will leave out the participants whose vision is neither normal nor corrected");
   command->add_flag("--include-pilot", analysis.include_pilot, "analyze will use pilot data as well");
   command->add_option("--by-hand", analysis.by_hand,
                       "whom people will exclude in the log, in words (else nobody may be)");

@@ -27,7 +27,7 @@ void set_aside_adaptive(Analysis& analysis) {
               .people = {},
               .noticeability = {},
               .cells = {},
-              .left_out = {}};
+              .incomplete = {}};
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
     give_reason(analysis.thresholds.back().estimates,
                 level_words(scores.axis).levels + " were placed by the answers");

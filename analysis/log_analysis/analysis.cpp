@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/log_analysis/adaptive_log.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
@@ -22,11 +24,24 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   std::vector<std::string> notes;
   const ParticipantCounts& counts = analysis.counts;
   if (counts.used < counts.in_log)
-    notes.push_back(
-        fmt::format("Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
-                    "not finish{}.",
-                    counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
-                    counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : ""));
+    notes.push_back(fmt::format(
+        "Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
+        "not finish{}.",
+        counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
+        fmt::format("{}{}", counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : "",
+                    counts.vision > 0
+                        ? fmt::format(", {} whose vision is neither normal nor corrected", counts.vision)
+                        : "")));
+  std::vector<std::string> uncorrected;
+  for (const ParticipantUse& person : analysis.people)
+    if (person.use == Use::used && has_uncorrected_vision(person.record))
+      uncorrected.push_back(person.record.code);
+  if (!uncorrected.empty())
+    notes.push_back(fmt::format(
+        "{} participant{} used whose vision is neither normal nor corrected ({}); --exclude-uncorrected "
+        "leaves "
+        "them out.",
+        uncorrected.size(), uncorrected.size() == 1 ? " is" : "s are", fmt::join(uncorrected, ", ")));
   if (analysis.log.forgotten_participants > 0)
     notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
                                 analysis.log.forgotten_participants));
@@ -49,13 +64,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
           "'{}'{} was tested at four {}s only: the logistic has as many parameters, so its inflection "
           "point rests on no spare data.",
           word(scores.artifact), in_condition(scores.condition), level_word(scores.axis)));
-  for (const ArtifactScores& scores : analysis.data.artifacts)
-    if (!scores.left_out.empty())
-      notes.push_back(
-          fmt::format("{} of the participants used have no answer at one of the {}s of '{}'{} and are left "
-                      "out of its curve.",
-                      scores.left_out.size(), level_word(scores.axis), word(scores.artifact),
-                      in_condition(scores.condition)));
+  if (const std::string answered = answered_text(analysis); !answered.empty()) notes.push_back(answered);
   return notes;
 }
 
@@ -78,24 +87,40 @@ std::vector<std::string> notes_on_steps(const Analysis& analysis) {
   return notes;
 }
 
+bool leaves_out(const AnalysisOptions& options, ScreeningRule rule) {
+  return options.exclude_screened || (options.exclude_inattentive && rule == ScreeningRule::attention);
+}
+
 /// Whom each screen names, and whether they are used all the same.
 void add_notes_on_screening(Analysis& analysis) {
   for (ScreeningRule rule : every_screening_rule)
     if (const std::vector<std::string> named = analysis.screening.named_by(rule); !named.empty())
       analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule),
                                            named.size(), named.size() == 1 ? "" : "s", fmt::join(named, ", "),
-                                           analysis.options.exclude_screened
+                                           leaves_out(analysis.options, rule)
                                                ? "left out"
                                                : "used all the same unless --exclude-screened is given"));
+  if (analysis.options.exclude_screened)
+    for (ScreeningRule rule : {ScreeningRule::kurtosis, ScreeningRule::correlation})
+      if (const std::string why = why_not_judged(analysis.screening, rule); !why.empty())
+        analysis.notes.push_back(fmt::format("By {} nobody is left out: not judged, {}.", word(rule), why));
+}
+
+/// Codes of those named whom the options leave out.
+std::vector<std::string> named_and_left_out(const Analysis& analysis) {
+  if (analysis.options.exclude_screened) return analysis.screening.named();
+  if (analysis.options.exclude_inattentive) return analysis.screening.named_by(ScreeningRule::attention);
+  return {};
 }
 
 void leave_out_screened(Analysis& analysis) {
-  analysis.people = leave_out(analysis.people, analysis.screening.named());
+  analysis.people = leave_out(analysis.people, named_and_left_out(analysis));
   if (count_participants(analysis.people).used == 0)
     throw input_error({.file = analysis.log.file.string(),
                        .field = "",
                        .wanted = "at least one participant whom no screen names",
-                       .found = "all of them named (leave out --exclude-screened)"});
+                       .found = "all of them named (without --exclude-screened and "
+                                "--exclude-inattentive they are used)"});
   analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
 }
 
@@ -153,6 +178,8 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                     .analysis = {.thresholds = {},
                                  .include_pilot = analysis.include_pilot,
                                  .exclude_screened = analysis.options.exclude_screened,
+                                 .exclude_inattentive = analysis.options.exclude_inattentive,
+                                 .exclude_uncorrected = analysis.options.exclude_uncorrected,
                                  .field_of_view_deg = analysis.options.field_of_view_deg,
                                  .bootstrap_replicates = analysis.resampling.replicates,
                                  .seed = analysis.resampling.seed,
@@ -174,19 +201,22 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.resampling = resampling;
   analysis.options = with_catch_trials(options, analysis.log);
   analysis.people = select_participants(analysis.log, include_pilot);
+  if (options.exclude_uncorrected)
+    for (ParticipantUse& person : analysis.people)
+      if (person.use == Use::used && has_uncorrected_vision(person.record)) person.use = Use::vision;
   std::vector<std::string> notes_on_study;
   const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
   if (study)
     for (const ConditionDefinition& condition : study->conditions)
       analysis.conditions.push_back(condition.name);
+  require_answers(analysis.log, analysis.people);
   analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
   analysis.screening = screen_participants(analysis.scores, analysis.options.catches);
-  require_answers(analysis.log, analysis.people);
   analysis.adaptive = is_adaptive(study);
   if (!analysis.adaptive)
     analysis.screened = thresholds_with_and_without(analysis.log, analysis.people, analysis.screening,
                                                     resampling, analysis.conditions);
-  if (options.exclude_screened) leave_out_screened(analysis);
+  if (const auto left_out = named_and_left_out(analysis); !left_out.empty()) leave_out_screened(analysis);
   analysis.counts = count_participants(analysis.people);
   analysis.data = average_answers(analysis.log, analysis.people, analysis.conditions);
   if (analysis.adaptive) set_aside_adaptive(analysis);
@@ -194,9 +224,13 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
   if (analysis.adaptive) {
     analysis.notes.emplace_back(adaptive_note);
+    add_notes_on_screening(analysis);
   } else {
+    const std::vector<std::string> left_out = named_and_left_out(analysis);
     analysis.thresholds =
-        (options.exclude_screened ? analysis.screened.back() : analysis.screened.front()).thresholds;
+        std::find_if(analysis.screened.begin(), analysis.screened.end(),
+                     [&](const ScreenedThresholds& result) { return result.left_out == left_out; })
+            ->thresholds;
     add_checks(analysis);
   }
   const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
@@ -214,6 +248,26 @@ std::string source_text(const Analysis& analysis) {
   const std::string_view kind = common_observer(analysis.people);
   return fmt::format("{} simulated observer{} ({})", counts.used, counts.used == 1 ? "" : "s",
                      kind.empty() ? "several kinds" : kind);
+}
+
+std::string answered_text(const Analysis& analysis) {
+  std::string curves;
+  for (const ArtifactScores& scores : analysis.data.artifacts) {
+    const auto [fewest, most] = people_at_levels(scores);
+    if (most == 0 || fewest == analysis.counts.used) continue;
+    curves += fmt::format("{}{}{} {}", curves.empty() ? "" : ", ", word(scores.artifact),
+                          in_condition(scores.condition),
+                          fewest == most ? std::to_string(most) : fmt::format("{} to {}", fewest, most));
+  }
+  if (curves.empty()) return "";
+  return fmt::format(
+      "Not everybody answered at every {}; each mean is over those who did: {} of the {} used.",
+      level_word(analysis.data.axis), curves, analysis.counts.used);
+}
+
+std::string source_sentence(const Analysis& analysis) {
+  const std::string answered = answered_text(analysis);
+  return source_text(analysis) + "." + (answered.empty() ? "" : " " + answered);
 }
 
 PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data) {

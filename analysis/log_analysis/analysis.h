@@ -19,6 +19,7 @@
 #include "analysis/thresholds/thresholds.h"
 #include "stimuli/definition/study_definition.h"
 #include "study/log/log.h"
+#include "study/log/shown_on.h"
 
 namespace seamline::analysis {
 
@@ -29,10 +30,13 @@ using PlantedValues = std::map<std::pair<Artifact, std::string>, CurveThresholds
 
 /// What may be asked of an analysis besides.
 struct AnalysisOptions {
-  double field_of_view_deg = 90;  ///< horizontal, for which thresholds are also stated; over 0, under 180
-  bool exclude_screened = false;  ///< leave out whom any screen names; else they are named and used
-  std::vector<ReferenceAnswer> references;  ///< where nothing was inserted, besides the log's own
-  std::vector<CatchAnswer> catches;         ///< where nobody who looks can be wrong, besides the log's own
+  double field_of_view_deg = 90;     ///< horizontal, for which thresholds are also stated; over 0, under 180
+  bool exclude_screened = false;     ///< leave out whom any screen names; else they are named and used
+  bool exclude_inattentive = false;  ///< leave out whom catch trials name
+  bool exclude_uncorrected = false;  ///< leave out whose vision is neither normal nor corrected
+  std::map<std::string, study::ShownOn> displays = {};  ///< by participant (`read_displays`); may be empty
+  std::vector<ReferenceAnswer> references;              ///< where nothing was inserted, besides the log's own
+  std::vector<CatchAnswer> catches;  ///< where nobody who looks can be wrong, besides the log's own
 };
 
 /// Everything that is computed from a log; what tables, figures and report are written from.
@@ -71,6 +75,13 @@ void compare_with_archive(Analysis& analysis, const Archive& archive);
 /// "20 participants", or "20 simulated observers (threshold)", or "20 participants, 3 of them simulated
 /// observers": goes on every figure and table.
 [[nodiscard]] std::string source_text(const Analysis& analysis);
+
+/// How many participants are behind the means of each curve where not all of those used answered at every
+/// level, a sentence; empty where everybody did.
+[[nodiscard]] std::string answered_text(const Analysis& analysis);
+
+/// `source_text` and `answered_text` as sentences, for captions of curves.
+[[nodiscard]] std::string source_sentence(const Analysis& analysis);
 
 /// The planted values of `threshold` observers at the levels in `data`.
 [[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);

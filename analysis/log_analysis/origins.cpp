@@ -58,15 +58,20 @@ class Distances {
   [[nodiscard]] std::array<double, 2> between(const std::vector<int>& in_web) const {
     const auto levels = static_cast<Eigen::Index>(level_x_.size());
     Eigen::VectorXd sums[2] = {Eigen::VectorXd::Zero(levels), Eigen::VectorXd::Zero(levels)};
-    std::array<double, 2> count = {};
+    Eigen::VectorXd count[2] = {Eigen::VectorXd::Zero(levels), Eigen::VectorXd::Zero(levels)};
     for (Eigen::Index row = 0; row < scores_.rows(); ++row) {
       const int group = in_web[static_cast<std::size_t>(row)];
-      sums[group] += scores_.row(row).transpose();
-      ++count[static_cast<std::size_t>(group)];
+      for (Eigen::Index level = 0; level < levels; ++level)
+        if (!std::isnan(scores_(row, level)))
+          sums[group][level] += scores_(row, level), count[group][level] += 1;
     }
     std::array<std::vector<double>, 2> isotonic;
     for (std::size_t group = 0; group < 2; ++group) {
-      const Eigen::VectorXd mean = sums[group] / count[group];
+      Eigen::VectorXd mean(levels);  // of both groups where nobody of this one answered
+      for (Eigen::Index level = 0; level < levels; ++level)
+        mean[level] = count[group][level] > 0
+                          ? sums[group][level] / count[group][level]
+                          : (sums[0][level] + sums[1][level]) / (count[0][level] + count[1][level]);
       isotonic[group] = fit_non_increasing({mean.data(), level_x_.size()}).value;
     }
     std::array<double, 2> distances = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/log_analysis/participant_facts.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -23,6 +24,8 @@ std::string why_not(const ParticipantUse& person, const std::string& screens) {
       return fmt::format("did not finish: {} of {} trials", person.answers, person.record.stimulus_trials);
     case Use::screened:
       return "named by " + screens;
+    case Use::vision:
+      return "vision neither normal nor corrected";
   }
   return "";
 }
@@ -38,6 +41,7 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
       std::string& text = screens[person.code];
       if (person.named_by(rule)) text += (text.empty() ? "" : ", ") + std::string(word(rule));
     }
+  const std::vector<std::string> questions = answered_questions(analysis.log);
   std::vector<ParticipantRow> rows;
   for (const ParticipantUse& person : analysis.people) {
     const std::string& code = person.record.code;
@@ -54,7 +58,13 @@ std::vector<ParticipantRow> participant_rows(const Analysis& analysis) {
          .mean_rating = person.answers > 0 ? rating_sum[code] / static_cast<double>(person.answers) : nan,
          .screens = named,
          .screened = screens.contains(code),
-         .median_choice_s = person.median_choice_s});
+         .median_choice_s = person.median_choice_s,
+         .form = {},
+         .display = {}});
+    if (const auto shown = analysis.options.displays.find(code); shown != analysis.options.displays.end())
+      rows.back().display = shown->second;
+    for (const std::string& question : questions)
+      rows.back().form.push_back(answer_to(person.record, question));
   }
   return rows;
 }

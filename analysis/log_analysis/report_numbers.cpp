@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "analysis/log_analysis/participant_facts.h"
 #include "analysis/scores/level_words.h"
 #include "support/text/error.h"
 
@@ -24,7 +25,7 @@ void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
   request.axis = analysis.data.axis;
   request.fit.threads = analysis.resampling.threads;
   try {
-    numbers.comparisons = ordinal_study(analysis, {}, request);
+    numbers.comparisons = ordinal_study(analysis, technical_groups(analysis), request);
   } catch (const InputError& error) {
     numbers.comparisons_missing = std::string("Artifacts cannot be compared: ") + error.what();
   }
@@ -40,6 +41,7 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   add_comparisons(numbers, analysis);
   numbers.times = response_times(analysis);
   numbers.participants = participant_rows(analysis);
+  numbers.questions = answered_questions(analysis.log);
   if (analysis.adaptive) numbers.tracks = study::quest_plus_estimates(analysis.log);
   return numbers;
 }

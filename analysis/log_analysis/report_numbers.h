@@ -21,6 +21,7 @@ struct ReportNumbers {
   std::string comparisons_missing;          ///< a sentence
   ResponseTimes times;
   std::vector<ParticipantRow> participants;
+  std::vector<std::string> questions;  ///< of the form, that somebody answered; columns of the participants
   std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs
 };
 

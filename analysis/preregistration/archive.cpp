@@ -24,6 +24,8 @@ Json analysis_json(const FrozenAnalysis& analysis) {
   return {{"confirmatory_thresholds", analysis.thresholds},
           {"include_pilot", analysis.include_pilot},
           {"exclude_screened", analysis.exclude_screened},
+          {"exclude_inattentive", analysis.exclude_inattentive},
+          {"exclude_uncorrected", analysis.exclude_uncorrected},
           {"excluded_by_hand", analysis.by_hand},
           {"field_of_view_deg", analysis.field_of_view_deg},
           {"bootstrap_replicates", analysis.bootstrap_replicates},
@@ -58,6 +60,8 @@ struct ArchiveFields {
     }
     throw not_whole(file, std::string("another kind of value in \"") + key + "\"");
   }
+  /// Archives of earlier versions lack what is newer.
+  [[nodiscard]] bool has(const char* key) const { return json.is_object() && json.contains(key); }
   [[nodiscard]] ArchiveFields object(const char* key) const { return {at(key), file}; }
 };
 
@@ -65,6 +69,8 @@ FrozenAnalysis read_analysis(const ArchiveFields& fields) {
   return {.thresholds = fields.get<std::vector<std::string>>("confirmatory_thresholds"),
           .include_pilot = fields.get<bool>("include_pilot"),
           .exclude_screened = fields.get<bool>("exclude_screened"),
+          .exclude_inattentive = fields.has("exclude_inattentive") && fields.get<bool>("exclude_inattentive"),
+          .exclude_uncorrected = fields.has("exclude_uncorrected") && fields.get<bool>("exclude_uncorrected"),
           .field_of_view_deg = fields.get<double>("field_of_view_deg"),
           .bootstrap_replicates = fields.get<int>("bootstrap_replicates"),
           .seed = fields.get<std::uint64_t>("bootstrap_seed"),

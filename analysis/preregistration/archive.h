@@ -11,6 +11,8 @@ struct FrozenAnalysis {
   std::vector<std::string> thresholds;  ///< PT, SN, IP: those that are confirmatory; others explore
   bool include_pilot = false;
   bool exclude_screened = false;
+  bool exclude_inattentive = false;  ///< those whom catch trials name
+  bool exclude_uncorrected = false;  ///< those whose vision is neither normal nor corrected
   double field_of_view_deg = 90;
   int bootstrap_replicates = 10000;
   std::uint64_t seed = 1;          ///< of the bootstrap

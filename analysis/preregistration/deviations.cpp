@@ -49,6 +49,11 @@ void compare_data(Comparing& comparing, const Preregistration& frozen, const Ana
 void compare_exclusions(Comparing& comparing, const FrozenAnalysis& frozen, const AnalysisDone& done) {
   comparing.same("exclusion rule: whom a screen names", used_or_left_out(frozen.exclude_screened),
                  used_or_left_out(done.analysis.exclude_screened));
+  comparing.same("exclusion rule: whom catch trials name", used_or_left_out(frozen.exclude_inattentive),
+                 used_or_left_out(done.analysis.exclude_inattentive));
+  comparing.same("exclusion rule: vision neither normal nor corrected",
+                 used_or_left_out(frozen.exclude_uncorrected),
+                 used_or_left_out(done.analysis.exclude_uncorrected));
   comparing.same("exclusion rule: pilot data", frozen.include_pilot ? "used" : "left out",
                  done.analysis.include_pilot ? "used" : "left out");
   if (frozen.by_hand.empty() && !done.excluded.empty())

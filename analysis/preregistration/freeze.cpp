@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/scores/participants.h"
 #include "stimuli/set/manifest.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
@@ -25,6 +26,23 @@ void require_text(const std::string& field, const std::string& text) {
   if (!is_utf8(text)) throw input_error({.field = field, .wanted = "UTF-8", .found = "other bytes"});
 }
 
+/// A rule that can never name anybody is a slip.
+void require_what_rules_need(const StudyDefinition& study, const FrozenAnalysis& analysis,
+                             const std::filesystem::path& file) {
+  if (analysis.exclude_inattentive && study.catches.attention == 0)
+    throw input_error({.file = file.string(),
+                       .field = "catch.attention",
+                       .wanted = "attention trials, for --exclude-inattentive",
+                       .found = "none"});
+  const bool asks = std::any_of(study.form.begin(), study.form.end(),
+                                [](const FormField& field) { return field.name == vision_question; });
+  if (analysis.exclude_uncorrected && !asks)
+    throw input_error({.file = file.string(),
+                       .field = "form",
+                       .wanted = "a question 'vision', for --exclude-uncorrected",
+                       .found = "none"});
+}
+
 FrozenSet frozen_set(const std::filesystem::path& folder, const StudyDefinition& study) {
   const Manifest manifest = read_manifest(folder);
   const std::string hash = study_hash(study);
@@ -43,6 +61,7 @@ Preregistration freeze_study(const std::filesystem::path& study_file,
   require_thresholds(analysis.thresholds);
   require_text("--by-hand", analysis.by_hand);
   const StudyDefinition study = read_study(study_file, AssetCheck::not_needed);
+  require_what_rules_need(study, analysis, study_file);
   Preregistration content{.program_version = program_version(),
                           .study_name = study.name,
                           .study_hash = study_hash(study),

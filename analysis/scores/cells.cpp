@@ -110,8 +110,7 @@ std::pair<double, double> mean_of_objects(const std::vector<std::pair<double, do
   return {value / static_cast<double>(objects.size()), right / static_cast<double>(objects.size())};
 }
 
-/// The people with an answer at every level stay; the others are named. A mean over different people at
-/// different levels would bend the curve.
+/// Everybody with an answer at one of the levels is on the curve; each mean is over those who answered there.
 ArtifactScores artifact_scores(Artifact artifact, const std::string& condition,
                                const ByLevel<PersonMeans>& levels,
                                const std::vector<ParticipantUse>& people) {
@@ -122,29 +121,29 @@ ArtifactScores artifact_scores(Artifact artifact, const std::string& condition,
                         .people = {},
                         .noticeability = {},
                         .cells = {},
-                        .left_out = {}};
+                        .incomplete = {}};
   std::map<int, int> levels_of;  // person -> number of levels
   for (const auto& [level, persons] : levels) {
     scores.level.push_back(level);
     for (const auto& entry : persons) ++levels_of[entry.first];
   }
-  std::vector<int> rows;
+  std::map<int, Eigen::Index> row_of;
   for (const auto& [person, count] : levels_of) {
     const std::string& code = people[static_cast<std::size_t>(person)].record.code;
-    const bool complete = count == static_cast<int>(levels.size());
-    (complete ? scores.people : scores.left_out).push_back(code);
-    if (complete) rows.push_back(person);
+    row_of[person] = static_cast<Eigen::Index>(scores.people.size());
+    scores.people.push_back(code);
+    if (count < static_cast<int>(levels.size())) scores.incomplete.push_back(code);
   }
-  scores.noticeability.resize(static_cast<Eigen::Index>(rows.size()),
-                              static_cast<Eigen::Index>(levels.size()));
+  scores.noticeability.setConstant(static_cast<Eigen::Index>(scores.people.size()),
+                                   static_cast<Eigen::Index>(levels.size()), nan);
   Eigen::Index column = 0;
   for (const auto& [level, persons] : levels) {
     std::vector<std::pair<double, double>> means;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      means.push_back(mean_of_objects(persons.at(rows[row])));
-      scores.noticeability(static_cast<Eigen::Index>(row), column) = means.back().first;
+    for (const auto& [person, objects] : persons) {
+      means.push_back(mean_of_objects(objects));
+      scores.noticeability(row_of.at(person), column) = means.back().first;
     }
-    if (!means.empty()) scores.cells.push_back(cell(level, means));
+    scores.cells.push_back(cell(level, means));
     ++column;
   }
   return scores;
@@ -172,6 +171,15 @@ CellMean mean_over_participants(const std::vector<double>& values) {
   for (double value : values) squares += (value - mean) * (value - mean);
   const double sem = values.size() > 1 ? std::sqrt(squares / (n - 1) / n) : nan;
   return {.level = 0, .n = static_cast<int>(values.size()), .mean = mean, .sem = sem, .correct = 0};
+}
+
+std::pair<int, int> people_at_levels(const ArtifactScores& scores) {
+  std::pair<int, int> range;
+  for (const CellMean& cell : scores.cells) {
+    if (&cell == &scores.cells.front()) range = {cell.n, cell.n};
+    range = {std::min(range.first, cell.n), std::max(range.second, cell.n)};
+  }
+  return range;
 }
 
 void require_answers(const study::LogContents& log, const std::vector<ParticipantUse>& people) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/scores/level_axis.h"
@@ -35,12 +36,17 @@ struct ArtifactScores {
   Artifact artifact = Artifact::none;
   std::string condition;  ///< empty where the study has one
   LevelAxis axis;
-  std::vector<double> level;          ///< in the order of `comes_before`: widths rise
-  std::vector<std::string> people;    ///< codes, in the log's order
-  Eigen::MatrixXd noticeability;      ///< people x levels, objects averaged within a person
-  std::vector<CellMean> cells;        ///< over the people above
-  std::vector<std::string> left_out;  ///< used participants who lack an answer at one of the levels
+  std::vector<double> level;        ///< in the order of `comes_before`: widths rise
+  std::vector<std::string> people;  ///< codes of who has an answer at a level at least, in the log's order
+  /// People x levels, objects averaged within a person; NaN where a person has no answer.
+  Eigen::MatrixXd noticeability;
+  std::vector<CellMean> cells;          ///< each over the people who answered at its level
+  std::vector<std::string> incomplete;  ///< of the people, who lack an answer at one of the levels
 };
+
+/// Participants at the level where the fewest answered, and at the one where the most did; (0, 0) without
+/// cells.
+[[nodiscard]] std::pair<int, int> people_at_levels(const ArtifactScores& scores);
 
 /// Everything that is averaged from a log: artifacts in the order of `every_artifact`, conditions of each in
 /// the order of `conditions`.

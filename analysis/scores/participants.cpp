@@ -34,6 +34,8 @@ std::string_view word(Use use) {
       return "incomplete";
     case Use::screened:
       return "screened";
+    case Use::vision:
+      return "vision";
   }
   return "";
 }
@@ -60,6 +62,11 @@ std::vector<ParticipantUse> select_participants(const study::LogContents& log, b
   return people;
 }
 
+bool has_uncorrected_vision(const study::ParticipantRecord& record) {
+  return std::find(record.form.begin(), record.form.end(),
+                   FormAnswer{.field = vision_question, .value = uncorrected_vision}) != record.form.end();
+}
+
 ParticipantCounts count_participants(const std::vector<ParticipantUse>& people) {
   ParticipantCounts counts;
   for (const ParticipantUse& person : people) {
@@ -79,6 +86,9 @@ ParticipantCounts count_participants(const std::vector<ParticipantUse>& people) 
         break;
       case Use::screened:
         ++counts.screened;
+        break;
+      case Use::vision:
+        ++counts.vision;
         break;
     }
     if (person.use == Use::used && person.record.simulated) ++counts.simulated;

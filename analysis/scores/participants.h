@@ -6,6 +6,12 @@
 
 namespace seamline::analysis {
 
+/// Questions of the usual form (`default_form`): about vision, with the answer of those who see the pictures
+/// unsharp, and about a technical background, "yes" or "no".
+inline constexpr const char* vision_question = "vision";
+inline constexpr const char* uncorrected_vision = "neither";
+inline constexpr const char* technical_question = "technical_background";
+
 /// What becomes of a participant's answers. Nobody is left out in silence: each has a verdict, and each
 /// verdict is counted.
 enum class Use {
@@ -14,7 +20,9 @@ enum class Use {
   pilot,       ///< pilot data, and `--include-pilot` was not given
   incomplete,  ///< the session was not finished: their means would be over other stimuli than everybody
                ///< else's
-  screened     ///< named by a screen (analysis/screening/screening.h), and `--exclude-screened` was given
+  screened,    ///< named by a screen (analysis/screening/screening.h), and `--exclude-screened` was given, or
+               ///< by catch trials, and `--exclude-inattentive` was
+  vision  ///< says that their vision is neither normal nor corrected, and `--exclude-uncorrected` was given
 };
 
 [[nodiscard]] std::string_view word(Use use);
@@ -29,13 +37,17 @@ struct ParticipantUse {
 };
 
 struct ParticipantCounts {
-  int in_log = 0, used = 0, excluded = 0, pilot = 0, incomplete = 0, screened = 0;
+  int in_log = 0, used = 0, excluded = 0, pilot = 0, incomplete = 0, screened = 0, vision = 0;
   int simulated = 0;  ///< among those used
 };
 
 /// Decides for each participant of the log. Excluded comes before pilot, pilot before incomplete.
 [[nodiscard]] std::vector<ParticipantUse> select_participants(const study::LogContents& log,
                                                               bool include_pilot);
+
+/// Whether somebody said in the form that their vision is neither normal nor corrected to normal; false where
+/// the study did not ask.
+[[nodiscard]] bool has_uncorrected_vision(const study::ParticipantRecord& record);
 
 [[nodiscard]] ParticipantCounts count_participants(const std::vector<ParticipantUse>& people);
 

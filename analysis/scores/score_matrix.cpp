@@ -56,6 +56,9 @@ ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<Partic
     const Eigen::Index column = column_of.at(stimulus_of(answer, conditions));
     matrix.score(row->second, column) += answer.noticeability();
     answers(row->second, column) += 1;
+    matrix.answers.push_back({.person = static_cast<int>(row->second),
+                              .stimulus = static_cast<int>(column),
+                              .score = answer.noticeability()});
   }
   matrix.score = (answers.array() > 0)
                      .select(matrix.score.array() / answers.array().max(1),

@@ -20,6 +20,12 @@ struct ScoredStimulus {
   auto operator<=>(const ScoredStimulus&) const = default;
 };
 
+/// One answer: places in the matrix, and its noticeability.
+struct ScoredAnswer {
+  int person = 0, stimulus = 0;
+  int score = 0;
+};
+
 /// Noticeability (0 to 4) of every participant for every stimulus: what participants are screened by and
 /// opinion scores are computed from.
 struct ScoreMatrix {
@@ -27,6 +33,7 @@ struct ScoreMatrix {
   std::vector<ScoredStimulus> stimuli;  ///< by artifact, condition, level, scene, object
   std::vector<int> cell;                ///< of each stimulus: artifact, condition and level, numbered from 0
   Eigen::MatrixXd score;                ///< people x stimuli; repeats averaged; NaN where there is no answer
+  std::vector<ScoredAnswer> answers;    ///< in the log's order, repeats one by one
 };
 
 /// Scores of the participants marked `Use::used`; `order` is that of the study's conditions.

@@ -10,17 +10,28 @@ namespace seamline::analysis {
 
 namespace {
 
-/// Mean over everybody but one, of those who have a score.
-Eigen::VectorXd mean_of_others(const Eigen::MatrixXd& score, Eigen::Index person) {
-  Eigen::VectorXd mean(score.cols());
-  for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus) {
-    double sum = 0, n = 0;
-    for (Eigen::Index other = 0; other < score.rows(); ++other)
-      if (other != person && !std::isnan(score(other, stimulus))) sum += score(other, stimulus), n += 1;
-    mean[stimulus] = n > 0 ? sum / n : nan;
+/// Sums over people, of those who have a score, so that the mean of the others takes one subtraction.
+struct ScoreSums {
+  Eigen::VectorXd sum, n;  ///< one a stimulus
+
+  explicit ScoreSums(const Eigen::MatrixXd& score)
+      : sum(Eigen::VectorXd::Zero(score.cols())), n(Eigen::VectorXd::Zero(score.cols())) {
+    for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus)
+      for (const double value : score.col(stimulus))
+        if (!std::isnan(value)) sum[stimulus] += value, n[stimulus] += 1;
   }
-  return mean;
-}
+
+  /// Mean over everybody but one; NaN where nobody else has a score.
+  [[nodiscard]] Eigen::VectorXd mean_of_others(const Eigen::VectorXd& own) const {
+    Eigen::VectorXd mean(own.size());
+    for (Eigen::Index stimulus = 0; stimulus < own.size(); ++stimulus) {
+      const bool answered = !std::isnan(own[stimulus]);
+      const double others = n[stimulus] - (answered ? 1 : 0);
+      mean[stimulus] = others > 0 ? (sum[stimulus] - (answered ? own[stimulus] : 0)) / others : nan;
+    }
+    return mean;
+  }
+};
 
 /// Means over the stimuli of each condition where both the participant and the others have a score.
 Eigen::VectorXd condition_means(const Eigen::VectorXd& values, const Eigen::VectorXd& partner,
@@ -76,8 +87,9 @@ double critical_correlation(int count, double probability) {
 std::vector<CorrelationCheck> screen_by_correlation(const Eigen::MatrixXd& score,
                                                     const std::vector<int>& condition) {
   std::vector<CorrelationCheck> checks;
+  const ScoreSums sums(score);
   for (Eigen::Index person = 0; person < score.rows(); ++person) {
-    const Eigen::VectorXd own = score.row(person).transpose(), others = mean_of_others(score, person);
+    const Eigen::VectorXd own = score.row(person).transpose(), others = sums.mean_of_others(own);
     CorrelationCheck check;
     check.stimuli = pearson_correlation(own, others);
     check.conditions =

@@ -1,5 +1,7 @@
 #include "analysis/screening/screening.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace seamline::analysis {
@@ -37,7 +39,10 @@ std::string_view rule_of(ScreeningRule rule) {
              "(else) from the mean of all, and these on both sides, |P - Q| / (P + Q) under 0.3";
     case ScreeningRule::correlation:
       return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
-             "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli)";
+             "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli); like kurtosis "
+             "judged "
+             "only where fewer than 1 % of honest people, simulated by the study's own answers, would be "
+             "named";
   }
   return "";
 }
@@ -67,14 +72,57 @@ std::vector<std::string> Screening::named() const {
   return codes_of(people, [](const ScreenedPerson& person) { return person.named(); });
 }
 
+bool Screening::judged(ScreeningRule rule) const {
+  return rule == ScreeningRule::attention ? catch_trials : honest_share(honest, rule) < most_honest_named;
+}
+
+std::pair<double, double> Screening::critical_correlations() const {
+  std::pair<double, double> range;
+  for (const ScreenedPerson& person : people) {
+    const double critical = person.correlation.critical;
+    if (&person == &people.front()) range = {critical, critical};
+    range = {std::max(range.first, critical), std::min(range.second, critical)};
+  }
+  return range;
+}
+
+double honest_share(const HonestNaming& honest, ScreeningRule rule) {
+  return rule == ScreeningRule::kurtosis ? honest.kurtosis : honest.correlation;
+}
+
+std::string why_not_judged(const Screening& screening, ScreeningRule rule) {
+  if (screening.judged(rule)) return "";
+  if (rule == ScreeningRule::attention) return "no catch trials";
+  if (screening.honest.simulated == 0) return "fewer than three people";
+  return fmt::format("{}it would name {} of honest people",
+                     rule == ScreeningRule::correlation ? "too little was visible: " : "",
+                     honest_share_text(screening.honest, rule));
+}
+
+std::string honest_share_text(const HonestNaming& honest, ScreeningRule rule) {
+  const double percent = 100 * honest_share(honest, rule);
+  return percent < 0.01 ? "under 0.01 %" : fmt::format("{:.2g} %", percent);
+}
+
+std::string limit_text(const Screening& screening) {
+  const auto [most, least] = screening.critical_correlations();
+  const std::string high = fmt::format("{:.2f}", most), low = fmt::format("{:.2f}", least);
+  return high == low ? high : low + " to " + high;
+}
+
 Screening screen_participants(const ScoreMatrix& scores, const std::vector<CatchAnswer>& catches) {
   Screening screening;
   screening.catch_trials = !catches.empty();
+  screening.honest = simulate_honest_people(scores);
+  const bool by_kurtosis = screening.judged(ScreeningRule::kurtosis),
+             by_correlation = screening.judged(ScreeningRule::correlation);
   const std::vector<KurtosisCount> kurtosis = screen_by_kurtosis(scores.score);
   const std::vector<CorrelationCheck> correlation = screen_by_correlation(scores.score, scores.cell);
   for (std::size_t p = 0; p < scores.people.size(); ++p) {
     ScreenedPerson person{
         .code = scores.people[p], .attention = {}, .kurtosis = kurtosis[p], .correlation = correlation[p]};
+    person.kurtosis.rejected = person.kurtosis.rejected && by_kurtosis;
+    person.correlation.rejected = person.correlation.rejected && by_correlation;
     for (const CatchAnswer& answer : catches) {
       if (answer.participant != person.code) continue;
       ++person.attention.shown;

@@ -2,10 +2,12 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/scores/score_matrix.h"
 #include "analysis/screening/correlation_screening.h"
+#include "analysis/screening/honest_people.h"
 #include "analysis/screening/kurtosis_screening.h"
 
 namespace seamline::analysis {
@@ -52,10 +54,31 @@ struct ScreenedPerson {
 struct Screening {
   std::vector<ScreenedPerson> people;  ///< in the order of the scores
   bool catch_trials = false;           ///< whether there were any
+  HonestNaming honest;                 ///< why the other two screens judge, or do not
 
+  /// Whether a screen judges the people of this study. Attention needs catch trials. Kurtosis and correlation
+  /// need that honest people would hardly be named (`most_honest_named`); else `rejected` is false of all.
+  [[nodiscard]] bool judged(ScreeningRule rule) const;
+  /// Correlations with the others that people of this study have to exceed: those of the persons with the
+  /// fewest and with the most answers; (0, 0) without people.
+  [[nodiscard]] std::pair<double, double> critical_correlations() const;
   [[nodiscard]] std::vector<std::string> named_by(ScreeningRule rule) const;
   [[nodiscard]] std::vector<std::string> named() const;
 };
+
+/// Share of honest people whom a screen of scores would name in a study; 1: not known. Not of attention.
+[[nodiscard]] double honest_share(const HonestNaming& honest, ScreeningRule rule);
+
+/// "0.08 %", "under 0.01 %": of honest people a screen of scores would name so many.
+[[nodiscard]] std::string honest_share_text(const HonestNaming& honest, ScreeningRule rule);
+
+/// "0.33", or "0.34 to 0.41" where participants answered different numbers of stimuli; the limit of the
+/// correlation screen in this study.
+[[nodiscard]] std::string limit_text(const Screening& screening);
+
+/// Why a screen judges nobody: "no catch trials", "too little was visible: it would name 14 % of honest
+/// people"; empty where it judges.
+[[nodiscard]] std::string why_not_judged(const Screening& screening, ScreeningRule rule);
 
 /// Screens the participants of `scores`. `catches` may be empty: then attention is not judged.
 [[nodiscard]] Screening screen_participants(const ScoreMatrix& scores,

@@ -26,25 +26,75 @@ Eigen::MatrixXd draw_counts(int first_replicate, int replicates, Eigen::Index pe
   return counts;
 }
 
+/// The same with 0 where there is no score, and 1 and 0 for who has one.
+struct Answered {
+  Eigen::MatrixXd score, has;
+};
+
+Answered split_missing(const Eigen::MatrixXd& noticeability) {
+  const auto has = (noticeability.array() == noticeability.array()).eval();  // NaN is not
+  return {has.select(noticeability, 0.0), has.cast<double>()};
+}
+
+MeanVector mean_of_incomplete(const Eigen::MatrixXd& noticeability) {
+  const auto [score, has] = split_missing(noticeability);
+  const Eigen::VectorXd n = has.colwise().sum().transpose();
+  MeanVector means{.mean = score.colwise().sum().transpose().array() / n.array(),
+                   .covariance = Eigen::MatrixXd::Zero(score.cols(), score.cols()),
+                   .fewest = static_cast<int>(n.minCoeff())};
+  for (Eigen::Index j = 0; j < score.cols(); ++j)
+    for (Eigen::Index k = 0; k < score.cols(); ++k) {
+      const Eigen::VectorXd both = has.col(j).cwiseProduct(has.col(k));
+      const double people = both.sum();
+      if (people < 2) continue;
+      const double mean_j = both.dot(score.col(j)) / people, mean_k = both.dot(score.col(k)) / people;
+      const Eigen::VectorXd off_j = score.col(j).array() - mean_j, off_k = score.col(k).array() - mean_k;
+      const double s = both.dot(off_j.cwiseProduct(off_k)) / (people - 1);
+      means.covariance(j, k) = people / (n[j] * n[k]) * s;
+    }
+  const Eigen::VectorXd sd = means.covariance.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd most =
+      sd * sd.transpose();  // of others than the variances, it might correlate over 1
+  means.covariance = means.covariance.cwiseMin(most).cwiseMax(-most);
+  return means;
+}
+
 }  // namespace
 
 MeanVector mean_and_covariance(const Eigen::MatrixXd& noticeability) {
   assert(noticeability.rows() > 0);
+  if (noticeability.hasNaN()) return mean_of_incomplete(noticeability);
   const auto n = static_cast<double>(noticeability.rows());
   const Eigen::VectorXd mean = noticeability.colwise().mean().transpose();
   const Eigen::MatrixXd centred = noticeability.rowwise() - mean.transpose();
-  return {.mean = mean, .covariance = centred.transpose() * centred / (std::max(1.0, n - 1) * n)};
+  return {.mean = mean,
+          .covariance = centred.transpose() * centred / (std::max(1.0, n - 1) * n),
+          .fewest = static_cast<int>(noticeability.rows())};
 }
 
 void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRequest& request,
                         const std::function<void(int, const Eigen::VectorXd&)>& use) {
   assert(noticeability.rows() > 0);
   const auto people = static_cast<double>(noticeability.rows());
+  const bool complete = !noticeability.hasNaN();
+  const Answered incomplete = complete ? Answered{} : split_missing(noticeability);
+  const Eigen::VectorXd of_everybody = complete ? Eigen::VectorXd{} : mean_of_incomplete(noticeability).mean;
   const int batches = (request.replicates + batch_size - 1) / batch_size;
   run_parallel(batches, request.threads, [&](int batch) {
     const int first = batch * batch_size;
     const int size = std::min(batch_size, request.replicates - first);
-    const Eigen::MatrixXd sums = draw_counts(first, size, noticeability.rows(), request.seed) * noticeability;
+    const Eigen::MatrixXd drawn = draw_counts(first, size, noticeability.rows(), request.seed);
+    if (!complete) {
+      const Eigen::MatrixXd sums = drawn * incomplete.score, n = drawn * incomplete.has;
+      for (int row = 0; row < size; ++row)
+        use(first + row,
+            (n.row(row).array() > 0)
+                .select(sums.row(row).array() / n.row(row).array(), of_everybody.transpose().array())
+                .matrix()
+                .transpose());
+      return;
+    }
+    const Eigen::MatrixXd sums = drawn * noticeability;
     for (int row = 0; row < size; ++row) use(first + row, sums.row(row).transpose() / people);
   });
 }

@@ -109,7 +109,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
                      std::vector<ThresholdDifference>& differences) {
   const LevelAxis& axis = curves.front().scores->axis;
   const Eigen::MatrixXd joint = joint_scores(curves);
-  const auto people = static_cast<int>(joint.rows());
+  const int people = joint.rows() > 0 ? mean_and_covariance(joint).fewest : 0;
   const std::size_t others = curves.size() - 1;
   std::vector<Logistic4Fitter> fitters;
   for (const ConditionCurve& curve : curves) fitters.emplace_back(curve.level_x);
@@ -125,7 +125,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
     return found;
   };
   std::vector<Ranges> estimates(others);  // open, when nobody is on all curves
-  if (people > 0) estimates = differences_of(joint.colwise().mean().transpose());
+  if (people > 0) estimates = differences_of(mean_and_covariance(joint).mean);
   std::vector<std::vector<Ranges>> replicates;
   if (people >= 2 && request.replicates > 0) {
     replicates.resize(static_cast<std::size_t>(request.replicates));
@@ -140,7 +140,7 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
                                 .quantity = threshold_names[q],
                                 .condition = curves[c + 1].scores->condition,
                                 .to = curves.front().scores->condition,
-                                .participants = people,
+                                .participants = static_cast<int>(joint.rows()),
                                 .estimate = {},
                                 .bounds = turned_back(axis, range),
                                 .ci95 = {},

@@ -63,7 +63,7 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
           static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
       row[static_cast<Eigen::Index>(w)] = counts.dot(value) / counts.sum();
     }
-    if (row.allFinite()) rows.push_back(row);  // others are not on this artifact's curve
+    if ((row.array() == row.array()).any()) rows.push_back(row);  // others are not on this artifact's curve
   }
   Eigen::MatrixXd scores(static_cast<Eigen::Index>(rows.size()),
                          static_cast<Eigen::Index>(range.level_x.size()));
@@ -125,7 +125,8 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   const Eigen::MatrixXd formula = formula_scores(trials, range, guessers);
   if (formula.rows() < 2) return curve;
   const MeanVector formula_means = mean_and_covariance(formula);
-  const int people = static_cast<int>(formula.rows());
+  const int people = formula_means.fewest;
+  if (people < 2) return curve;
   ThresholdEstimate& pt = curve.estimates.perceptual;
   ThresholdEstimate& sn = curve.estimates.slightly_noticeable;
   pt.ci95 = level_interval(perceptual_level, range.level_x, formula_means, people);

@@ -48,7 +48,7 @@ void add_intervals(const ArtifactScores& scores, const std::vector<double>& leve
                    const ResamplingRequest& request, ArtifactThresholds& result) {
   const Eigen::MatrixXd on_axis = scores.noticeability.leftCols(static_cast<Eigen::Index>(level_x.size()));
   const MeanVector means = mean_and_covariance(on_axis);
-  const int people = result.participants;
+  const int people = means.fewest;
   CurveThresholds& found = result.estimates;
   CurveIntervals bootstrap;  // open where none is asked for
   if (request.replicates > 0) {
@@ -109,6 +109,7 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
   ArtifactThresholds result{.artifact = scores.artifact,
                             .condition = scores.condition,
                             .participants = static_cast<int>(scores.people.size()),
+                            .fewest = people_at_levels(scores).first,
                             .estimates = {},
                             .perceptual_bootstrap = {},
                             .slightly_noticeable_bootstrap = {},
@@ -125,7 +126,7 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
     return result;
   }
   result.estimates = thresholds_of_means(level_x, means, scores.axis);
-  if (scores.people.size() >= 2) add_intervals(scores, level_x, request, result);
+  if (result.fewest >= 2) add_intervals(scores, level_x, request, result);
   keep_closed(result.estimates, level_x, scores.axis);
   return result;
 }

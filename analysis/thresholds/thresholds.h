@@ -31,7 +31,8 @@ void keep_closed(CurveThresholds& found, const std::vector<double>& level_x, con
 struct ArtifactThresholds {
   Artifact artifact = Artifact::none;
   std::string condition;  ///< empty where the study has one
-  int participants = 0;
+  int participants = 0;   ///< on the curve
+  int fewest = 0;         ///< of them at the level where the fewest answered; degrees of freedom are of these
   CurveThresholds estimates;
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison: they cover less often
   /// (documentation/coverage.md).
@@ -48,8 +49,8 @@ struct ArtifactThresholds {
 /// The same from people's scores, with 95 % intervals: PT and SN by inverting a score test (`level_interval`,
 /// `logistic_level_interval`), IP by the expanded percentile bootstrap over people. A replicate without a
 /// width counts as infinite, or as the whole range when it does not say on which side; none is dropped. With
-/// fewer than two people every interval is open, and so are those off the logistic under four widths. There
-/// is an estimate exactly where its interval is closed (`keep_closed`).
+/// fewer than two people at a level every interval is open, and so are those off the logistic under four
+/// widths. There is an estimate exactly where its interval is closed (`keep_closed`).
 [[nodiscard]] ArtifactThresholds estimate_thresholds(const ArtifactScores& scores,
                                                      const ResamplingRequest& request);
 

@@ -90,9 +90,8 @@ std::vector<ParticipantRecord> read_participants(SQLite::Database& database, con
                             .last_seen_unix_s = values.time(11)});
     ParticipantRecord& record = participants.back();
     if (!row.getColumn(9).isNull()) record.image_gain = values.positive(9);
-    if (record.simulated) continue;
-    record.in_progress = is_claimed(file, number);
     record.form = read_form(database, number);
+    if (!record.simulated) record.in_progress = is_claimed(file, number);
   }
   return participants;
 }

@@ -74,12 +74,18 @@ TEST(Cells, EveryoneLeftOutIsCounted) {
   EXPECT_EQ(averaged(log, true).artifacts[0].cells[0].n, 3);
 }
 
-TEST(Cells, SomeoneWithoutAWidthIsNamedAndLeftOutOfTheCurve) {
+TEST(Cells, SomeoneWithoutAWidthStaysInTheOtherMeans) {
   LogContents log = small_log();
   log.answers.push_back(answer("a", 128, 1, 1, 2));
-  const NoticeabilityData data = averaged(log);
-  EXPECT_EQ(data.artifacts[0].people, std::vector<std::string>{"a"});
-  EXPECT_EQ(data.artifacts[0].left_out, std::vector<std::string>{"b"});
+  const ArtifactScores scores = averaged(log).artifacts.at(0);
+  EXPECT_EQ(scores.people, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(scores.incomplete, std::vector<std::string>{"b"});
+  EXPECT_EQ(scores.cells[0].n, 2);
+  EXPECT_DOUBLE_EQ(scores.cells[0].mean, 2);  // as without the other width
+  EXPECT_EQ(scores.cells[1].n, 1);
+  EXPECT_DOUBLE_EQ(scores.cells[1].mean, 2);
+  EXPECT_TRUE(std::isnan(scores.noticeability(1, 1)));
+  EXPECT_EQ(people_at_levels(scores), (std::pair{1, 2}));
 }
 
 TEST(Cells, NobodyToUseIsTheUsersError) {

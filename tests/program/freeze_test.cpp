@@ -52,6 +52,17 @@ TEST(Freeze, AnAnalysisIsComparedWithWhatWasFrozen) {
   EXPECT_THAT(read_text(folder / "none" / "report.html"), Not(HasSubstr("Preregistration")));
   EXPECT_FALSE(std::filesystem::exists(folder / "none" / "deviations.csv"));
 
+  const std::string attentive = (folder / "attentive.json").string();
+  expect_refused(freeze + " --exclude-inattentive --out " + attentive,
+                 "wanted attention trials, for --exclude-inattentive");
+  EXPECT_EQ(run_seamline(freeze + " --exclude-uncorrected --out " + attentive).status, 0);
+  EXPECT_THAT(
+      run_seamline("analyze " + log + " --bootstrap 100 --frozen " + attentive + " --out " +
+                   (folder / "none").string())
+          .output,
+      HasSubstr(
+          "exclusion rule: vision neither normal nor corrected: frozen left out, found named and used\n"));
+
   expect_refused(freeze + " --out " + archive, "wanted a file that is not there yet");
   std::string changed = read_text(archive);
   changed.replace(changed.find("six"), 3, "ten");

@@ -124,7 +124,7 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
                "middle, 3 right); bars: one standard error of the mean over participants. Points of one "
                "{} are moved apart a little.",
                words.quantity, words.level) +
-           " After Fig. 6 of the paper. Data: " + source_text(analysis) + ".",
+           " After Fig. 6 of the paper. Data: " + source_sentence(analysis),
        .svg = folder / "fig6_objects.svg"},
       panels);
 }
@@ -146,7 +146,7 @@ Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& 
                words.quantity, words.level) +
            " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
            "Data: " +
-           source_text(analysis) + ".",
+           source_sentence(analysis),
        .svg = folder / "fig7_averages.svg"},
       panels);
 }
@@ -161,7 +161,7 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
                       level_words(analysis.data.axis).quantity) +
           " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
           "noticeable (SN). After Fig. 7 of the paper. Data: " +
-          source_text(analysis) + ".",
+          source_sentence(analysis),
       .svg = folder / "fig7_averages.svg"};
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   std::string script = axes(analysis), plots;

@@ -71,7 +71,7 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
                     "Mean noticeability as answered (dashed, hollow) and corrected for guessing "
                     "(solid). Dashed line: what people who see nothing score on average. Dotted: 0.5 "
                     "(PT) and 1.0 (SN). Data: " +
-                    source_text(analysis) + ".",
+                    source_sentence(analysis),
                 .svg = folder / "corrected_for_guessing.svg"};
   const bool conditions = has_conditions(analysis.data);
   const std::vector<Artifact> artifacts = drawn_artifacts(analysis.data);

@@ -73,12 +73,21 @@ Json person_json(const ScreenedPerson& person) {
 Json screening_json(const Screening& screening) {
   Json json;
   for (ScreeningRule rule : every_screening_rule) {
-    const bool judged = rule != ScreeningRule::attention || screening.catch_trials;
-    json[std::string(word(rule))] = {{"rule", rule_of(rule)},
-                                     {"judged", judged},
-                                     {"count", screening.named_by(rule).size()},
-                                     {"named", screening.named_by(rule)}};
+    Json& of_rule = json[std::string(word(rule))];
+    of_rule = {{"rule", rule_of(rule)},
+               {"judged", screening.judged(rule)},
+               {"not_judged_because", why_not_judged(screening, rule)},
+               {"count", screening.named_by(rule).size()},
+               {"named", screening.named_by(rule)}};
+    if (rule == ScreeningRule::attention) continue;
+    of_rule["honest_named"] =
+        screening.honest.simulated > 0 ? json_number(honest_share(screening.honest, rule)) : Json(nullptr);
+    if (rule == ScreeningRule::correlation) {
+      const auto [most, least] = screening.critical_correlations();
+      of_rule["limit"] = {json_number(least), json_number(most)};
+    }
   }
+  json["honest_simulated"] = screening.honest.simulated;
   json["people"] = Json::array();
   for (const ScreenedPerson& person : screening.people) json["people"].push_back(person_json(person));
   return json;
@@ -144,6 +153,8 @@ Json checks_json(const Analysis& analysis) {
     json["thresholds_by_screen"].push_back(
         screened_json(result, analysis.data.axis, has_conditions(analysis.data)));
   json["exclude_screened"] = analysis.options.exclude_screened;
+  json["exclude_inattentive"] = analysis.options.exclude_inattentive;
+  json["exclude_uncorrected"] = analysis.options.exclude_uncorrected;
   json["sos_parameter"] = {
       {"a", json_number(analysis.sos.a)},
       {"ci95", {json_number(analysis.sos.ci95_low), json_number(analysis.sos.ci95_high)}},

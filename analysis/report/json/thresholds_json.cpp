@@ -93,6 +93,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
   json["artifact"] = word(thresholds.artifact);
   if (has_conditions(analysis.data)) json["condition"] = thresholds.condition;
   json["participants"] = thresholds.participants;
+  json["participants_at_fewest"] = thresholds.fewest;
   const LevelAxis& axis = analysis.data.axis;
   const std::string unit = unit_suffix(axis);
   Json planted, paper, bootstrap;
@@ -128,11 +129,15 @@ std::string thresholds_json(const Analysis& analysis) {
   json["simulated"] = counts.simulated > 0;
   json["observer"] =
       common_observer(analysis.people).empty() ? Json(nullptr) : Json(common_observer(analysis.people));
-  json["participants"] = {
-      {"in_log", counts.in_log},         {"used", counts.used},
-      {"excluded", counts.excluded},     {"pilot_left_out", counts.pilot},
-      {"incomplete", counts.incomplete}, {"screened", counts.screened},
-      {"simulated", counts.simulated},   {"forgotten", analysis.log.forgotten_participants}};
+  json["participants"] = {{"in_log", counts.in_log},
+                          {"used", counts.used},
+                          {"excluded", counts.excluded},
+                          {"pilot_left_out", counts.pilot},
+                          {"incomplete", counts.incomplete},
+                          {"screened", counts.screened},
+                          {"vision", counts.vision},
+                          {"simulated", counts.simulated},
+                          {"forgotten", analysis.log.forgotten_participants}};
   json["include_pilot"] = analysis.include_pilot;
   json["bootstrap"] = {{"replicates", analysis.resampling.replicates}, {"seed", analysis.resampling.seed}};
   json["intervals"] = intervals_in_short();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/participant_facts.h"
 #include "analysis/report/figures/figure_parts.h"
 #include "analysis/scores/level_words.h"
 #include "analysis/thresholds/threshold_rules.h"
@@ -48,6 +49,7 @@ std::string people_text(const Analysis& analysis) {
   add(counts.pilot, "of a pilot");
   add(counts.incomplete, "who did not finish");
   add(counts.screened, "named by a screen");
+  add(counts.vision, "whose vision is neither normal nor corrected");
   int trials = 0;
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used) trials += person.answers;
@@ -56,6 +58,7 @@ std::string people_text(const Analysis& analysis) {
   text += fmt::format(". The analysis is of {} with {} trials.", source_text(analysis), trials);
   if (analysis.log.forgotten_participants > 0)
     text += fmt::format(" {} more asked for their data to be deleted.", analysis.log.forgotten_participants);
+  for (const std::string& sentence : participants_described(analysis)) text += " " + sentence;
   return text;
 }
 
@@ -125,13 +128,28 @@ std::string checks_method_text(const LevelWords& words) {
 }
 
 std::string screening_text(const Analysis& analysis) {
-  const std::string text =
-      "Participants were screened by ITU-R BT.500 (kurtosis) and by correlation with the mean of the "
-      "others: ";
+  const Screening& screening = analysis.screening;
+  std::string text = "Participants were screened by ";
+  if (screening.catch_trials) text += "catch trials (right in at least 75 % of them), by ";
+  text += fmt::format(
+      "ITU-R BT.500 (kurtosis) and by correlation with the mean of the others (limit {}). The two screens of "
+      "scores judge only where they would name fewer than 1 % of honest people, simulated by this study's "
+      "own "
+      "answers ({} people). ",
+      limit_text(screening), screening.honest.simulated);
+  for (const ScreeningRule rule : {ScreeningRule::kurtosis, ScreeningRule::correlation}) {
+    const std::string why = why_not_judged(screening, rule);
+    text += why.empty()
+                ? fmt::format("By {} it would be {}. ", word(rule), honest_share_text(screening.honest, rule))
+                : fmt::format("By {} nobody was judged: {}. ", word(rule), why);
+  }
+  text += "Of those judged: ";
   const std::size_t named = analysis.screening.named().size(), people = analysis.screening.people.size();
   if (named == 0) return text + fmt::format("none of {} was named.", people);
   return text + fmt::format("{} of {} {} named and {}.", named, people, named == 1 ? "was" : "were",
-                            analysis.options.exclude_screened ? "left out" : "used all the same");
+                            analysis.options.exclude_screened      ? "left out"
+                            : analysis.options.exclude_inattentive ? "left out where catch trials named them"
+                                                                   : "used all the same");
 }
 
 std::string software(const Analysis& analysis) {
@@ -164,11 +182,14 @@ std::string differences_text(const Analysis& analysis) {
 std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& numbers) {
   return fmt::format(
       "Artifacts were compared by a cumulative link mixed model (Agresti, 2010) of noticeability with {} "
-      "link, a {} and a slope over {} for each artifact{}, objects nested in artifacts and a normal "
+      "link, a {} and a slope over {} for each artifact{}, objects nested in artifacts{} and a normal "
       "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
       word(study.fit.link), of_depth_widths(numbers.axis) ? "level" : "mean", level_words(numbers.axis).axis,
-      numbers.conditions ? " in each condition" : "", study.fit.nodes,
+      numbers.conditions ? " in each condition" : "",
+      study.design.groups.empty() ? ""
+                                  : ", a shift between participants with and without technical background",
+      study.fit.nodes,
       study.errors == ErrorSource::participants
           ? "were computed by leaving out each participant in turn, with Student's t"
           : "are those of the likelihood's curvature",
@@ -264,6 +285,8 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))
       paragraphs.emplace_back(
           "The level none stands apart: it lies on no logarithmic axis, and is no part of the fits.");
+    if (const std::string answered = answered_text(analysis); !answered.empty())
+      paragraphs.push_back(answered);
     if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis, words));
     for (const ChoiceCurve& curve : numbers.choices)
       if (curve.pooled) {

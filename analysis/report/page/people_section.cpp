@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/participant_facts.h"
 #include "analysis/report/page/html_parts.h"
 
 namespace seamline::analysis {
@@ -19,6 +21,15 @@ std::string quartiles_text(const Quartiles& times) {
   if (!std::isfinite(times.median_s)) return "–";
   return fmt::format("{} ({} to {})", short_text(times.median_s), short_text(times.lower_s),
                      short_text(times.upper_s));
+}
+
+/// "1920 × 1080 px, 600 mm, 38.2 px a degree".
+std::string display_text(const std::optional<study::ShownOn>& display) {
+  if (!display) return "–";
+  std::string text = fmt::format("{} × {} px", display->mode_width_px, display->mode_height_px);
+  if (display->viewing_distance_mm > 0) text += fmt::format(", {:.0f} mm", display->viewing_distance_mm);
+  if (display->pixels_per_degree > 0) text += fmt::format(", {:.1f} px a degree", display->pixels_per_degree);
+  return text;
 }
 
 }  // namespace
@@ -44,7 +55,12 @@ std::string times_html(const ReportNumbers& numbers, const std::vector<Figure>& 
          "times are in <code>response_times.csv</code>.</p>\n";
 }
 
-std::string participant_table_html(const ReportNumbers& numbers) {
+std::string participant_table_html(const Analysis& analysis, const ReportNumbers& numbers) {
+  std::string described;
+  for (const std::string& sentence : participants_described(analysis))
+    described += (described.empty() ? "" : " ") + sentence;
+  const bool displays = std::any_of(numbers.participants.begin(), numbers.participants.end(),
+                                    [](const ParticipantRow& row) { return row.display.has_value(); });
   std::vector<std::vector<std::string>> lines;
   for (const ParticipantRow& row : numbers.participants) {
     std::string use(word(row.use));
@@ -56,16 +72,24 @@ std::string participant_table_html(const ReportNumbers& numbers) {
                      : row.screens.empty() ? "none"
                                            : row.screens,
                      seconds_text(row.median_choice_s)});
+    for (const std::string& answer : row.form) lines.back().push_back(answer.empty() ? "–" : answer);
+    if (displays) lines.back().push_back(display_text(row.display));
   }
-  return html_table({{"participant"},
-                     {"kind"},
-                     {"use"},
-                     {"trials", true},
-                     {"right choices", true},
-                     {"mean rating", true},
-                     {"named by screens"},
-                     {"median time to choose", true}},
-                    lines) +
+  std::vector<HtmlColumn> columns = {{"participant"},
+                                     {"kind"},
+                                     {"use"},
+                                     {"trials", true},
+                                     {"right choices", true},
+                                     {"mean rating", true},
+                                     {"named by screens"},
+                                     {"median time to choose", true}};
+  for (std::string question : numbers.questions) {
+    std::replace(question.begin(), question.end(), '_', ' ');
+    columns.push_back({question});
+  }
+  if (displays) columns.push_back({"screen"});
+  return (described.empty() ? "" : html_paragraph("Of those used. " + described)) +
+         html_table(columns, lines) +
          "<p class=\"soft\">Chance is 33 % right. The mean rating is over all answers, right or wrong. "
          "Simulated observers take no time.</p>\n";
 }

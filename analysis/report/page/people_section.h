@@ -10,6 +10,6 @@ namespace seamline::analysis {
 [[nodiscard]] std::string times_html(const ReportNumbers& numbers, const std::vector<Figure>& figures);
 
 /// A line a participant of the log.
-[[nodiscard]] std::string participant_table_html(const ReportNumbers& numbers);
+[[nodiscard]] std::string participant_table_html(const Analysis& analysis, const ReportNumbers& numbers);
 
 }  // namespace seamline::analysis

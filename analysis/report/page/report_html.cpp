@@ -33,6 +33,7 @@ std::string participants_text(const ParticipantCounts& counts) {
   if (counts.pilot > 0) text += fmt::format(", {} pilot left out", counts.pilot);
   if (counts.incomplete > 0) text += fmt::format(", {} did not finish", counts.incomplete);
   if (counts.screened > 0) text += fmt::format(", {} named by a screen", counts.screened);
+  if (counts.vision > 0) text += fmt::format(", {} without normal or corrected vision", counts.vision);
   return text;
 }
 
@@ -131,7 +132,7 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
           times_html(numbers, figures);
-  html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(numbers);
+  html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
           methods_section(analysis, numbers) + data_section;
   return html + "</body>\n</html>\n";

@@ -130,26 +130,34 @@ CsvTable screening_table(const Analysis& analysis) {
       .columns = {participant_column,
                   {"catch_trials", "count", "catch trials answered"},
                   {"catch_right", "count", "of these right"},
-                  {"attention_named", "0 or 1", std::string(rule_of(ScreeningRule::attention))},
+                  {"attention_named", "0 or 1",
+                   std::string(rule_of(ScreeningRule::attention)) + "; empty when not judged"},
                   {"extreme_high", "count", "P of ITU-R BT.500: scores far above the mean of all"},
                   {"extreme_low", "count", "Q of ITU-R BT.500: scores far below it"},
                   {"stimuli", "count", "stimuli with a score"},
-                  {"kurtosis_named", "0 or 1", std::string(rule_of(ScreeningRule::kurtosis))},
+                  {"kurtosis_named", "0 or 1",
+                   std::string(rule_of(ScreeningRule::kurtosis)) + "; empty when not judged"},
                   {"correlation_stimuli", "between -1 and 1",
                    "Pearson correlation with the mean of the others, over stimuli"},
                   {"correlation_conditions", "between -1 and 1", screened_cells},
-                  {"correlation_named", "0 or 1", std::string(rule_of(ScreeningRule::correlation))},
+                  {"correlation_limit", "between -1 and 1", "what it has to exceed, for so many stimuli"},
+                  {"correlation_named", "0 or 1",
+                   std::string(rule_of(ScreeningRule::correlation)) + "; empty when not judged"},
                   {"below_p913", "0 or 1",
                    "correlations under 0.75 over stimuli and 0.80 over conditions, as in ITU-T "
                    "P.913; reported only"}},
       .rows = {}};
+  const auto named = [&](const ScreenedPerson& person, ScreeningRule rule) {
+    return analysis.screening.judged(rule) ? CsvValue(whole(person.named_by(rule)))
+                                           : CsvValue(std::monostate{});
+  };
   for (const ScreenedPerson& person : analysis.screening.people)
     table.rows.push_back({person.code, whole(person.attention.shown), whole(person.attention.right),
-                          whole(person.attention.rejected), whole(person.kurtosis.above),
+                          named(person, ScreeningRule::attention), whole(person.kurtosis.above),
                           whole(person.kurtosis.below), whole(person.kurtosis.stimuli),
-                          whole(person.kurtosis.rejected), person.correlation.stimuli,
-                          person.correlation.conditions, whole(person.correlation.rejected),
-                          whole(person.correlation.below_p913)});
+                          named(person, ScreeningRule::kurtosis), person.correlation.stimuli,
+                          person.correlation.conditions, person.correlation.critical,
+                          named(person, ScreeningRule::correlation), whole(person.correlation.below_p913)});
   return table;
 }
 

@@ -139,6 +139,8 @@ void add_artifacts(std::vector<Field>& fields, const LevelNames& names, bool con
   const std::string artifact = "artifacts[].";
   fields.push_back({artifact + "artifact", "word", "receiver, shadow, occlusion or overlap"});
   fields.push_back({artifact + "participants", "count", "participants on the curve"});
+  fields.push_back({artifact + "participants_at_fewest", "count",
+                    "of them at the level where the fewest answered; the intervals' degrees of freedom"});
   for (const auto& [key, meaning] : names.thresholds) {
     add_estimate(fields, artifact + key + names.suffix, names.unit, meaning);
     fields.push_back({artifact + key + names.suffix + ".ci95_text", "text", "the interval in words"});
@@ -159,10 +161,20 @@ void add_screening(std::vector<Field>& fields, const LevelNames& names) {
   for (const char* screen : {"attention", "kurtosis", "correlation"}) {
     const std::string path = std::string("screening.") + screen;
     fields.push_back({path + ".rule", "text", "the rule with its numbers"});
-    fields.push_back({path + ".judged", "true or false", "whether the log has what the screen needs"});
+    fields.push_back(
+        {path + ".judged", "true or false", "whether the screen judges the people of this study"});
+    fields.push_back({path + ".not_judged_because", "text", "why not; empty when it does"});
     fields.push_back({path + ".count", "count", "participants it names"});
     fields.push_back({path + ".named[]", "text", "their codes"});
   }
+  for (const char* screen : {"kurtosis", "correlation"})
+    fields.push_back(
+        {std::string("screening.") + screen + ".honest_named", "0 to 1",
+         "share of simulated honest people of this study whom it would name; it judges under 0.01; "
+         "null with fewer than three people"});
+  fields.push_back({"screening.correlation.limit[]", "between -1 and 1",
+                    "the correlation a participant has to exceed: the least and the most of this study's"});
+  fields.push_back({"screening.honest_simulated", "count", "honest people simulated"});
   const std::string person = "screening.people[].";
   fields.push_back({person + "participant", "text", "code"});
   fields.push_back({person + "catch_trials.shown", "count", "catch trials answered"});
@@ -183,6 +195,10 @@ void add_screening(std::vector<Field>& fields, const LevelNames& names) {
   fields.push_back({screened + "artifacts[].artifact", "word", "the artifact"});
   add_thresholds(fields, names, screened + "artifacts[].", ", of those people");
   fields.push_back({"exclude_screened", "true or false", "whether those named are left out throughout"});
+  fields.push_back({"exclude_inattentive", "true or false",
+                    "whether those named by catch trials are left out throughout"});
+  fields.push_back({"exclude_uncorrected", "true or false",
+                    "whether those whose vision is neither normal nor corrected are left out throughout"});
 }
 
 std::vector<Field> thresholds_fields(const LevelNames& names, bool conditions) {
@@ -195,6 +211,7 @@ std::vector<Field> thresholds_fields(const LevelNames& names, bool conditions) {
                                      {"pilot_left_out", "of a pilot, left out"},
                                      {"incomplete", "who did not finish"},
                                      {"screened", "left out because a screen names them"},
+                                     {"vision", "left out: vision neither normal nor corrected"},
                                      {"simulated", "used who are simulated"},
                                      {"forgotten", "deleted from the log at their request"}})
     fields.push_back({std::string("participants.") + key, "count", std::string("participants ") + meaning});

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/report/tables/table_columns.h"
 
 namespace seamline::analysis {
@@ -40,7 +42,9 @@ CsvTable participants_table(const ReportNumbers& numbers) {
       .columns =
           {participant_column,
            {"kind", "word", "person, or the kind of simulated observer"},
-           {"use", "word", "used, excluded, pilot (left out), incomplete (left out) or screened (left out)"},
+           {"use", "word",
+            "used, excluded, pilot (left out), incomplete (left out), screened (left out) or vision "
+            "(neither normal nor corrected, left out)"},
            {"why", "text", "why their answers are not used; empty when they are"},
            {"pilot", "0 or 1", "pilot data"},
            {"answers", "count", "answers in the log"},
@@ -52,10 +56,31 @@ CsvTable participants_table(const ReportNumbers& numbers) {
            {"screens", "text", "screens that name them; empty when none does"},
            {"median_choice_s", "s", "median time from the image to the choice; empty when simulated"}},
       .rows = {}};
-  for (const ParticipantRow& row : numbers.participants)
+  for (const std::string& question : numbers.questions)
+    table.columns.push_back({"form_" + question, "text", "what they answered in the form; empty: nothing"});
+  const bool displays = std::any_of(numbers.participants.begin(), numbers.participants.end(),
+                                    [](const ParticipantRow& row) { return row.display.has_value(); });
+  if (displays)
+    for (const CsvColumn& column :
+         {CsvColumn{"screen_width_px", "px", "of the screen's mode; empty: not known"},
+          CsvColumn{"screen_height_px", "px", "the same"},
+          CsvColumn{"viewing_distance_mm", "mm", "as entered; empty: not known"},
+          CsvColumn{"pixels_per_degree", "1/degree", "at the middle of the screen; empty: not known"}})
+      table.columns.push_back(column);
+  const auto known = [](double value) { return value > 0 ? CsvValue(value) : CsvValue(std::monostate{}); };
+  for (const ParticipantRow& row : numbers.participants) {
     table.rows.push_back({row.code, row.kind, std::string(word(row.use)), row.why, whole(row.pilot),
                           whole(row.answers), whole(row.stimulus_trials), row.correct, row.mean_rating,
                           whole(row.screened), row.screens, row.median_choice_s});
+    std::vector<CsvValue>& values = table.rows.back();
+    values.insert(values.end(), row.form.begin(), row.form.end());
+    if (!displays) continue;
+    const study::ShownOn display = row.display.value_or(study::ShownOn{});
+    for (const double value :
+         {static_cast<double>(display.mode_width_px), static_cast<double>(display.mode_height_px),
+          display.viewing_distance_mm, display.pixels_per_degree})
+      values.push_back(known(value));
+  }
   return table;
 }
 

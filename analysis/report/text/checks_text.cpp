@@ -92,10 +92,17 @@ std::string guessers_text(const GuessCorrection& correction) {
 std::string screening_sentence(const Screening& screening) {
   std::string text;
   for (ScreeningRule rule : every_screening_rule) {
-    const bool judged = rule != ScreeningRule::attention || screening.catch_trials;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(rule),
-                        judged ? fmt::format("names {}", screening.named_by(rule).size())
-                               : std::string("is not judged (no catch trials)"));
+    text += text.empty() ? "" : "; ";
+    text += word(rule);
+    if (rule == ScreeningRule::correlation && !screening.people.empty())
+      text += fmt::format(" (limit {})", limit_text(screening));
+    if (!screening.judged(rule)) {
+      text += fmt::format(" is not judged ({})", why_not_judged(screening, rule));
+      continue;
+    }
+    text += fmt::format(" names {}", screening.named_by(rule).size());
+    if (rule != ScreeningRule::attention)
+      text += fmt::format(" (it would name {} of honest people)", honest_share_text(screening.honest, rule));
   }
   return fmt::format("Screening of {} participants: {}.", screening.people.size(), text);
 }
