@@ -1,6 +1,7 @@
 #include "study/log/log_create.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sqlite3.h>
 #include <unistd.h>
 
@@ -81,11 +82,10 @@ bool remove_log_of_nobody(const fs::path& path) {
     SQLite::Database database = open_log_database(path, LogAccess::alone);
     for (const auto& [kind, name, table, sql] : schema_of(database))
       if (kind == "table" && name != "study" && name != "stimuli" && !name.starts_with("sqlite_") &&
-          database.execAndGet("SELECT EXISTS (SELECT 1 FROM " + name + ")").getInt() != 0)
+          database.execAndGet(fmt::format("SELECT EXISTS (SELECT 1 FROM {})", name)).getInt() != 0)
         return false;
     for (const fs::path& file : {log_place(path), ahead_file(path), journal_file(path), claims_file(path)})
       ::unlink(file.c_str());
-    ::unlink((log_place(path).string() + "-shm").c_str());
     return true;
   } catch (const InputError&) {
     return false;
