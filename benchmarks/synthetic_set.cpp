@@ -1,7 +1,8 @@
-// Makes a set of thousands of stimuli of a few, so that everything after rendering can be measured with them (`benchmarks/scale` calls it):
+// Makes a set of thousands of stimuli of a few, so that everything after rendering can be measured with them
+// (`benchmarks/scale` calls it):
 //   seamline_synthetic_set STUDY.toml SET ONLY
-// renders the stimuli that match ONLY, gives every other one the picture of the first with its object, and renders the set, of which
-// everything is kept then. The last step's seconds are printed.
+// renders the stimuli that match ONLY, gives every other one the picture of the first with its object, and
+// renders the set, of which everything is kept then. The last step's seconds are printed.
 #include <fmt/core.h>
 
 #include <filesystem>

@@ -10,18 +10,18 @@ namespace seamline::analysis {
 /// A least-squares problem that `levenberg_marquardt` can descend, with `Parameters` parameters. A place
 /// holds its `residual_sum_of_squares`.
 template <class Problem>
-concept LeastSquares = requires(const Problem& problem, const typename Problem::Place& place,
-                                typename Problem::Place& into,
-                                Eigen::Matrix<double, Problem::parameters, Problem::parameters>& curvature,
-                                Eigen::Vector<double, Problem::parameters>& gradient) {
-  /// J' J and J' r, with the derivatives J of the curve by the parameters and the residuals r.
-  problem.normal_equations(place, curvature, gradient);
-  /// The place after a step, kept within the problem's bounds.
-  problem.step(place, gradient, into);
-  /// How far two places are apart.
-  { problem.distance(place, place) } -> std::convertible_to<double>;
-  { place.residual_sum_of_squares } -> std::convertible_to<double>;
-};
+concept LeastSquares =
+    requires(const Problem& problem, const typename Problem::Place& place, typename Problem::Place& into,
+             Eigen::Matrix<double, Problem::parameters, Problem::parameters>& curvature,
+             Eigen::Vector<double, Problem::parameters>& gradient) {
+      /// J' J and J' r, with the derivatives J of the curve by the parameters and the residuals r.
+      problem.normal_equations(place, curvature, gradient);
+      /// The place after a step, kept within the problem's bounds.
+      problem.step(place, gradient, into);
+      /// How far two places are apart.
+      { problem.distance(place, place) } -> std::convertible_to<double>;
+      { place.residual_sum_of_squares } -> std::convertible_to<double>;
+    };
 
 /// Descends from `best`, and leaves it at the best place found: steps of (J' J + damping diag(J' J)) move =
 /// J' r (Levenberg 1944, Marquardt 1963), the damping an eighth after a step that gained and eight times as

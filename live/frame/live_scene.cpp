@@ -13,8 +13,7 @@ using renderer::Light;
 Eigen::Isometry3d turned_up(const LoadedRecording& recording) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   if (recording.up != Eigen::Vector3d::UnitY())
-    turn.linear() =
-        shortest_turn(recording.up, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    turn.linear() = shortest_turn(recording.up, Eigen::Vector3d::UnitY()).toRotationMatrix();
   return turn;
 }
 

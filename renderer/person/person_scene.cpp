@@ -196,8 +196,7 @@ void add_sun(tinygltf::Model& model) {
   model.lights.push_back(light);
   tinygltf::Node node;
   node.name = "sun";
-  const auto turn =
-      shortest_turn(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d(0.75, -1.0, -0.8));
+  const auto turn = shortest_turn(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d(0.75, -1.0, -0.8));
   node.rotation = {turn.x(), turn.y(), turn.z(), turn.w()};
   node.extensions[light_extension] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(0)}});
   add_node(model, node);

@@ -9,19 +9,19 @@ namespace seamline::inline stimuli {
 /// Which seam of the composition a stimulus shows, alone (paper section 3.3). A closed set without data:
 /// switches over it have no default branch, so the compiler finds the place where a new one is forgotten.
 enum class Artifact {
-  receiver,   ///< type 1: real objects receive the virtual shadow
-  shadow,     ///< type 2: the virtual object receives real shadows
-  occlusion,  ///< type 3: the real world hides the virtual object
-  overlap,    ///< type 4: real and virtual shadow overlap
-  bounce,     ///< reserved: bounce light alone
-  reflection, ///< reserved: what is mirrored in the virtual object
-  all,        ///< reserved: everything from the depth mesh
-  none        ///< reserved: everything from the truth; equals the reference
+  receiver,    ///< type 1: real objects receive the virtual shadow
+  shadow,      ///< type 2: the virtual object receives real shadows
+  occlusion,   ///< type 3: the real world hides the virtual object
+  overlap,     ///< type 4: real and virtual shadow overlap
+  bounce,      ///< reserved: bounce light alone
+  reflection,  ///< reserved: what is mirrored in the virtual object
+  all,         ///< reserved: everything from the depth mesh
+  none         ///< reserved: everything from the truth; equals the reference
 };
 
 inline constexpr std::array<Artifact, 8> every_artifact = {
-    Artifact::receiver, Artifact::shadow, Artifact::occlusion, Artifact::overlap,
-    Artifact::bounce,   Artifact::reflection, Artifact::all, Artifact::none};
+    Artifact::receiver, Artifact::shadow,     Artifact::occlusion, Artifact::overlap,
+    Artifact::bounce,   Artifact::reflection, Artifact::all,       Artifact::none};
 /// The four that the paper studied, in its order of types 1 to 4.
 inline constexpr std::array<Artifact, 4> paper_artifacts = {Artifact::receiver, Artifact::shadow,
                                                             Artifact::occlusion, Artifact::overlap};

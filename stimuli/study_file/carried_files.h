@@ -22,8 +22,8 @@ void copy_carried_files(const StudyDefinition& study, const std::filesystem::pat
 /// be copied beside it, and, where `folder` is given, a file that is there.
 void check_carried_files(const StudyDefinition& study, const std::filesystem::path* folder);
 
-/// Throws InputError unless everything that comes after the study file can carry its texts: pages, messages of
-/// browsers, logs and tables. A text is one line (texts that are paragraphs may have line ends and tabs)
+/// Throws InputError unless everything that comes after the study file can carry its texts: pages, messages
+/// of browsers, logs and tables. A text is one line (texts that are paragraphs may have line ends and tabs)
 /// without control characters, line separators and marks that turn the direction of what follows; names are
 /// short enough for file names; and the form's answers fit into one message. Asked of a study that will be
 /// rendered; sets and logs of before are read as they are. (carried_texts.cpp)

@@ -60,7 +60,8 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
   for (const std::string& text : table.texts("artifacts")) {
     const std::optional<Artifact> artifact = artifact_from_word(text);
     if (!artifact)
-      throw table.complaint("artifacts", "receiver, shadow, occlusion, overlap, bounce, reflection, all or none",
+      throw table.complaint("artifacts",
+                            "receiver, shadow, occlusion, overlap, bounce, reflection, all or none",
                             "\"" + text + "\"");
     if (std::find(artifacts.begin(), artifacts.end(), *artifact) != artifacts.end())
       throw table.complaint("artifacts", "each artifact once", "\"" + text + "\" twice");

@@ -4,9 +4,9 @@
 #include "study/app/screens/instruction_pictures.h"
 #include "study/app/screens/study_texts.h"
 #include "study/app/screens/text_size.h"
-#include "window/find_font.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
+#include "window/find_font.h"
 
 namespace seamline::study::app {
 namespace {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <utility>
 
-#include "support/running/overloaded.h"
 #include "study/placement/psychometric_function.h"
 #include "study/placement/sigmoid_shape.h"
 #include "study/placement/trial.h"
+#include "support/running/overloaded.h"
 #include "support/text/error.h"
 
 namespace seamline::study {

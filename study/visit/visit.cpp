@@ -1,7 +1,7 @@
 #include "study/visit/visit.h"
 
-#include "support/running/overloaded.h"
 #include "study/trials/catch_trials.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study {
 namespace {

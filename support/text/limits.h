@@ -18,7 +18,7 @@ inline constexpr std::int64_t mebibyte = std::int64_t{1} << 20;
 // Files.
 inline constexpr std::int64_t largest_study_file_bytes = 16 * mebibyte;
 inline constexpr std::int64_t largest_text_file_bytes =
-    256 * mebibyte;  ///< manifest, records, timings, SVG figure
+    256 * mebibyte;                                    ///< manifest, records, timings, SVG figure
 inline constexpr std::int64_t most_stimuli = 200'000;  ///< of a study: a manifest holds a kilobyte of each
 inline constexpr std::int64_t largest_csv_bytes = 64 * mebibyte;
 inline constexpr std::int64_t largest_csv_rows = 1'000'000;

@@ -190,9 +190,10 @@ TEST(StudyFileLevel, MoreStimuliThanAManifestHoldsAreRefusedBeforeTheyAreListed)
                     std::to_string(100 + c) + "\n";
     return text + conditions;
   };
-  EXPECT_THAT(complaint(widths(667)),
-              HasSubstr("scene: wanted at most 200000 stimuli (artifacts x objects x levels x conditions), or "
-                        "several studies, found 200100"));
+  EXPECT_THAT(
+      complaint(widths(667)),
+      HasSubstr("scene: wanted at most 200000 stimuli (artifacts x objects x levels x conditions), or "
+                "several studies, found 200100"));
   EXPECT_EQ(list_stimuli(study_with(widths(100))).size(), 30000U);
 }
 

@@ -8,10 +8,10 @@ namespace seamline::renderer {
 struct DepthPixel {
   Unmirrored without_object, with_object;  ///< light off the object as far as the depth mesh has a part in
                                            ///< it; its sky is in `bounce`, with what may be filtered
-  Unmirrored object;             ///< light on the object, as far as the depth mesh answers it
-  float uncovered_surfaces = 0;  ///< samples in these two
-  float depth_sky = 0;           ///< uncovered samples where the truth has a surface and the depth mesh sky
-  float covered = 0;             ///< samples in `object`
+  Unmirrored object;                       ///< light on the object, as far as the depth mesh answers it
+  float uncovered_surfaces = 0;            ///< samples in these two
+  float depth_sky = 0;  ///< uncovered samples where the truth has a surface and the depth mesh sky
+  float covered = 0;    ///< samples in `object`
 };
 
 /// What is mirrored of it.

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "study/app/pictures/picture_loader.h"
-#include "window/texture.h"
 #include "study/trials/object_map.h"
 #include "study/trials/rendered_set.h"
+#include "window/texture.h"
 
 namespace seamline::study::app {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "window/look.h"
 #include "support/arithmetic/random.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 

@@ -1,7 +1,7 @@
 #include "study/app/screens/instruction_pictures.h"
 
-#include "window/look.h"
 #include "support/files/confined_path.h"
+#include "window/look.h"
 
 namespace seamline::study::app {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "window/texture.h"
 #include "study/trials/rendered_set.h"
+#include "window/texture.h"
 
 namespace seamline::study::app {
 

@@ -8,10 +8,10 @@
 
 #include "study/app/pictures/display_profile.h"
 #include "study/app/pictures/pixel_check.h"
-#include "window/ui.h"
-#include "window/window.h"
 #include "study/trials/rendered_set.h"
 #include "study/visit/visit.h"
+#include "window/ui.h"
+#include "window/window.h"
 
 namespace seamline::study::app {
 

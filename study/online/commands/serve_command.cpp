@@ -140,15 +140,14 @@ void add_gathering_commands(CLI::App& app) {
   import->add_option("--set", imported->set, "the rendered set; else where the log says");
   import->add_flag("--skip-foreign", imported->skip_foreign,
                    "leave out, by name, what is no message of this study and set (else it ends the command)");
-  import->callback([imported] { run_import(*imported);
-});
+  import->callback([imported] { run_import(*imported); });
 
-const auto merged = std::make_shared<GatheringOptions>();
-CLI::App* merge =
-    app.add_subcommand("merge", "Add the participants of other logs of the same study to a log");
-merge->add_option("into", merged->log, "the log that gets them")->required();
-merge->add_option("from", merged->files, "the other logs, which stay as they are")->required();
-merge->callback([merged] { run_merge(*merged); });
+  const auto merged = std::make_shared<GatheringOptions>();
+  CLI::App* merge =
+      app.add_subcommand("merge", "Add the participants of other logs of the same study to a log");
+  merge->add_option("into", merged->log, "the log that gets them")->required();
+  merge->add_option("from", merged->files, "the other logs, which stay as they are")->required();
+  merge->callback([merged] { run_merge(*merged); });
 }  // namespace seamline::study::online
 
 }  // namespace seamline::study::online

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/running/overloaded.h"
 #include "support/files/hash.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study::online {
 namespace {
