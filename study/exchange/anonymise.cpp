@@ -101,7 +101,8 @@ std::string state_of(const ParticipantRecord& person, bool with_origin) {
 }
 
 /// The answers of the form, the first `withheld` of `fields` withheld.
-std::string row_of(ParticipantRecord& person, const std::vector<std::string>& fields, std::size_t withheld) {
+std::string grouped_row_of(ParticipantRecord& person, const std::vector<std::string>& fields,
+                           std::size_t withheld) {
   std::string row;
   for (std::size_t i = withheld; i < fields.size(); ++i) row += answer_of(person, fields[i]) + "\n";
   return row;
@@ -123,7 +124,7 @@ void withhold_until_alike(People left, std::vector<std::string> fields, int k) {
   std::vector<People> groups;
   for (std::size_t withheld = 0; withheld <= fields.size() && !left.empty(); ++withheld) {
     std::map<std::string, People> alike;
-    for (ParticipantRecord* person : left) alike[row_of(*person, fields, withheld)].push_back(person);
+    for (ParticipantRecord* person : left) alike[grouped_row_of(*person, fields, withheld)].push_back(person);
     left.clear();
     for (auto& [row, people] : alike)
       if (people.size() >= size) {
@@ -273,7 +274,7 @@ AnonymisedLog anonymise(LogContents log, int k) {
     std::sort(person->form.begin(), person->form.end(),
               [](const FormAnswer& a, const FormAnswer& b) { return a.field < b.field; });
     ++rows[state_of(*person, out.anonymity.keeps_origin) + "\n" +
-           row_of(*person, {fields.begin(), fields.end()}, 0)];
+           grouped_row_of(*person, {fields.begin(), fields.end()}, 0)];
   }
   out.smallest_group = smallest(rows);
   out.log = std::move(log);
