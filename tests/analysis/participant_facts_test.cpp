@@ -33,7 +33,7 @@ LogContents the_papers_people() {
   return log;
 }
 
-Analysis analysed(LogContents log, AnalysisOptions options = {}) {
+Analysis analysis_of_people(LogContents log, AnalysisOptions options = {}) {
   return analyze(std::move(log), false, {.replicates = 100, .threads = 1}, options);
 }
 
@@ -52,7 +52,7 @@ TEST(ParticipantFacts, StandInSentencesTableAndMethods) {
   AnalysisOptions options;
   options.displays["sim-0"] = {
       .mode_width_px = 1920, .mode_height_px = 1080, .viewing_distance_mm = 600, .pixels_per_degree = 38.5};
-  const Analysis analysis = analysed(the_papers_people(), options);
+  const Analysis analysis = analysis_of_people(the_papers_people(), options);
   EXPECT_THAT(participants_described(analysis),
               ElementsAre("Age: 21 to 40, mean 30.5.", "Gender: 15 male, 5 female.",
                           "Technical background: 13 yes, 7 no.", "Vision: 19 normal, 1 neither.",
@@ -73,24 +73,24 @@ TEST(ParticipantFacts, StandInSentencesTableAndMethods) {
 }
 
 TEST(ParticipantFacts, GroupsAreComparedAsPromised) {
-  const ReportNumbers numbers = report_numbers(analysed(the_papers_people()));
+  const ReportNumbers numbers = report_numbers(analysis_of_people(the_papers_people()));
   ASSERT_TRUE(numbers.comparisons);
   std::vector<std::string> questions;
   for (const ContrastTable& table : numbers.comparisons->contrasts) questions.push_back(table.question);
   EXPECT_THAT(questions, Contains("Do groups of participants differ?"));
   EXPECT_THAT(numbers.comparisons->design.groups, ElementsAre("other", "technical"));
   // Nobody asked: no question.
-  const ReportNumbers unasked = report_numbers(analysed(test::people_log(20, 2)));
+  const ReportNumbers unasked = report_numbers(analysis_of_people(test::people_log(20, 2)));
   EXPECT_EQ(unasked.comparisons->contrasts.size() + 1, numbers.comparisons->contrasts.size());
 }
 
 TEST(ParticipantFacts, UncorrectedVisionIsNamedAndLeftOutWhenAsked) {
-  const Analysis used = analysed(the_papers_people());
+  const Analysis used = analysis_of_people(the_papers_people());
   EXPECT_EQ(used.counts.used, 20);
   EXPECT_THAT(used.notes, Contains(HasSubstr("vision is neither normal nor corrected (sim-2)")));
   AnalysisOptions options;
   options.exclude_uncorrected = true;
-  const Analysis without = analysed(the_papers_people(), options);
+  const Analysis without = analysis_of_people(the_papers_people(), options);
   EXPECT_EQ(without.counts.used, 19);
   EXPECT_EQ(without.counts.vision, 1);
   EXPECT_EQ(participant_rows(without)[2].why, "vision neither normal nor corrected");
@@ -105,7 +105,7 @@ TEST(ParticipantFacts, InattentiveAloneAreLeftOutWhereThatWasPromised) {
   for (int p = 0; p < 20; ++p)
     for (int trial = 0; trial < 4; ++trial)
       options.catches.push_back({.participant = "sim-" + std::to_string(p), .right = p != 4});
-  const Analysis analysis = analysed(the_papers_people(), options);
+  const Analysis analysis = analysis_of_people(the_papers_people(), options);
   EXPECT_EQ(analysis.counts.screened, 1);
   EXPECT_EQ(analysis.thresholds[0].participants, 19);
 }
