@@ -15,15 +15,15 @@ struct PageBlock {
   std::string text;
 };
 
-struct Page {
+struct ManualPage {
   std::filesystem::path file;
   std::string prose;                  ///< what is outside of blocks
   std::vector<PageBlock> blocks;      ///< fenced ones
   std::vector<std::string> headings;  ///< without their marks
 };
 
-inline Page read_page(const std::filesystem::path& file) {
-  Page page{.file = file, .prose = {}, .blocks = {}, .headings = {}};
+inline ManualPage read_manual_page(const std::filesystem::path& file) {
+  ManualPage page{.file = file, .prose = {}, .blocks = {}, .headings = {}};
   std::ifstream in(file);
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
@@ -42,22 +42,22 @@ inline Page read_page(const std::filesystem::path& file) {
 }
 
 /// Every page of the repository for people: documentation/, README and CONTRIBUTING, by path from its root.
-inline const std::map<std::string, Page>& pages() {
-  static const std::map<std::string, Page> read = [] {
+inline const std::map<std::string, ManualPage>& pages() {
+  static const std::map<std::string, ManualPage> read = [] {
     const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
-    std::map<std::string, Page> found;
+    std::map<std::string, ManualPage> found;
     for (const char* name : {"README.md", "CONTRIBUTING.md", "tests/data/README.md"})
-      found[name] = read_page(root / name);
+      found[name] = read_manual_page(root / name);
     for (const auto& entry : std::filesystem::directory_iterator(root / "documentation"))
       if (entry.path().extension() == ".md")
-        found["documentation/" + entry.path().filename().string()] = read_page(entry.path());
+        found["documentation/" + entry.path().filename().string()] = read_manual_page(entry.path());
     return found;
   }();
   return read;
 }
 
 /// The pieces of text in backticks, outside of blocks.
-inline std::vector<std::string> code_spans(const Page& page) {
+inline std::vector<std::string> code_spans(const ManualPage& page) {
   std::vector<std::string> spans;
   const std::string& text = page.prose;
   for (std::size_t open = text.find('`'); open != std::string::npos;) {

@@ -17,7 +17,7 @@ namespace seamline {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Page;
+using test::ManualPage;
 using test::pages;
 
 const fs::path& repository() {
@@ -32,7 +32,7 @@ bool is_command_line(const std::string& line) {
 }
 
 /// The command lines of a page's blocks, whose lines may be joined by a backslash.
-std::vector<std::string> command_lines(const Page& page) {
+std::vector<std::string> command_lines(const ManualPage& page) {
   std::vector<std::string> lines;
   for (const test::PageBlock& block : page.blocks) {
     std::istringstream text(block.text);
@@ -177,7 +177,7 @@ TEST(Documentation, EveryLinkLeadsToAFileAndToAHeadingOfIt) {
       ++links;
       if (heading.empty() || file.extension() != ".md" || !fs::exists(file)) continue;
       std::vector<std::string> anchors;
-      for (const std::string& one : test::read_page(file).headings) anchors.push_back(anchor_of(one));
+      for (const std::string& one : test::read_manual_page(file).headings) anchors.push_back(anchor_of(one));
       EXPECT_THAT(anchors, testing::Contains(heading)) << name << " links to " << it->str();
       ++headings;
     }

@@ -26,7 +26,7 @@ TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
   const fs::path folder = test::fresh_folder("tutorial");
   fs::copy(documentation / "tutorial" / "room.gltf", folder);
   int studies = 0, lines_run = 0, by_hand = 0;
-  for (const test::PageBlock& block : test::read_page(documentation / "tutorial.md").blocks) {
+  for (const test::PageBlock& block : test::read_manual_page(documentation / "tutorial.md").blocks) {
     if (block.kind == "toml") {
       test::write_text(folder / "my_study.toml", smaller(block.text));
       ++studies;
