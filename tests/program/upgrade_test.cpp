@@ -72,13 +72,15 @@ TEST_F(Upgrade, ThresholdsAreThoseOfTheProgramThatWroteTheLog) {
   ASSERT_EQ(upgrade.status, 0) << upgrade.output;
   EXPECT_EQ(thresholds, thresholds_of(upgraded));
 
-  // What the last program of schema 2 printed, to the last digit.
+  // What the last program of schema 2 printed, to the last digit; an estimate (805.121 of the first) stands
+  // no more beside an interval that is open.
   const nlohmann::json receiver = nlohmann::json::parse(thresholds).at("artifacts").at(0);
-  const auto expect = [&](const char* name, double estimate, double low, const nlohmann::json& high) {
+  const auto expect = [&](const char* name, const nlohmann::json& estimate, double low,
+                          const nlohmann::json& high) {
     EXPECT_EQ(receiver.at(name).at("estimate"), estimate);
     EXPECT_EQ(receiver.at(name).at("ci95"), nlohmann::json::array({low, high})) << name;
   };
-  expect("perceptual_threshold_px", 805.121, 528.304, nullptr);
+  expect("perceptual_threshold_px", nullptr, 528.304, nullptr);
   expect("slightly_noticeable_px", 456.761, 391.981, 653.782);
   expect("inflection_px", 256.644, 185.54, 324.901);
 }
