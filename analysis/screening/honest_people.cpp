@@ -106,9 +106,10 @@ double logistic(double x) {
 struct NormalGrid {
   std::vector<double> z, weight;
   NormalGrid() {
-    constexpr double end = 4, step = 0.25;
+    constexpr int quarters = 16;
     double sum = 0;
-    for (double at = -end; at <= end; at += step) {
+    for (int quarter = -quarters; quarter <= quarters; ++quarter) {
+      const double at = 0.25 * quarter;
       z.push_back(at);
       weight.push_back(std::exp(-at * at / 2));
       sum += weight.back();
@@ -229,12 +230,13 @@ RightChoices some_people(const RightChoices& counts, Eigen::Index most) {
 /// The largest spread whose likelihood is near the largest one.
 SpreadFit spread_of_people(const RightChoices& counts, const std::vector<Scored>& stimuli,
                            const NormalGrid& grid) {
-  constexpr double step = 0.25, most = 4, near = 2;
+  constexpr int most_quarters = 16;
+  constexpr double near = 2;
   const RightChoices some = some_people(counts, 200);
   std::vector<SpreadFit> fits;
   double top = -infinity;
-  for (double s = 0; s <= most; s += step) {
-    fits.push_back(fit_spread(s, some, stimuli, grid));
+  for (int quarters = 0; quarters <= most_quarters; ++quarters) {
+    fits.push_back(fit_spread(0.25 * quarters, some, stimuli, grid));
     top = std::max(top, fits.back().log_likelihood);
   }
   while (fits.back().log_likelihood < top - near) fits.pop_back();
@@ -243,8 +245,10 @@ SpreadFit spread_of_people(const RightChoices& counts, const std::vector<Scored>
 
 int draw_rating(const ScoreShares& shares, Random& random) {
   double left = random.uniform() * (1 - shares[0]);
-  for (int rating = 1; rating < study::highest_rating; ++rating)
-    if ((left -= shares[static_cast<std::size_t>(rating)]) < 0) return rating;
+  for (int rating = 1; rating < study::highest_rating; ++rating) {
+    left -= shares[static_cast<std::size_t>(rating)];
+    if (left < 0) return rating;
+  }
   return study::highest_rating;
 }
 
@@ -268,6 +272,7 @@ HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people, std::
   }
   const LogOdds log_odds(naming.people_sd, grid);
   std::vector<double> l;
+  l.reserve(stimuli.size());
   for (const Scored& stimulus : stimuli) l.push_back(log_odds.of(1 - stimulus.shares[0]));
 
   int by_kurtosis = 0, by_correlation = 0;
