@@ -216,10 +216,10 @@ const tests = {
     });
     await host.stop();
     const ask = (...words) => execFileSync(process.env.SEAMLINE_PROGRAM, words, { encoding: "utf8" });
-    assert.match(ask("log", log, "--status"), / 0 of +8/);
+    assert.match(ask("log", log, "--status"), / 0 of +6/);
     console.log("  " + ask("import", log, file, "--set", set).trim().split("\n").join("\n  "));
     const status = ask("log", log, "--status");
-    assert.ok(status.includes(participant) && / 1 of +8/.test(status), status);
+    assert.ok(status.includes(participant) && / 1 of +6/.test(status), status);
   },
 
   async "a page for a host of files says that it stands at JATOS"() {
