@@ -222,6 +222,9 @@ TEST_F(ClusterScripts, PutBackIntoTheQueueWhatWasStoppedAndNotWhatIsWrong) {
   const std::string long_work = "trap 'exit 130' TERM\n: >started\nwhile :; do sleep 0.02; done\n";
   EXPECT_EQ(said_after(long_work, true, 0), begun + again);
   EXPECT_EQ(said_after(long_work, true, 3), begun);
+  // The warning may come before the script knows its piece: here the piece sends it as its first act.
+  const std::string warned_at_once = "trap 'exit 130' TERM\nkill -USR1 $PPID\nwhile :; do sleep 0.02; done\n";
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(said_after(warned_at_once, false, 0), begun + again);
   // It ends well though it was warned.
   EXPECT_EQ(said_after("trap 'exit 0' TERM\n: >started\nwhile :; do sleep 0.02; done\n", true, 0), begun);
 }
