@@ -52,10 +52,14 @@ void describe(const Light& light, std::vector<std::string>& text) {
 }
 
 /// The panorama whose texels are light: the photograph's own, or one that was taken at its place, scaled to
-/// it.
-Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, Notes& notes) {
+/// it. `white`: where its codes end, if it has codes.
+Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, std::optional<float>& white,
+                     Notes& notes) {
   if (request.light.panorama.empty()) {
-    if (seen.panorama.width_px > 0) return seen.panorama;
+    if (seen.panorama.width_px > 0) {
+      if (seen.photograph.was_codes) white = 1.0F;
+      return seen.panorama;
+    }
     throw input_error(
         {.field = "--light-from-photograph",
          .wanted = "a panorama, which shows where light comes from; or --light-panorama FILE beside it",
@@ -76,6 +80,7 @@ Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, Not
       fmt::format("{} is taken {:.3g} times, to be as bright as the photograph in its view (likeness {:.2f})",
                   printable(request.light.panorama), match.scale, match.likeness));
   for (float& value : around.radiance.values) value *= static_cast<float>(match.scale);
+  if (around.was_codes) white = static_cast<float>(match.scale);
   return std::move(around.radiance);
 }
 
@@ -101,7 +106,7 @@ KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, c
     throw input_error({.field = "--light-from-photograph",
                        .wanted = "no environment beside it: the panorama shows what is around",
                        .found = "an environment"});
-  Image panorama = light_panorama(request, seen, notes);
+  Image panorama = light_panorama(request, seen, known.panorama_white, notes);
   for (float& value : panorama.values) value = std::max(0.0F, value);
   known.photographed = true;
   describe(known.light, known.text);

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,10 @@ namespace seamline::renderer {
 
 /// Light that is known before the local scene is.
 struct KnownLight {
-  Light light;                    ///< what was given, or the panorama's sky and sun
-  bool photographed = false;      ///< the local scene sends what the panorama shows of it
-  std::vector<std::string> text;  ///< what there is, a line each
+  Light light;                               ///< what was given, or the panorama's sky and sun
+  bool photographed = false;                 ///< the local scene sends what the panorama shows of it
+  std::optional<float> panorama_white = {};  ///< radiance of white, of a panorama of codes
+  std::vector<std::string> text;             ///< what there is, a line each
 };
 
 /// The light that was given, or the panorama's. `depth`: the local scene, whose holes are sky. Throws

@@ -279,7 +279,8 @@ void make_composite(const CompositeRequest& asked) {
                          .wanted = "a width at which something of the depth map is left",
                          .found = std::to_string(*chosen.width_px)});
     made.depth_text += fmt::format("; of it a panorama of {} x {}", *chosen.width_px, *chosen.width_px / 2);
-    PhotoLocalScene reduced = local_scene_of(std::move(mesh), known, request.albedo, watch.seconds());
+    PhotoLocalScene reduced =
+        local_scene_of(std::move(mesh), known, request.albedo, watch.seconds(), request.threads);
     finest = std::move(local);
     local = std::move(reduced);
   }

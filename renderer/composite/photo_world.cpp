@@ -10,14 +10,17 @@
 
 namespace seamline::renderer {
 
-PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo, double seconds) {
+PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo, double seconds,
+                               int threads) {
   PhotoLocalScene scene;
   scene.mesh = std::move(mesh);
   const Stopwatch watch;
-  scene.geometry = std::make_shared<const Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
-                                                    TreeQuality::for_light, CentreRays::by_table);
+  auto geometry = std::make_shared<Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
+                                             TreeQuality::for_light, CentreRays::by_table);
   scene.light = known.light;
-  if (known.photographed) scene.light.photographed = scene.geometry;
+  if (known.photographed)
+    scene.sent = follow_received_light(geometry, scene.light, known.panorama_white, threads);
+  scene.geometry = std::move(geometry);
   scene.seconds = seconds + watch.seconds();
   return scene;
 }
@@ -39,7 +42,15 @@ void read_photo_world(const CompositeRequest& request, PhotoWorld& world, Notes&
   const Geometry geometry(mesh, Rgb::Constant(static_cast<float>(request.albedo)));
   world.known = known_light(request, seen, geometry, notes);
   require_way_in(world.known, geometry, notes);
-  world.local = local_scene_of(std::move(mesh), world.known, request.albedo, watch.seconds());
+  world.local =
+      local_scene_of(std::move(mesh), world.known, request.albedo, watch.seconds(), request.threads);
+  const SentLight& sent = world.local.sent;
+  if (sent.share_above_one >= 0.01)
+    notes.say(
+        fmt::format("{:.0f} % of what the depth map shows is brighter than white surfaces would be there, up "
+                    "to {:.2g} times (light that the panorama does not show, or a tone curve): it sends the "
+                    "objects what white surfaces would",
+                    100 * sent.share_above_one, sent.most_albedo));
 }
 
 }  // namespace seamline::renderer

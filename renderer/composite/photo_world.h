@@ -4,6 +4,7 @@
 #include "renderer/composite/composite_light.h"
 #include "renderer/composite/photo_depth.h"
 #include "renderer/composite/photo_view.h"
+#include "renderer/composite/sent_light.h"
 
 namespace seamline::renderer {
 
@@ -11,13 +12,14 @@ namespace seamline::renderer {
 struct PhotoLocalScene {
   DepthMesh mesh;
   std::shared_ptr<const Geometry> geometry;
-  Light light;  ///< that falls on objects in it
+  Light light;     ///< that falls on objects in it
+  SentLight sent;  ///< of a panorama that is light itself
   double seconds = 0;
 };
 
 /// The local scene of a mesh, which took `seconds` so far.
 [[nodiscard]] PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo,
-                                             double seconds);
+                                             double seconds, int threads);
 
 /// Everything of a composite that does not depend on its objects.
 struct PhotoWorld {

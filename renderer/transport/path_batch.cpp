@@ -197,7 +197,15 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
     const FoundGlow glow = glow_found(*light_, from.point, direction, *hit);
     add(from.path, set, sorted(from.path, glow.is_lamp && vertex == 0, from.throughput * glow.radiance));
   }
-  if (vertex >= light_->bounces || sends_photograph(*light_, *hit)) return;
+  if (vertex >= light_->bounces) return;
+  if (sends_photograph(*light_, *hit)) {
+    if ((set & only_world(0)) != 0)
+      add(from.path, only_world(0),
+          sorted(from.path, false,
+                 from.throughput * change_of_sent(*worlds_->room, *worlds_->objects, *hit, *light_,
+                                                  starts_[from.path].sampler, vertex, &counts_)));
+    return;
+  }
   next_vertices_.push_back({from.path, set, *hit, from.throughput});
   if (glossy_) blur_after(from.spread, next_vertices_.back().point);
 }

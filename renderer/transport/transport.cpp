@@ -37,6 +37,9 @@ Rgb far_light(const Light& light, const SurfacePoint& from, const Eigen::Vector3
   return sky_found(light, from, direction) + suns_found(light, from, direction);
 }
 
+Rgb change_of_sent(const World& world, const SurfacePoint& from, const Light& light, const Sampler& sampler,
+                   int vertex);
+
 /// Radiance scattered by `point`, the path's vertex number `vertex`, and by all later ones.
 Rgb scattered(const World& world, SurfacePoint point, const Light& light, const Sampler& sampler,
               int vertex) {
@@ -60,7 +63,9 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
     const std::optional<SurfacePoint> hit = world.nearest(ray);
     if (!hit) return sum + throughput * far_light(light, point, next->direction);
     sum += throughput * glow_found(light, point, next->direction, *hit).radiance;
-    if (vertex >= light.bounces || sends_photograph(light, *hit)) return sum;
+    if (vertex >= light.bounces) return sum;
+    if (sends_photograph(light, *hit))
+      return sum + throughput * change_of_sent(world, *hit, light, sampler, vertex);
     point = *hit;
     blur_after(next->spread, point);
   }
@@ -69,9 +74,41 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
 /// What arrives from a surface that a path hit at the end of vertex `vertex`, without what it glows itself.
 Rgb arriving(const World& world, SurfacePoint hit, float spread, const Light& light, const Sampler& sampler,
              int vertex) {
-  if (vertex >= light.bounces || sends_photograph(light, hit)) return Rgb::Zero();
+  if (vertex >= light.bounces) return Rgb::Zero();
+  if (sends_photograph(light, hit)) return change_of_sent(world, hit, light, sampler, vertex);
   blur_after(spread, hit);
   return scattered(world, hit, light, sampler, vertex + 1);
+}
+
+/// What the object changes of the radiance that a photographed surface sends, which a path met at the end of
+/// vertex `vertex`. The photograph is what it sends without the object; with it, that follows what it
+/// receives: less what the object keeps away, more by what the object sends, times the albedo that the
+/// photograph implies (`paint_sent_light`). One sample.
+Rgb change_of_sent(const World& world, const SurfacePoint& from, const Light& light, const Sampler& sampler,
+                   int vertex) {
+  if (world.object == nullptr || vertex >= light.bounces) return Rgb::Zero();
+  ++vertex;
+  Rgb change = Rgb::Zero();
+  for (int number = 0; number < light_samples(light); ++number) {
+    const auto sample =
+        light_sample(light, number, from, Rgb::Ones(), sampler, vertex, world.glow_hits(), SunHits::found);
+    if (!sample) continue;
+    const Ray ray = leaving_ray(from, sample->direction, sample->far_m);
+    if (world.object->occluded(ray, world.counts) && !world.real.occluded(ray, world.counts))
+      change -= sample->total();
+  }
+  const auto next = scatter(from, sampler.point(dimension::direction(vertex)));
+  if (!next) return change;
+  const Ray ray = leaving_ray(from, next->direction, light.sky_distance_m);
+  const std::optional<SurfacePoint> met = world.object->nearest(ray, world.counts);
+  if (!met) return change;
+  const std::optional<SurfacePoint> behind = world.real.nearest(ray, world.counts);
+  if (behind && behind->distance_m <= met->distance_m) return change;
+  const Rgb kept_away = behind ? glow_found(light, from, next->direction, *behind).radiance
+                               : far_light(light, from, next->direction);
+  const Rgb sent = glow_found(light, from, next->direction, *met).radiance +
+                   arriving(world, *met, next->spread, light, sampler, vertex);
+  return change + next->weight * (sent - kept_away);
 }
 
 /// What a path finds, sorted by how it left its first surface.
@@ -181,10 +218,19 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     }
     add_glow(*hit, without_object);
     add_glow(*hit, with_object);
-    if (vertex >= light.bounces || sends_photograph(light, *hit)) return pair;
+    if (vertex >= light.bounces) return pair;
+    if (sends_photograph(light, *hit)) {
+      with_object.add(throughput * change_of_sent(world_with, *hit, light, sampler, vertex), false);
+      return pair;
+    }
     point = *hit;
     blur_after(next->spread, point);
   }
+}
+
+Rgb change_of_sent(const Geometry& real, const Geometry& object, const SurfacePoint& from, const Light& light,
+                   const Sampler& sampler, int vertex, RayCounts* counts) {
+  return change_of_sent({real, &object, counts}, from, light, sampler, vertex);
 }
 
 namespace {

@@ -61,6 +61,13 @@ struct RealQuestion {
                                         const SurfacePoint& point, const Light& light, const Sampler& sampler,
                                         RayCounts* counts = nullptr);
 
+/// What the object changes of the radiance that a surface of `Light::photographed` sends, which a path met at
+/// the end of its vertex number `vertex`: what it sends follows what it receives, times its albedo. One
+/// sample.
+[[nodiscard]] Rgb change_of_sent(const Geometry& real, const Geometry& object, const SurfacePoint& from,
+                                 const Light& light, const Sampler& sampler, int vertex,
+                                 RayCounts* counts = nullptr);
+
 /// Who answers for the light of a point of the virtual object.
 struct ObjectQuestions {
   RealQuestion lit_past;  ///< 3: do sun, sky and lamps reach it past real things

@@ -25,9 +25,9 @@ struct Room {
   std::shared_ptr<const Geometry> depth;
   Light light;
 
-  Room(const Meshes& walls, Image panorama) {
+  Room(const Meshes& walls, Image panorama, float albedo = 0.5F) {
     mesh = build_depth_mesh(capture_depth(Geometry(walls), 1024, 0, 2), {.threads = 2});
-    depth = std::make_shared<const Geometry>(mesh, Rgb::Constant(0.5F));
+    depth = std::make_shared<const Geometry>(mesh, Rgb::Constant(albedo));
     light.bounces = 3;
     light.environment = std::make_shared<EnvironmentMap>(std::move(panorama), 0.0F);
     light.photographed = depth;
@@ -84,7 +84,7 @@ TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
               {Eigen::Vector3f::Zero(), panorama_direction(x + 0.5, y + 0.5, 512, 256).cast<float>()}))
         panorama.set_rgb(x, y, hit->emission);
     }
-  const Room room(walls, panorama);
+  const Room room(walls, panorama, 0);
   Light glow;
   glow.bounces = 0;
   glow.glowing = std::make_shared<GlowingSurfaces>(walls);
