@@ -1,0 +1,33 @@
+#include "analysis/joint/joint_analysis.h"
+
+#include <stdexcept>
+
+namespace seamline::analysis {
+
+JointAnalysis analyze_jointly(const GuessTrials& trials, const NoticeabilityData& noticeability,
+                              const Guessers& guessers, const JointRequest& request) {
+  JointAnalysis analysis;
+  analysis.axis = noticeability.axis;
+  for (const ArtifactScores& scores : noticeability.artifacts)
+    analysis.labels.push_back(
+        {.artifact = std::string(word(scores.artifact)), .condition = scores.condition, .group = {}});
+  analysis.data = joint_data(trials, noticeability.axis, guessers);
+  analysis.fit = fit_joint(analysis.data, request.sharing);
+  if (analysis.fit.estimated())
+    analysis.left_out = leave_people_out(analysis.fit, analysis.data, request.goodness.threads);
+  analysis.thresholds = joint_thresholds(analysis.fit, analysis.data, analysis.left_out);
+  if (!analysis.fit.estimated()) return analysis;
+  analysis.contrasts = joint_contrasts(analysis.data, analysis.labels, request.sharing, noticeability.axis);
+  analysis.people = joint_people(analysis.fit, analysis.data);
+  analysis.goodness = joint_goodness(analysis.fit, analysis.data, analysis.people, request.goodness);
+  analysis.sharing = test_sharing(analysis.fit, analysis.data);
+  return analysis;
+}
+
+const JointThreshold& threshold_of(const JointAnalysis& analysis, int curve, JointQuantity quantity) {
+  for (const JointThreshold& threshold : analysis.thresholds)
+    if (threshold.curve == curve && threshold.quantity == quantity) return threshold;
+  throw std::logic_error("a threshold of a curve that the joint model does not have");
+}
+
+}  // namespace seamline::analysis

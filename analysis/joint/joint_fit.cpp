@@ -1,0 +1,206 @@
+#include "analysis/joint/joint_fit.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/statistics/distributions.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+/// A curve is at chance unless a test of no more than chance rejects at this probability.
+constexpr double above_chance_at = 0.01;
+constexpr std::size_t levels_of_a_scale = 3, levels_of_a_threshold = 2;
+/// A scale is identified where the penalty is at most this share of what is known of it.
+constexpr double most_share_of_penalty = 0.25;
+/// Where the scale is less than this share of the smallest gap between levels, a step fits as well.
+constexpr double step_share = 0.05;
+
+struct CurveTally {
+  double right = 0, wrong = 0;
+  std::vector<double> excess;  ///< each person's right answers beyond chance, as a share of their answers
+};
+
+CurveTally tally_curve(const JointData& data, int curve) {
+  CurveTally tally;
+  const Eigen::Index width = data.cell_counts();
+  for (Eigen::Index p = 0; p < data.answers.rows(); ++p) {
+    double answers = 0, beyond = 0;
+    for (std::size_t c = 0; c < data.cells.size(); ++c) {
+      if (data.cells[c].curve != curve || !std::isfinite(data.cells[c].x)) continue;
+      const auto counts = data.answers.row(p).segment(static_cast<Eigen::Index>(c) * width, width);
+      const double right = counts.head(data.ratings).sum(), all = counts.sum();
+      tally.right += right;
+      tally.wrong += all - right;
+      answers += all;
+      beyond += right - all * data.cells[c].chance;
+    }
+    if (answers > 0) tally.excess.push_back(beyond / answers);
+  }
+  return tally;
+}
+
+/// One-sided t test over people that right answers are no more frequent than by chance.
+bool above_chance(const std::vector<double>& excess) {
+  const auto n = static_cast<double>(excess.size());
+  if (excess.size() < 2) return !excess.empty() && excess.front() > 0;
+  double mean = 0, squares = 0;
+  for (const double value : excess) mean += value / n;
+  for (const double value : excess) squares += (value - mean) * (value - mean);
+  const double error = std::sqrt(squares / (n - 1) / n);
+  return mean > 0 && (error <= 0 || student_above(n - 1, mean / error) < above_chance_at);
+}
+
+CurveVerdict verdict_of_curve(const JointData& data, int curve, bool own_scale) {
+  const CurveTally tally = tally_curve(data, curve);
+  if (tally.right + tally.wrong <= 0) return CurveVerdict::no_answers;
+  if (levels_of_curve(data, curve).size() < (own_scale ? levels_of_a_scale : levels_of_a_threshold))
+    return CurveVerdict::too_few_levels;
+  if (tally.wrong <= 0) return CurveVerdict::never_wrong;
+  return above_chance(tally.excess) ? CurveVerdict::estimated : CurveVerdict::at_chance;
+}
+
+double smallest_gap(const JointData& data) {
+  double gap = infinity;
+  for (int c = 0; c < static_cast<int>(data.curves.size()); ++c) {
+    const std::vector<double> levels = levels_of_curve(data, c);
+    for (std::size_t l = 1; l < levels.size(); ++l) gap = std::min(gap, levels[l] - levels[l - 1]);
+  }
+  return gap;
+}
+
+/// Whether the answers say more of a scale than its penalty does, and it is no step.
+bool scale_identified(const JointFit& fit, const Eigen::MatrixXd& covariance, int curve, double gap) {
+  const Eigen::Index at = fit.model.log_scale(curve);
+  const double penalty = -joint_penalty(fit.model, fit.theta).hessian(at, at);
+  return covariance(at, at) * penalty < most_share_of_penalty && std::exp(fit.theta[at]) > step_share * gap;
+}
+
+void conclude(JointFit& fit, JointVerdict verdict, std::string explanation) {
+  fit.verdict = verdict;
+  fit.explanation = std::move(explanation);
+}
+
+bool any_curve(const JointFit& fit, CurveVerdict verdict) {
+  return std::find(fit.curves.begin(), fit.curves.end(), verdict) != fit.curves.end();
+}
+
+bool every_curve(const JointFit& fit, CurveVerdict verdict) {
+  return std::all_of(fit.curves.begin(), fit.curves.end(), [&](CurveVerdict one) { return one == verdict; });
+}
+
+/// False, with a verdict, for answers to which the model cannot be fitted.
+bool joint_can_be_fitted(const JointData& data, JointFit& fit) {
+  if (data.people.empty() || fit.answers <= 0) {
+    conclude(fit, JointVerdict::no_answers, "Nobody answered at any level.");
+    return false;
+  }
+  std::size_t most_levels = 0;
+  for (int c = 0; c < fit.model.curves; ++c)
+    most_levels = std::max(most_levels, levels_of_curve(data, c).size());
+  if (most_levels < levels_of_a_scale) {
+    conclude(fit, JointVerdict::too_few_levels,
+             fmt::format("No curve has {} levels, so how steeply they fall would be assumed, not measured.",
+                         levels_of_a_scale));
+    return false;
+  }
+  if (any_curve(fit, CurveVerdict::estimated)) return true;
+  if (every_curve(fit, CurveVerdict::never_wrong))
+    conclude(fit, JointVerdict::never_wrong,
+             "All answers are right, so nothing says at which level people cease to see.");
+  else
+    conclude(fit, JointVerdict::only_guesses, "On no curve are answers right more often than by guessing.");
+  return false;
+}
+
+}  // namespace
+
+std::string_view word(JointVerdict verdict) {
+  switch (verdict) {
+    case JointVerdict::estimated:
+      return "estimated";
+    case JointVerdict::no_answers:
+      return "no answers";
+    case JointVerdict::one_participant:
+      return "one participant";
+    case JointVerdict::too_few_levels:
+      return "too few levels";
+    case JointVerdict::only_guesses:
+      return "only guesses";
+    case JointVerdict::never_wrong:
+      return "never wrong";
+    case JointVerdict::separated:
+      return "separated";
+    case JointVerdict::not_converged:
+      return "not converged";
+  }
+  return "";
+}
+
+std::string_view word(CurveVerdict verdict) {
+  switch (verdict) {
+    case CurveVerdict::estimated:
+      return "estimated";
+    case CurveVerdict::at_chance:
+      return "at chance";
+    case CurveVerdict::never_wrong:
+      return "never wrong";
+    case CurveVerdict::no_answers:
+      return "no answers";
+    case CurveVerdict::too_few_levels:
+      return "too few levels";
+    case CurveVerdict::separated:
+      return "separated";
+  }
+  return "";
+}
+
+JointFit fit_joint(const JointData& data, const JointSharing& sharing) {
+  check_joint_data(data);
+  JointFit fit;
+  fit.model = joint_model(data, sharing);
+  fit.people = static_cast<int>(data.people.size());
+  fit.answers = data.answers.sum();
+  for (int c = 0; c < fit.model.curves; ++c) fit.curves.push_back(verdict_of_curve(data, c, !sharing.scale));
+  if (!joint_can_be_fitted(data, fit)) return fit;
+
+  const JointCounts counts = all_counts(data);
+  const std::optional<Eigen::VectorXd> top = maximise_joint(fit.model, counts);
+  if (!top) {
+    conclude(fit, JointVerdict::not_converged, "No maximum of the likelihood was found.");
+    return fit;
+  }
+  fit.theta = *top;
+  const Evaluation at = joint_objective(fit.model, counts, fit.theta);
+  fit.penalised = at.value;
+  fit.log_likelihood = joint_log_likelihood(fit.model, counts, fit.theta);
+  fit.hessian = at.hessian;
+  const Eigen::LLT<Eigen::MatrixXd> factor(-fit.hessian);
+  if (factor.info() != Eigen::Success) {
+    conclude(fit, JointVerdict::not_converged, "The likelihood is flat at its maximum.");
+    return fit;
+  }
+  const Eigen::MatrixXd covariance =
+      factor.solve(Eigen::MatrixXd::Identity(fit.hessian.rows(), fit.hessian.cols()));
+  const double gap = smallest_gap(data);
+  for (int c = 0; c < fit.model.curves; ++c)
+    if (CurveVerdict& curve = fit.curves[static_cast<std::size_t>(c)];
+        curve == CurveVerdict::estimated && !scale_identified(fit, covariance, c, gap))
+      curve = CurveVerdict::separated;
+  if (!any_curve(fit, CurveVerdict::estimated))
+    conclude(fit, JointVerdict::separated,
+             "A step between two levels fits, so the answers do not say how steeply noticeability falls.");
+  else if (fit.people < 2)
+    conclude(fit, JointVerdict::one_participant,
+             "One participant says nothing of how people differ, so no interval over people can be given.");
+  else
+    fit.verdict = JointVerdict::estimated;
+  return fit;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,144 @@
+#include "analysis/joint/joint_goodness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/arithmetic/random.h"
+#include "support/running/parallel.h"
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+struct Distances {
+  double choices = 0, ratings = 0;
+};
+
+double deviance(double observed, double expected) {
+  return observed > 0 ? 2 * observed * std::log(observed / std::max(expected, 1e-300)) : 0;
+}
+
+/// G^2 of choices and of ratings of right answers given that they are right.
+Distances distances(const JointModel& model, const Eigen::VectorXd& counts, const Eigen::VectorXd& theta) {
+  Distances sum;
+  const Eigen::Index k = model.ratings, width = 2 * k;
+  for (std::size_t c = 0; c < model.cells.size(); ++c) {
+    const JointCell& cell = model.cells[c];
+    const auto of_cell = counts.segment(static_cast<Eigen::Index>(c) * width, width);
+    const double right = of_cell.head(k).sum(), wrong = of_cell.tail(k).sum(), all = right + wrong;
+    if (all <= 0) continue;
+    const Eigen::VectorXd p = outcome_probabilities(curve_at(model, theta, cell.curve), cell.x, cell.chance);
+    const double p_right = p.head(k).sum();
+    sum.choices += deviance(right, all * p_right) + deviance(wrong, all * (1 - p_right));
+    for (Eigen::Index r = 0; r < k; ++r) sum.ratings += deviance(of_cell[r], right * p[r] / p_right);
+  }
+  return sum;
+}
+
+/// One outcome of a cell.
+Eigen::Index draw_outcome(const Eigen::VectorXd& p, Random& random) {
+  double rest = random.uniform() * p.sum();
+  for (Eigen::Index o = 0; o + 1 < p.size(); ++o) {
+    rest -= p[o];
+    if (rest < 0) return o;
+  }
+  return p.size() - 1;
+}
+
+/// Answers of people like those of the fit, as many in each cell as there were.
+JointCounts simulate_answers(const JointModel& model, const JointPeople& people,
+                             const Eigen::MatrixXi& answers, const Eigen::VectorXi& references,
+                             Random& random) {
+  const Eigen::Index k = model.ratings, width = 2 * k;
+  JointCounts counts{.cells = Eigen::VectorXd::Zero(answers.cols() * width),
+                     .references = Eigen::VectorXd::Zero(k)};
+  std::vector<JointCurve> group;
+  for (int c = 0; c < model.curves; ++c) group.push_back(curve_at(model, people.own_theta, c));
+  std::vector<double> shift(group.size());
+  for (Eigen::Index p = 0; p < answers.rows(); ++p) {
+    const double own = people.shift_sd * random.normal();
+    for (double& of_curve : shift) of_curve = own + people.curve_sd * random.normal();
+    for (Eigen::Index c = 0; c < answers.cols(); ++c) {
+      if (answers(p, c) == 0) continue;
+      const JointCell& cell = model.cells[static_cast<std::size_t>(c)];
+      JointCurve curve = group[static_cast<std::size_t>(cell.curve)];
+      curve.m += shift[static_cast<std::size_t>(cell.curve)];
+      const Eigen::VectorXd probabilities = outcome_probabilities(curve, cell.x, cell.chance);
+      for (int i = 0; i < answers(p, c); ++i)
+        counts.cells[c * width + draw_outcome(probabilities, random)] += 1;
+    }
+  }
+  const Eigen::VectorXd guess = Eigen::Map<const Eigen::VectorXd>(group.front().g.data(), model.ratings);
+  for (int i = 0; i < references.sum(); ++i) counts.references[draw_outcome(guess, random)] += 1;
+  return counts;
+}
+
+/// How many answers each person gave in each cell, in whole numbers.
+Eigen::MatrixXi answers_in_cells(const JointData& data) {
+  const Eigen::Index width = data.cell_counts();
+  Eigen::MatrixXi answers(data.answers.rows(), static_cast<Eigen::Index>(data.cells.size()));
+  for (Eigen::Index p = 0; p < answers.rows(); ++p)
+    for (Eigen::Index c = 0; c < answers.cols(); ++c)
+      answers(p, c) = static_cast<int>(std::lround(data.answers.row(p).segment(c * width, width).sum()));
+  return answers;
+}
+
+std::vector<ScoreCell> score_cells(const JointFit& fit, const Eigen::VectorXd& counts) {
+  std::vector<ScoreCell> cells;
+  const JointModel& model = fit.model;
+  const Eigen::Index k = model.ratings, width = 2 * k;
+  for (std::size_t c = 0; c < model.cells.size(); ++c) {
+    const JointCell& cell = model.cells[c];
+    const auto of_cell = counts.segment(static_cast<Eigen::Index>(c) * width, width);
+    const double all = of_cell.sum();
+    const Eigen::VectorXd p =
+        outcome_probabilities(curve_at(model, fit.theta, cell.curve), cell.x, cell.chance);
+    for (int score = 0; score <= model.ratings; ++score)
+      cells.push_back({.curve = cell.curve,
+                       .x = cell.x,
+                       .score = score,
+                       .observed = score == 0 ? of_cell.tail(k).sum() : of_cell[score - 1],
+                       .expected = all * (score == 0 ? p.tail(k).sum() : p[score - 1])});
+  }
+  return cells;
+}
+
+}  // namespace
+
+JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const JointPeople& people,
+                             const JointGoodnessRequest& request) {
+  const JointCounts counts = all_counts(data);
+  const Distances here = distances(fit.model, counts.cells, fit.theta);
+  JointGoodness goodness{.cells = score_cells(fit, counts.cells),
+                         .choices_g2 = here.choices,
+                         .ratings_g2 = here.ratings,
+                         .choices_p = nan,
+                         .ratings_p = nan,
+                         .replicates = 0};
+  const Eigen::MatrixXi answers = answers_in_cells(data);
+  Eigen::VectorXi references(data.ratings);
+  for (Eigen::Index r = 0; r < references.size(); ++r)
+    references[r] = static_cast<int>(std::lround(counts.references[r]));
+  std::vector<Distances> replicates(static_cast<std::size_t>(std::max(0, request.replicates)),
+                                    {.choices = nan, .ratings = nan});
+  run_parallel(request.replicates, request.threads, [&](int replicate) {
+    Random random(request.seed, static_cast<std::uint64_t>(replicate));
+    const JointCounts drawn = simulate_answers(fit.model, people, answers, references, random);
+    if (const std::optional<Eigen::VectorXd> top = climb_joint(fit.model, drawn, fit.theta))
+      replicates[static_cast<std::size_t>(replicate)] = distances(fit.model, drawn.cells, *top);
+  });
+  int further_choices = 0, further_ratings = 0;
+  for (const Distances& one : replicates) {
+    if (std::isnan(one.choices)) continue;
+    ++goodness.replicates;
+    if (one.choices >= here.choices) ++further_choices;
+    if (one.ratings >= here.ratings) ++further_ratings;
+  }
+  if (goodness.replicates == 0) return goodness;
+  goodness.choices_p = (1.0 + further_choices) / (1 + goodness.replicates);
+  if (data.ratings > 1) goodness.ratings_p = (1.0 + further_ratings) / (1 + goodness.replicates);
+  return goodness;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "analysis/joint/joint_fit.h"
+
+namespace seamline::analysis {
+
+/// How an estimate varies over participants: what it would be without each of them.
+struct JointJackknife {
+  Eigen::MatrixXd theta;       ///< people x parameters: the estimate without that person
+  Eigen::MatrixXd covariance;  ///< (n - 1) / n sum (theta_i - mean)(theta_i - mean)'
+};
+
+/// Newton steps of the likelihood of all but one person, from the estimate of all, each no longer than
+/// `longest_joint_step` standard errors would be. `fit` has an estimate. The same bits for any number of
+/// threads (0: as many as the machine has).
+[[nodiscard]] JointJackknife leave_people_out(const JointFit& fit, const JointData& data, int threads = 0);
+
+}  // namespace seamline::analysis

@@ -1,0 +1,163 @@
+#include "analysis/joint/joint_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/statistics/distributions.h"
+#include "analysis/thresholds/thresholds.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr double farthest_z = 38;
+constexpr int bisections = 70;
+
+/// Adds a curve's derivatives by its shape, times a factor.
+void add_shape(const JointModel& model, int curve, const MeanAtZ::ByShape& shape, double factor,
+               Eigen::VectorXd& gradient) {
+  gradient[model.lapse(curve)] += factor * shape.lapse;
+  if (model.ratings == 1) return;
+  gradient[model.log_spread(curve)] += factor * shape.spread;
+  for (Eigen::Index k = 0; k < model.ratings - 1; ++k) {
+    gradient[model.first_cut(curve) + k] += factor * shape.cut[static_cast<std::size_t>(k)];
+    gradient[model.first_guess(curve) + k] += factor * shape.guess[static_cast<std::size_t>(k)];
+  }
+}
+
+/// z where a function that is positive at `high` and not at `low` changes its sign.
+template <class Function>
+double sign_change(double low, double high, const Function& function) {
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = (low + high) / 2;
+    (function(middle) > 0 ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// x = m - s z with z's derivative by the shape: -by / slope.
+JointPlace place_from(const JointModel& model, const JointCurve& at, int curve, double z,
+                      const MeanAtZ::ByShape& by, double slope) {
+  JointPlace place{.x = at.m - at.s * z, .gradient = Eigen::VectorXd::Zero(model.parameters())};
+  place.gradient[model.threshold(curve)] = 1;
+  place.gradient[model.log_scale(curve)] = -at.s * z;
+  add_shape(model, curve, by, at.s / slope, place.gradient);
+  return place;
+}
+
+std::optional<JointPlace> place_of_mean(const JointModel& model, const JointCurve& at, int curve,
+                                        const SoughtMean& sought) {
+  const double chance = chance_of_curve(model, curve);
+  const auto above = [&](double z) { return mean_at_z(at, sought.mean, chance, z).z[0] - sought.level; };
+  if (floor_of_mean(at, sought.mean, chance) >= sought.level || above(farthest_z) <= 0) return std::nullopt;
+  const double z = sign_change(-farthest_z, farthest_z, above);
+  const MeanAtZ there = mean_at_z(at, sought.mean, chance, z);
+  if (!(there.z[1] > 0)) return std::nullopt;
+  return place_from(model, at, curve, z, there.value, there.z[1]);
+}
+
+/// The steepest place: the greatest E' of a grid, then E'' = 0 beside it.
+std::optional<JointPlace> place_of_inflection(const JointModel& model, const JointCurve& at, int curve) {
+  const double chance = chance_of_curve(model, curve);
+  constexpr int places = 81;
+  const double least = std::min(-4.0, at.t[0] - 4 * at.rho),
+               most = std::max(4.0, at.t[static_cast<std::size_t>(model.ratings) - 2] + 4 * at.rho);
+  const auto z_at = [&](int i) { return least + (most - least) * i / (places - 1); };
+  int steepest = 0;
+  double slope = 0;
+  for (int i = 0; i < places; ++i)
+    if (const double here = mean_at_z(at, JointMean::as_counted, chance, z_at(i)).z[1]; here > slope) {
+      slope = here;
+      steepest = i;
+    }
+  if (steepest == 0 || steepest + 1 == places) return std::nullopt;
+  const double z = sign_change(z_at(steepest - 1), z_at(steepest + 1), [&](double tried) {
+    return -mean_at_z(at, JointMean::as_counted, chance, tried).z[2];
+  });
+  const MeanAtZ there = mean_at_z(at, JointMean::as_counted, chance, z);
+  if (!(there.z[3] < 0)) return std::nullopt;
+  return place_from(model, at, curve, z, there.second, there.z[3]);
+}
+
+std::optional<JointPlace> place_of_detection(const JointModel& model, const JointCurve& at, int curve) {
+  const double share = 0.5 / (1 - at.lapse), z = normal_quantile(share);
+  MeanAtZ::ByShape by;
+  const double slope = (1 - at.lapse) * std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+  by.lapse = -at.lapse * (1 - at.lapse / most_lapse) * share;
+  return place_from(model, at, curve, z, by, slope);
+}
+
+}  // namespace
+
+std::string_view word(JointQuantity quantity) {
+  switch (quantity) {
+    case JointQuantity::perceptual:
+      return "PT";
+    case JointQuantity::slightly_noticeable:
+      return "SN";
+    case JointQuantity::perceptual_corrected:
+      return "PT corrected";
+    case JointQuantity::slightly_noticeable_corrected:
+      return "SN corrected";
+    case JointQuantity::inflection:
+      return "IP";
+    case JointQuantity::detection:
+      return "detection";
+  }
+  return "";
+}
+
+std::optional<SoughtMean> sought_mean(JointQuantity quantity) {
+  switch (quantity) {
+    case JointQuantity::perceptual:
+      return SoughtMean{.mean = JointMean::as_counted, .level = perceptual_level};
+    case JointQuantity::slightly_noticeable:
+      return SoughtMean{.mean = JointMean::as_counted, .level = slight_level};
+    case JointQuantity::perceptual_corrected:
+      return SoughtMean{.mean = JointMean::seen, .level = perceptual_level};
+    case JointQuantity::slightly_noticeable_corrected:
+      return SoughtMean{.mean = JointMean::seen, .level = slight_level};
+    case JointQuantity::inflection:
+    case JointQuantity::detection:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+double chance_of_curve(const JointModel& model, int curve) {
+  double sum = 0;
+  int cells = 0;
+  for (const JointCell& cell : model.cells)
+    if (cell.curve == curve) {
+      sum += cell.chance;
+      ++cells;
+    }
+  return sum / cells;
+}
+
+std::optional<JointPlace> place_of(const JointModel& model, const Eigen::VectorXd& theta, int curve,
+                                   JointQuantity quantity) {
+  const JointCurve at = curve_at(model, theta, curve);
+  if (quantity == JointQuantity::detection) return place_of_detection(model, at, curve);
+  if (model.ratings == 1) return std::nullopt;
+  if (const std::optional<SoughtMean> sought = sought_mean(quantity))
+    return place_of_mean(model, at, curve, *sought);
+  return place_of_inflection(model, at, curve);
+}
+
+MeanAtX mean_at_x(const JointModel& model, const Eigen::VectorXd& theta, int curve, JointMean mean,
+                  double x) {
+  const JointCurve at = curve_at(model, theta, curve);
+  const double z = (at.m - x) / at.s;
+  const MeanAtZ there = mean_at_z(at, mean, chance_of_curve(model, curve), z);
+  MeanAtX found{.value = there.z[0],
+                .slope = -there.z[1] / at.s,
+                .gradient = Eigen::VectorXd::Zero(model.parameters())};
+  found.gradient[model.threshold(curve)] = there.z[1] / at.s;
+  found.gradient[model.log_scale(curve)] = -z * there.z[1];
+  add_shape(model, curve, there.value, 1, found.gradient);
+  return found;
+}
+
+}  // namespace seamline::analysis

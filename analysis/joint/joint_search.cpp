@@ -1,0 +1,130 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/joint/joint_fit.h"
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr int most_climb_iterations = 100;
+constexpr std::size_t starts_climbed = 3;
+constexpr std::array<double, 3> scale_factors = {0.5, 1, 2.5};  ///< of the penalty's scale
+constexpr std::array<double, 2> first_cuts = {-1, 1.5};         ///< t_2
+/// Thresholds tried, as shares of the range of levels, from a third below it to a third above.
+constexpr int thresholds_tried = 21;
+constexpr double beyond_range = 1.0 / 3;
+constexpr double smoothed_guess = 0.5;
+
+/// Ratings of wrong answers and references, which are guesses, as the guess ratings to begin with.
+void start_guesses(const JointModel& model, const JointCounts& counts, Eigen::VectorXd& theta) {
+  if (model.ratings == 1) return;
+  Eigen::VectorXd wrong = counts.references.array() + smoothed_guess;
+  const Eigen::Index width = 2 * static_cast<Eigen::Index>(model.ratings);
+  for (std::size_t c = 0; c < model.cells.size(); ++c)
+    wrong += counts.cells.segment(static_cast<Eigen::Index>(c) * width + model.ratings, model.ratings);
+  for (int curve = 0; curve < model.curves; ++curve)
+    for (Eigen::Index r = 1; r < model.ratings; ++r)
+      theta[model.first_guess(curve) + r - 1] = std::log(wrong[r] / wrong[0]);
+}
+
+double cell_log_likelihood(const JointModel& model, const JointCounts& counts, const JointCurve& curve,
+                           std::size_t cell) {
+  const Eigen::Index width = 2 * static_cast<Eigen::Index>(model.ratings);
+  const auto of_cell = counts.cells.segment(static_cast<Eigen::Index>(cell) * width, width);
+  const Eigen::VectorXd p = outcome_probabilities(curve, model.cells[cell].x, model.cells[cell].chance);
+  double value = 0;
+  for (Eigen::Index o = 0; o < width; ++o)
+    if (of_cell[o] > 0) value += of_cell[o] * std::log(std::max(p[o], 1e-300));
+  return value;
+}
+
+/// Moves each curve's threshold to the likeliest of those tried; the log likelihood there.
+double place_thresholds(const JointModel& model, const JointCounts& counts, Eigen::VectorXd& theta) {
+  double sum = 0;
+  std::size_t first = 0;
+  for (int curve = 0; curve < model.curves; ++curve) {
+    std::size_t end = first;
+    while (end < model.cells.size() && model.cells[end].curve == curve) ++end;
+    JointCurve at = curve_at(model, theta, curve);
+    double best = -infinity;
+    for (int i = 0; i < thresholds_tried; ++i) {
+      const double share = -beyond_range + (1 + 2 * beyond_range) * i / (thresholds_tried - 1);
+      at.m = model.centre_x + (share - 0.5) * model.range_x;
+      double value = 0;
+      for (std::size_t cell = first; cell < end; ++cell)
+        value += cell_log_likelihood(model, counts, at, cell);
+      if (value <= best) continue;
+      best = value;
+      theta[model.threshold(curve)] = at.m;
+    }
+    sum += best;
+    first = end;
+  }
+  return sum;
+}
+
+struct JointStart {
+  Eigen::VectorXd theta;
+  double value = 0;
+};
+
+std::vector<JointStart> starts_of(const JointModel& model, const JointCounts& counts) {
+  std::vector<JointStart> starts;
+  for (const double factor : scale_factors)
+    for (const double cut : first_cuts) {
+      if (model.ratings == 1 && starts.size() == scale_factors.size()) break;
+      JointStart start{.theta = penalty_centre(model)};
+      for (int curve = 0; curve < model.curves; ++curve) {
+        start.theta[model.log_scale(curve)] =
+            penalty_centre(model)[model.log_scale(curve)] + std::log(factor);
+        if (model.ratings > 1) start.theta[model.first_cut(curve)] = cut;
+      }
+      start_guesses(model, counts, start.theta);
+      start.value = place_thresholds(model, counts, start.theta);
+      starts.push_back(std::move(start));
+    }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const JointStart& a, const JointStart& b) { return a.value > b.value; });
+  return starts;
+}
+
+}  // namespace
+
+Evaluation joint_objective(const JointModel& model, const JointCounts& counts, const Eigen::VectorXd& theta) {
+  Evaluation sum = joint_likelihood(model, counts, theta);
+  const Evaluation penalty = joint_penalty(model, theta);
+  sum.value += penalty.value;
+  sum.gradient += penalty.gradient;
+  sum.hessian += penalty.hessian;
+  return sum;
+}
+
+std::optional<Eigen::VectorXd> climb_joint(const JointModel& model, const JointCounts& counts,
+                                           const Eigen::VectorXd& start) {
+  const NewtonResult found =
+      maximise([&](const Eigen::VectorXd& theta) { return joint_objective(model, counts, theta); }, start,
+               most_climb_iterations);
+  if (!found.converged) return std::nullopt;
+  return found.at;
+}
+
+std::optional<Eigen::VectorXd> maximise_joint(const JointModel& model, const JointCounts& counts) {
+  std::optional<Eigen::VectorXd> best;
+  double highest = -infinity;
+  std::vector<JointStart> starts = starts_of(model, counts);
+  for (std::size_t s = 0; s < std::min(starts.size(), starts_climbed); ++s) {
+    const std::optional<Eigen::VectorXd> top = climb_joint(model, counts, starts[s].theta);
+    if (!top) continue;
+    const double value = joint_log_likelihood(model, counts, *top) + joint_penalty(model, *top).value;
+    if (value <= highest) continue;
+    highest = value;
+    best = top;
+  }
+  return best;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,113 @@
+#include "analysis/joint/joint_sharing.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <functional>
+#include <utility>
+
+#include "analysis/statistics/distributions.h"
+#include "support/text/numbers.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+/// Which coordinate of the poorer model stands for each of the richer one.
+std::vector<Eigen::Index> poorer_of(const JointModel& rich, const JointModel& poor) {
+  std::vector<Eigen::Index> map(static_cast<std::size_t>(rich.parameters()));
+  const auto to = [&](Eigen::Index from, Eigen::Index into) { map[static_cast<std::size_t>(from)] = into; };
+  for (int c = 0; c < rich.curves; ++c) {
+    to(rich.threshold(c), poor.threshold(c));
+    to(rich.log_scale(c), poor.log_scale(c));
+    to(rich.lapse(c), poor.lapse(c));
+    if (rich.ratings == 1) continue;
+    for (Eigen::Index k = 0; k < rich.ratings; ++k) to(rich.first_cut(c) + k, poor.first_cut(c) + k);
+    for (Eigen::Index r = 0; r < rich.ratings - 1; ++r) to(rich.first_guess(c) + r, poor.first_guess(c) + r);
+  }
+  return map;
+}
+
+/// Weights N (rich x q) with contrasts of each shared coordinate's copies against the first.
+Eigen::MatrixXd differences_of_copies(const std::vector<Eigen::Index>& map, Eigen::Index poor) {
+  const auto rich = static_cast<Eigen::Index>(map.size());
+  std::vector<Eigen::Index> first(static_cast<std::size_t>(poor), -1);
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rich, rich - poor);
+  Eigen::Index column = 0;
+  for (Eigen::Index i = 0; i < rich; ++i) {
+    Eigen::Index& before = first[static_cast<std::size_t>(map[static_cast<std::size_t>(i)])];
+    if (before < 0) {
+      before = i;
+      continue;
+    }
+    weights(i, column) = 1;
+    weights(before, column++) = -1;
+  }
+  return weights;
+}
+
+void write_hotelling(const Eigen::MatrixXd& scores, SharingTest& test) {
+  const auto n = static_cast<double>(scores.rows()), q = static_cast<double>(scores.cols());
+  const Eigen::RowVectorXd mean = scores.colwise().mean();
+  const Eigen::MatrixXd away = scores.rowwise() - mean;
+  const Eigen::MatrixXd covariance = away.transpose() * away / (n - 1);
+  const Eigen::LDLT<Eigen::MatrixXd> factor(covariance);
+  const Eigen::VectorXd diagonal = factor.vectorD();
+  if (factor.info() != Eigen::Success || !(diagonal.minCoeff() > 1e-12 * diagonal.maxCoeff())) {
+    test.note = "the answers say nothing about some of these differences";
+    return;
+  }
+  const double squared = n * mean.dot(factor.solve(mean.transpose()));
+  test.statistic = squared * (n - q) / (q * (n - 1));
+  test.p = fisher_above(q, n - q, test.statistic);
+}
+
+SharingTest test_block(const std::string& name, const JointFit& fit, const JointData& data,
+                       const JointSharing& richer) {
+  SharingTest test{.shared = name, .parameters = 0, .statistic = nan, .p = nan, .note = {}};
+  JointModel rich = fit.model;
+  rich.sharing = richer;
+  const std::vector<Eigen::Index> map = poorer_of(rich, fit.model);
+  Eigen::VectorXd theta(rich.parameters());
+  Eigen::MatrixXd embed = Eigen::MatrixXd::Zero(rich.parameters(), fit.model.parameters());
+  for (Eigen::Index i = 0; i < rich.parameters(); ++i) {
+    theta[i] = fit.theta[map[static_cast<std::size_t>(i)]];
+    embed(i, map[static_cast<std::size_t>(i)]) = 1;
+  }
+  test.parameters = static_cast<int>(rich.parameters() - fit.model.parameters());
+  if (fit.people <= test.parameters) {
+    test.note = fmt::format("needs more than {} people", test.parameters);
+    return test;
+  }
+  const Eigen::MatrixXd information = -joint_likelihood(rich, all_counts(data), theta).hessian;
+  const Eigen::MatrixXd within = embed.transpose() * information * embed;
+  // Scores whose weights g satisfy g' A L = 0 do not move with the poorer model's own estimates.
+  const Eigen::MatrixXd weights = differences_of_copies(map, fit.model.parameters());
+  const Eigen::MatrixXd efficient =
+      weights - embed * within.ldlt().solve(embed.transpose() * information * weights);
+  Eigen::MatrixXd scores(fit.people, test.parameters);
+  for (Eigen::Index p = 0; p < scores.rows(); ++p)
+    scores.row(p) = joint_likelihood(rich, person_counts(data, p), theta).gradient.transpose() * efficient;
+  write_hotelling(scores, test);
+  return test;
+}
+
+}  // namespace
+
+std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data) {
+  std::vector<SharingTest> tests;
+  if (fit.model.curves < 2) return tests;
+  const auto add = [&](const char* name, bool JointSharing::*block) {
+    if (!(fit.model.sharing.*block)) return;
+    JointSharing richer = fit.model.sharing;
+    richer.*block = false;
+    tests.push_back(test_block(name, fit, data, richer));
+  };
+  add("scale", &JointSharing::scale);
+  if (fit.model.ratings > 1) add("rating criteria", &JointSharing::criteria);
+  add("lapse rate", &JointSharing::lapse);
+  if (fit.model.ratings > 1) add("guess ratings", &JointSharing::guess_ratings);
+  return tests;
+}
+
+}  // namespace seamline::analysis
