@@ -33,6 +33,7 @@ class PhotoSampler {
     suns_.bounces = 0;
     suns_.skips_sky = true;
     light_past_nothing_.photographed = nullptr;
+    light_past_nothing_.hidden_sky = nullptr;
   }
 
   void add(const Sight& sight, const Sampler& sampler, const Rgb& photograph, StimulusPixel& out) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/common/stopwatch.h"
+#include "renderer/composite/hidden_sky.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -18,8 +19,10 @@ PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double a
   auto geometry = std::make_shared<Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
                                              TreeQuality::for_light, CentreRays::by_table);
   scene.light = known.light;
-  if (known.photographed)
+  if (known.photographed) {
+    scene.light.hidden_sky = fill_hidden_sky(*geometry, *scene.light.environment, threads);
     scene.sent = follow_received_light(geometry, scene.light, known.panorama_white, threads);
+  }
   scene.geometry = std::move(geometry);
   scene.seconds = seconds + watch.seconds();
   return scene;

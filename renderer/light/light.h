@@ -6,6 +6,7 @@
 
 #include "renderer/light/environment_map.h"
 #include "renderer/light/lamps.h"
+#include "renderer/material/direction_map.h"
 #include "renderer/material/hemisphere.h"
 #include "support/arithmetic/colour.h"
 
@@ -29,6 +30,9 @@ struct Light {
   /// panorama, shows in their direction from the origin, and nothing else, because all light is in it. Each
   /// direction meets it once. Null: they send on what reaches them.
   std::shared_ptr<const Geometry> photographed = {};
+  /// Of such a panorama: the sky behind its surfaces, known where one hides it. Rays that get past the local
+  /// scene find it there. Null: nothing hides the sky, or there is none.
+  std::shared_ptr<const DirectionMap<Rgb>> hidden_sky = {};
   std::vector<Lamp> lamps = {};
   std::shared_ptr<const GlowingSurfaces> glowing = {};  ///< null: no surface of the background glows
   /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.
@@ -42,7 +46,14 @@ struct Light {
 
   /// Radiance of the environment from a unit direction.
   [[nodiscard]] Rgb sky(const Eigen::Vector3f& direction) const {
+    if (const Rgb* hidden = hidden_sky_in(direction)) return *hidden;
     return environment ? environment->radiance(direction) : environment_radiance;
+  }
+  /// Where a surface of the panorama hides the sky; else null.
+  [[nodiscard]] const Rgb* hidden_sky_in(const Eigen::Vector3f& direction) const {
+    if (!hidden_sky) return nullptr;
+    const std::size_t texel = hidden_sky->texel_in(direction);
+    return hidden_sky->known[texel] != 0 ? &hidden_sky->texels[texel] : nullptr;
   }
 };
 

@@ -112,6 +112,8 @@ struct FoundGlow {
                                       const Eigen::Vector3f& direction);
 
 inline Rgb sky_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  // No light sample looks for what a surface hides.
+  if (const Rgb* hidden = light.hidden_sky_in(direction)) return *hidden;
   return light.environment ? mapped_sky_found(*light.environment, from, direction)
                            : light.environment_radiance;
 }

@@ -24,14 +24,18 @@ struct DirectionMap {
            static_cast<std::size_t>(column);
   }
 
+  /// The texel that a direction of any length but 0 lies in, as `at` places it.
+  [[nodiscard]] std::size_t texel_in(const Eigen::Vector3f& direction) const {
+    const Eigen::Array2f place = place_of(direction);
+    const int column = static_cast<int>(std::floor(place[0] + 0.5F)), row = static_cast<int>(place[1] + 0.5F);
+    return index((column + width_px) % width_px, std::clamp(row, 0, height_px - 1));
+  }
+
   /// Bilinear between known texels, wrapping around, rows clamped at the poles. `direction` has any length
   /// but 0.
   [[nodiscard]] Value at(const Eigen::Vector3f& direction) const {
-    const float elevation =
-        std::atan2(direction.y(), std::hypot(direction.x(), direction.z())) * std::numbers::inv_pi_v<float>;
-    const float azimuth = std::atan2(direction.x(), -direction.z()) * (0.5F * std::numbers::inv_pi_v<float>);
-    const float column = (azimuth + 0.5F) * static_cast<float>(width_px) - 0.5F;
-    const float row = (0.5F - elevation) * static_cast<float>(height_px) - 0.5F;
+    const Eigen::Array2f place = place_of(direction);
+    const float column = place[0], row = place[1];
     const float left = std::floor(column), top = std::floor(row);
     const float right_share = column - left, lower_share = row - top;
     Value sum = 0.0F * elsewhere;
@@ -49,6 +53,16 @@ struct DirectionMap {
       }
     if (!(weights > 0.0F)) return elsewhere;
     return (1.0F / weights) * sum;
+  }
+
+ private:
+  /// Column and row, whole numbers at the texels' centres.
+  [[nodiscard]] Eigen::Array2f place_of(const Eigen::Vector3f& direction) const {
+    const float elevation =
+        std::atan2(direction.y(), std::hypot(direction.x(), direction.z())) * std::numbers::inv_pi_v<float>;
+    const float azimuth = std::atan2(direction.x(), -direction.z()) * (0.5F * std::numbers::inv_pi_v<float>);
+    return {(azimuth + 0.5F) * static_cast<float>(width_px) - 0.5F,
+            (0.5F - elevation) * static_cast<float>(height_px) - 0.5F};
   }
 };
 
