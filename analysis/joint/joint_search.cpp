@@ -11,7 +11,6 @@ namespace seamline::analysis {
 namespace {
 
 constexpr int most_climb_iterations = 100;
-constexpr std::size_t starts_climbed = 3;
 constexpr std::array<double, 3> scale_factors = {0.5, 1, 2.5};  ///< of the penalty's scale
 constexpr std::array<double, 2> first_cuts = {-1, 1.5};         ///< t_2
 /// Thresholds tried, as shares of the range of levels, from a third below it to a third above.
@@ -42,9 +41,8 @@ double cell_log_likelihood(const JointModel& model, const JointCounts& counts, c
   return value;
 }
 
-/// Moves each curve's threshold to the likeliest of those tried; the log likelihood there.
-double place_thresholds(const JointModel& model, const JointCounts& counts, Eigen::VectorXd& theta) {
-  double sum = 0;
+/// Moves each curve's threshold to the likeliest of those tried.
+void place_thresholds(const JointModel& model, const JointCounts& counts, Eigen::VectorXd& theta) {
   std::size_t first = 0;
   for (int curve = 0; curve < model.curves; ++curve) {
     std::size_t end = first;
@@ -61,34 +59,24 @@ double place_thresholds(const JointModel& model, const JointCounts& counts, Eige
       best = value;
       theta[model.threshold(curve)] = at.m;
     }
-    sum += best;
     first = end;
   }
-  return sum;
 }
 
-struct JointStart {
-  Eigen::VectorXd theta;
-  double value = 0;
-};
-
-std::vector<JointStart> starts_of(const JointModel& model, const JointCounts& counts) {
-  std::vector<JointStart> starts;
+std::vector<Eigen::VectorXd> starts_of(const JointModel& model, const JointCounts& counts) {
+  std::vector<Eigen::VectorXd> starts;
   for (const double factor : scale_factors)
     for (const double cut : first_cuts) {
-      if (model.ratings == 1 && starts.size() == scale_factors.size()) break;
-      JointStart start{.theta = penalty_centre(model)};
+      if (model.ratings == 1 && cut > first_cuts.front()) break;  // there are no criteria to try
+      Eigen::VectorXd start = penalty_centre(model);
       for (int curve = 0; curve < model.curves; ++curve) {
-        start.theta[model.log_scale(curve)] =
-            penalty_centre(model)[model.log_scale(curve)] + std::log(factor);
-        if (model.ratings > 1) start.theta[model.first_cut(curve)] = cut;
+        start[model.log_scale(curve)] = penalty_centre(model)[model.log_scale(curve)] + std::log(factor);
+        if (model.ratings > 1) start[model.first_cut(curve)] = cut;
       }
-      start_guesses(model, counts, start.theta);
-      start.value = place_thresholds(model, counts, start.theta);
+      start_guesses(model, counts, start);
+      place_thresholds(model, counts, start);
       starts.push_back(std::move(start));
     }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const JointStart& a, const JointStart& b) { return a.value > b.value; });
   return starts;
 }
 
@@ -115,9 +103,8 @@ std::optional<Eigen::VectorXd> climb_joint(const JointModel& model, const JointC
 std::optional<Eigen::VectorXd> maximise_joint(const JointModel& model, const JointCounts& counts) {
   std::optional<Eigen::VectorXd> best;
   double highest = -infinity;
-  std::vector<JointStart> starts = starts_of(model, counts);
-  for (std::size_t s = 0; s < std::min(starts.size(), starts_climbed); ++s) {
-    const std::optional<Eigen::VectorXd> top = climb_joint(model, counts, starts[s].theta);
+  for (const Eigen::VectorXd& start : starts_of(model, counts)) {
+    const std::optional<Eigen::VectorXd> top = climb_joint(model, counts, start);
     if (!top) continue;
     const double value = joint_log_likelihood(model, counts, *top) + joint_penalty(model, *top).value;
     if (value <= highest) continue;
