@@ -40,6 +40,7 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   numbers.choices = choice_curves(analysis);
   add_comparisons(numbers, analysis);
   numbers.times = response_times(analysis);
+  numbers.order = session_order(analysis);
   numbers.participants = participant_rows(analysis);
   numbers.questions = answered_questions(analysis.log);
   if (analysis.adaptive) numbers.tracks = study::quest_plus_estimates(analysis.log);

@@ -7,6 +7,7 @@
 #include "analysis/log_analysis/choice_curves.h"
 #include "analysis/log_analysis/participant_rows.h"
 #include "analysis/log_analysis/response_times.h"
+#include "analysis/log_analysis/session_order.h"
 #include "analysis/ordinal/contrasts/study_model.h"
 #include "study/running/quest_plus_results.h"
 
@@ -20,6 +21,7 @@ struct ReportNumbers {
   std::optional<OrdinalStudy> comparisons;  ///< none: see `comparisons_missing`
   std::string comparisons_missing;          ///< a sentence
   ResponseTimes times;
+  SessionOrder order;
   std::vector<ParticipantRow> participants;
   std::vector<std::string> questions;  ///< of the form, that somebody answered; columns of the participants
   std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs

@@ -75,6 +75,34 @@ std::string whole_script(const std::string& name, int width_px, int height_px, c
       width_px, height_px, name, script);
 }
 
+bool is_whole_pdf(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  return text.starts_with("%PDF") && text.substr(0, end + 1).ends_with("%%EOF");
+}
+
+/// Cairo writes the time; the same figure has the same bytes.
+void set_date(std::string& pdf) {
+  constexpr std::string_view key = "/CreationDate (D:", none = "19700101000000";
+  if (const std::size_t at = pdf.find(key); at != std::string::npos)
+    pdf.replace(at + key.size(), none.size(), none);
+}
+
+/// The same script makes the SVG, or with a second argument the PDF.
+std::string figure_script(const std::string& name, int height_px, const std::string& script) {
+  constexpr double cm_of_px = 0.1 * column_mm / column_width_px;
+  constexpr double points_of_px = 72 / 2.54 * cm_of_px, cairo_dpi = 96;
+  return fmt::format(
+      "set encoding utf8\n"
+      "if (ARGC > 1) {{ set terminal pdfcairo size {0:.4f}cm,{1:.4f}cm enhanced font 'Helvetica,{2}' "
+      "fontscale "
+      "{3:.5f} linewidth {4:.4f} pointscale {5:.4f} dashlength 0.6 }} else {{ set terminal svg size {6},{7} "
+      "dynamic "
+      "enhanced font 'Helvetica,Arial,DejaVu Sans,sans-serif,{2}' butt linewidth 1.2 }}\n"
+      "set output ARGC > 0 ? ARG1 : '{8}'\n{9}",
+      column_width_px * cm_of_px, height_px * cm_of_px, smallest_letters_px, points_of_px * 72 / cairo_dpi,
+      1.2 * points_of_px, 1.15 * points_of_px, column_width_px, height_px, name, script);
+}
+
 /// `shown` is what a complaint names.
 std::string svg_of(const std::string& script, const std::string& shown) {
   const TemporaryFolder folder;
@@ -125,6 +153,28 @@ void draw_svg(const fs::path& svg, int width_px, int height_px, const std::strin
   const std::string whole = whole_script(svg.filename().string(), width_px, height_px, script);
   write_file_atomically(fs::path(svg).replace_extension(".gnuplot"), whole, readers);
   write_file_atomically(svg, svg_of(whole, svg.string()), readers);
+}
+
+void draw_figure(const fs::path& svg, int height_px, const std::string& script, Readers readers) {
+  const std::string whole = figure_script(svg.filename().string(), height_px, script);
+  const TemporaryFolder folder;
+  const fs::path script_file = folder / "script", caller = folder / "call", svg_file = folder / "svg",
+                 pdf_file = folder / "pdf", messages = folder / "messages";
+  write_file_atomically(script_file, whole);
+  write_file_atomically(caller, fmt::format("call {0} {1}\nunset output\nreset\ncall {0} {2} 'pdf'\n",
+                                            quoted(script_file.string()), quoted(svg_file.string()),
+                                            quoted(pdf_file.string())));
+  const int status = run_gnuplot(caller.string(), messages);
+  stop_if_interrupted();
+  if (status != 0) throw std::runtime_error("gnuplot failed on " + svg.string() + ": " + read_file(messages));
+  const std::string drawn = fs::exists(svg_file) ? read_file(svg_file) : std::string();
+  std::string pdf = fs::exists(pdf_file) ? read_file(pdf_file) : std::string();
+  if (!is_whole_svg(drawn) || !is_whole_pdf(pdf))
+    throw input_error({.file = svg.string(), .wanted = "room for a figure", .found = "a full disk"});
+  set_date(pdf);
+  write_file_atomically(fs::path(svg).replace_extension(".gnuplot"), whole, readers);
+  write_file_atomically(fs::path(svg).replace_extension(".pdf"), pdf, readers);
+  write_file_atomically(svg, drawn, readers);
 }
 
 std::string gnuplot_text(const std::string& text) {

@@ -31,6 +31,17 @@ void require_gnuplot();
 void draw_svg(const std::filesystem::path& svg, int width_px, int height_px, const std::string& script,
               Readers readers = Readers::everybody);
 
+// Figures for one column of a paper: printed 85 mm wide, their letters are at least 6 points high.
+inline constexpr double column_mm = 85;
+inline constexpr int column_width_px = 480;
+inline constexpr int smallest_letters_px = 12;
+
+/// Draws such a figure, `column_width_px` wide, as SVG and beside it as PDF of 85 mm. The script is kept too:
+/// `gnuplot -c FIGURE.gnuplot OUT.pdf pdf` makes the PDF, without arguments it makes the SVG. The same bytes
+/// each time.
+void draw_figure(const std::filesystem::path& svg, int height_px, const std::string& script,
+                 Readers readers = Readers::everybody);
+
 /// Text between double quotes of a gnuplot script, with gnuplot's own escapes and enhanced-text markup made
 /// harmless.
 [[nodiscard]] std::string gnuplot_text(const std::string& text);

@@ -74,14 +74,14 @@ void expect_explained(const std::string& json_text, const std::string& file, con
 
 TEST(ReportPage, HasEverySectionAndFigure) {
   const Report report = report_of(test::people_log(8, 4));
-  for (const char* section : {"thresholds", "noticeability", "psychometric", "comparisons", "checks", "times",
-                              "participants", "stimuli", "methods", "data"}) {
+  for (const char* section : {"thresholds", "order", "noticeability", "psychometric", "comparisons", "checks",
+                              "times", "participants", "stimuli", "methods", "data"}) {
     EXPECT_THAT(report.html, HasSubstr(std::string("<h2 id=\"") + section + "\">"));
     EXPECT_THAT(report.html, HasSubstr(std::string("href=\"#") + section + "\""));
   }
   std::size_t figures = 0;
   for (std::size_t at = 0; (at = report.html.find("<figure ", at)) != std::string::npos; ++at) ++figures;
-  EXPECT_EQ(figures, 5U);
+  EXPECT_EQ(figures, 6U);
 }
 
 TEST(ReportPage, EveryFieldIsInTheDictionary) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/report/text/threshold_text.h"
+
 namespace seamline::analysis {
 
 namespace {
@@ -13,8 +15,34 @@ constexpr double octaves_apart = 2;
 constexpr double share_beyond = 1.25;  ///< of a level on log2 axes
 constexpr double units_beyond = 0.3;   ///< sixths of the range on linear ones
 
+// Pixels of a figure of one column.
+constexpr double head_px = 24, title_px = 22, tics_px = 20, axis_title_px = 18, row_gap_px = 8;
+constexpr double left_px = 46, right_px = 12, column_gap_px = 16;
+constexpr double digit_px = 0.64 * smallest_letters_px, label_gap_px = 7;
+
 std::string tic_text(const LevelsDrawn& drawn, double level) {
   return tested_text(drawn.axis, level);
+}
+
+/// Every how many levels have a label, so that no two touch; 0 without an axis.
+std::size_t label_stride(const LevelsDrawn& drawn, double axis_px) {
+  if (!(axis_px > 0)) return 0;
+  const Interval range = drawn_range(drawn);
+  const auto along = [&](double at) { return is_linear(drawn.axis) ? at : std::log2(at); };
+  const double px_of_x = axis_px / (along(range.high) - along(range.low));
+  const auto half_px = [&](double level) {
+    return digit_px / 2 * static_cast<double>(tic_text(drawn, level).size());
+  };
+  for (std::size_t stride = 1; stride < drawn.levels.size(); ++stride) {
+    bool fits = true;
+    for (std::size_t i = stride; i < drawn.levels.size(); i += stride) {
+      const double one = drawn.levels[i - stride], next = drawn.levels[i];
+      const double apart_px = px_of_x * (along(place_of(drawn, next)) - along(place_of(drawn, one)));
+      if (apart_px < half_px(one) + half_px(next) + label_gap_px) fits = false;
+    }
+    if (fits) return stride;
+  }
+  return drawn.levels.size();
 }
 
 double smallest_on_axis(const LevelsDrawn& drawn) {
@@ -44,11 +72,15 @@ std::string gap_before(const LevelsDrawn& drawn, double level) {
   return stands_apart(drawn.axis, level) ? "\n" : "";
 }
 
-std::string level_tics(const LevelsDrawn& drawn, bool labelled) {
+std::string level_tics(const LevelsDrawn& drawn, double axis_px) {
+  const std::size_t stride = label_stride(drawn, axis_px);
   std::string ticks;
-  for (const double level : drawn.levels)
+  for (std::size_t i = 0; i < drawn.levels.size(); ++i) {
+    const double level = drawn.levels[i];
+    const bool labelled = stride > 0 && (i % stride == 0 || stands_apart(drawn.axis, level));
     ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", labelled ? tic_text(drawn, level) : "",
                          place_of(drawn, level));
+  }
   return "set xtics (" + ticks + ")\n";
 }
 
@@ -73,39 +105,43 @@ std::string level_axis_script(const LevelsDrawn& drawn) {
     return of_depth_widths(drawn.axis) ? fmt::format("{:.4f}", value) : fmt::format("{:.8g}", value);
   };
   return fmt::format(
-      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n"
-      "{1}{2}set xrange [{3}:{4}]\n"
+      "set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.5 textcolor rgb '{0}'\n"
+      "{1}set xrange [{2}:{3}]\n"
       "set grid ytics lc rgb '#B4B4B4' lw 0.5 dt solid\n"
-      "set key textcolor rgb '{0}' Left reverse samplen 2\n",
-      plot_ink, level_tics(drawn, true), is_linear(drawn.axis) ? "" : "set logscale x 2\n", number(range.low),
-      number(range.high));
+      "set key textcolor rgb '{0}' Left reverse samplen 1.5\n",
+      plot_ink, is_linear(drawn.axis) ? "" : "set logscale x 2\n", number(range.low), number(range.high));
 }
 
-std::string axis_labels(const LevelAxis& axis, const std::string& y) {
-  return fmt::format("set xlabel \"{2}\" textcolor rgb '{0}'\nset ylabel \"{1}\" textcolor rgb '{0}'\n",
-                     plot_ink, y, axis_title(axis));
-}
-
-std::vector<Artifact> drawn_artifacts(const NoticeabilityData& data) {
-  std::vector<Artifact> artifacts;
-  for (const ArtifactScores& scores : data.artifacts)
-    if (artifacts.empty() || artifacts.back() != scores.artifact) artifacts.push_back(scores.artifact);
-  return artifacts;
+std::vector<PanelCurves> panels_of_curves(const NoticeabilityData& data) {
+  std::vector<PanelCurves> panels;
+  const bool conditions = has_conditions(data);
+  for (std::size_t i = 0; i < data.artifacts.size(); ++i) {
+    const ArtifactScores& scores = data.artifacts[i];
+    const bool same = conditions && i > 0 && data.artifacts[i - 1].artifact == scores.artifact;
+    if (!same) panels.push_back({.title = artifact_title(scores.artifact), .curves = {}});
+    panels.back().curves.push_back(i);
+  }
+  return panels;
 }
 
 PanelGrid panel_grid(std::size_t panels, int panel_height_px) {
   const std::size_t columns = panels > 1 ? 2 : 1, rows = (panels + columns - 1) / columns;
-  PanelGrid grid{.width_px = columns == 1 ? 640 : 1080,
-                 .height_px = 30 + panel_height_px * static_cast<int>(rows),
+  const double row_px = title_px + panel_height_px + tics_px + row_gap_px;
+  PanelGrid grid{.height_px = static_cast<int>(head_px + row_px * static_cast<double>(rows) + axis_title_px),
                  .panels = {}};
-  const double width = 1.0 / static_cast<double>(columns);
+  const double width_px =
+      (column_width_px - left_px - right_px - column_gap_px * static_cast<double>(columns - 1)) /
+      static_cast<double>(columns);
   for (std::size_t i = 0; i < panels; ++i) {
-    const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-    const double top_px = 30 + panel_height_px * row;
-    grid.panels.push_back({.left = column * width + 74.0 / grid.width_px,
-                           .right = (column + 1) * width - 16.0 / grid.width_px,
-                           .bottom = 1 - (top_px + panel_height_px - 76) / grid.height_px,
-                           .top = 1 - (top_px + 44) / grid.height_px});
+    const double x_px = left_px + static_cast<double>(i % columns) * (width_px + column_gap_px);
+    const double y_px = head_px + static_cast<double>(i / columns) * row_px + title_px;
+    grid.panels.push_back({.left = x_px / column_width_px,
+                           .right = (x_px + width_px) / column_width_px,
+                           .bottom = 1 - (y_px + panel_height_px) / grid.height_px,
+                           .top = 1 - y_px / grid.height_px,
+                           .leftmost = i % columns == 0,
+                           .lowest = i + columns >= panels,
+                           .width_px = width_px});
   }
   return grid;
 }
@@ -117,9 +153,28 @@ std::string margins(const Panel& panel) {
       panel.left, panel.right, panel.bottom, panel.top);
 }
 
+std::string panel_frame(const Panel& panel, const LevelsDrawn& drawn, const std::string& title,
+                        const std::string& y) {
+  return margins(panel) + level_tics(drawn, panel.width_px) +
+         fmt::format("set title \"{}\" font ',13' textcolor rgb '{}' offset 0,-0.6\nset format y {}\n",
+                     gnuplot_text(title), plot_ink, panel.leftmost ? "'%g'" : "''") +
+         (panel.lowest ? fmt::format("set xlabel \"{}\" textcolor rgb '{}' offset 0,0.4\n",
+                                     gnuplot_text(axis_title(drawn.axis)), plot_ink)
+                       : "unset xlabel\n") +
+         (panel.leftmost ? fmt::format("set ylabel \"{}\" textcolor rgb '{}' offset {},0\n", y, plot_ink,
+                                       y == "mean noticeability" ? 0.2 : 1.4)
+                         : "unset ylabel\n");
+}
+
+std::string threshold_lines() {
+  return fmt::format(
+      "plot 0.5 with lines lc rgb '{0}' lw 1 dt '.' notitle, 1.0 with lines lc rgb '{0}' lw 1 dt '.' notitle",
+      plot_ink);
+}
+
 std::string multiplot(const Analysis& analysis) {
-  return fmt::format("set multiplot title \"{}\" font ',13' textcolor rgb '{}'\n",
-                     gnuplot_text(source_text(analysis)), plot_ink);
+  return fmt::format("set multiplot title \"{}\" font ',{}' textcolor rgb '{}'\n",
+                     gnuplot_text(source_text(analysis)), smallest_letters_px, plot_ink);
 }
 
 }  // namespace seamline::analysis

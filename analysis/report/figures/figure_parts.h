@@ -24,8 +24,9 @@ struct LevelsDrawn {
 /// What goes between two rows of a data block: a gap before a level that stands apart.
 [[nodiscard]] std::string gap_before(const LevelsDrawn& drawn, double level);
 
-/// A tic at each level, with or without its number.
-[[nodiscard]] std::string level_tics(const LevelsDrawn& drawn, bool labelled);
+/// A tic at each level. Every one, or every second, third ... has its number, as far as there is room on an
+/// axis of `axis_px`; 0: none has.
+[[nodiscard]] std::string level_tics(const LevelsDrawn& drawn, double axis_px);
 
 /// Where lines leave room for the key: "right", or "left" where noticeability rises.
 [[nodiscard]] const char* key_side(const LevelAxis& axis);
@@ -40,26 +41,41 @@ struct LevelsDrawn {
 /// Borders, tics and the axis of levels.
 [[nodiscard]] std::string level_axis_script(const LevelsDrawn& drawn);
 
-/// "depth map width W (px)" under the axis, and `y` beside the other.
-[[nodiscard]] std::string axis_labels(const LevelAxis& axis, const std::string& y);
-
-/// The artifacts of several curves, each once, in their order: a panel each where a study has conditions.
-[[nodiscard]] std::vector<Artifact> drawn_artifacts(const NoticeabilityData& data);
+/// The curves of one panel: one each, or where a study has conditions all those of an artifact.
+struct PanelCurves {
+  std::string title;
+  std::vector<std::size_t> curves;  ///< places in `NoticeabilityData::artifacts`
+};
+[[nodiscard]] std::vector<PanelCurves> panels_of_curves(const NoticeabilityData& data);
 
 /// A panel in a grid of panels, in screen coordinates (0 to 1, from the bottom left).
 struct Panel {
   double left = 0, right = 1, bottom = 0, top = 1;
+  bool leftmost = true, lowest = true;  ///< names its vertical axis, its horizontal one
+  double width_px = 0;
 };
 
-/// Panels two a row (one when there is one), with room for a title above and labels beside each.
+/// Panels of `column_width_px` together, two a row (one when there is one), with room for a title above and
+/// labels beside each. Panels of a row have one vertical axis.
 struct PanelGrid {
-  int width_px = 0, height_px = 0;
+  int height_px = 0;
   std::vector<Panel> panels;
 };
 [[nodiscard]] PanelGrid panel_grid(std::size_t panels, int panel_height_px);
 
 /// `set lmargin ...` for a panel.
 [[nodiscard]] std::string margins(const Panel& panel);
+
+/// Margins, title and labelled axes of a panel: levels below, `y` beside. Numbers at the vertical axis only
+/// where it is leftmost.
+[[nodiscard]] std::string panel_frame(const Panel& panel, const LevelsDrawn& drawn, const std::string& title,
+                                      const std::string& y);
+
+/// The vertical axis of mean noticeability.
+inline constexpr const char* noticeability_axis = "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
+
+/// Dotted lines at 0.5 and 1.0, the levels of PT and SN, to begin a `plot` with.
+[[nodiscard]] std::string threshold_lines();
 
 /// The title above a whole figure: who answered.
 [[nodiscard]] std::string multiplot(const Analysis& analysis);

@@ -8,6 +8,8 @@
 
 #include "analysis/report/figures/figure_parts.h"
 #include "analysis/report/figures/guessing_figure.h"
+#include "analysis/report/figures/order_figure.h"
+#include "analysis/report/figures/people_figure.h"
 #include "analysis/report/figures/psychometric_figure.h"
 #include "analysis/report/figures/times_figure.h"
 #include "analysis/report/text/threshold_text.h"
@@ -21,12 +23,6 @@ namespace {
 
 constexpr std::size_t plot_colours = 6;  ///< of `plot_style` that the style sheet has dark variants of
 constexpr const char* ink = plot_ink;    ///< `inline_svg` replaces it by the page's text colour
-
-std::string axes(const Analysis& analysis) {
-  return level_axis_script(levels_drawn(analysis.data)) +
-         axis_labels(analysis.data.axis, "mean noticeability") +
-         "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
-}
 
 /// A data block `level mean sem`, the levels moved so that error bars of several lines stay apart.
 std::string data_block(const std::string& name, const LevelsDrawn& drawn, const std::vector<CellMean>& cells,
@@ -47,73 +43,60 @@ double shift(std::size_t index, std::size_t count) {
 std::string plot_line(const std::string& block, std::size_t index, const std::string& title) {
   const PlotStyle style = plot_style(index);
   return fmt::format(
-      "${0} using 1:($2-$3):(0):(2*$3) with vectors nohead lc rgb '{1}' lw 1.5 notitle, \\\n"
-      "     ${0} using 1:2 with linespoints lc rgb '{1}' lw 2 pt {2} ps 0.75 title \"{3}\"",
+      ", \\\n     ${0} using 1:($2-$3):(0):(2*$3) with vectors nohead lc rgb '{1}' lw 1.2 notitle, \\\n"
+      "     ${0} using 1:2 with linespoints lc rgb '{1}' lw 1.4 pt {2} ps 0.5 title \"{3}\"",
       block, style.colour, style.point, gnuplot_text(title));
 }
 
-std::string object_panel(const Analysis& analysis, const ArtifactScores& scores) {
-  const Artifact artifact = scores.artifact;
-  const LevelsDrawn drawn = levels_drawn(analysis.data);
+/// One artifact: a line an object.
+std::string object_plots(const Analysis& analysis, const LevelsDrawn& drawn, const ArtifactScores& scores) {
   std::vector<const ObjectCurve*> objects;
   for (const ObjectCurve& object : analysis.data.objects)
-    if (object.artifact == artifact && object.condition == scores.condition) objects.push_back(&object);
+    if (object.artifact == scores.artifact && object.condition == scores.condition)
+      objects.push_back(&object);
   std::string blocks, plots;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::string name = fmt::format("{}{}", word(artifact), i + 1);
+    const std::string name = fmt::format("{}{}", word(scores.artifact), i + 1);
     blocks += data_block(name, drawn, objects[i]->cells, shift(i, objects.size()));
-    const std::string title = fmt::format("{} {}", objects[i]->object_index, objects[i]->object);
-    plots += (i == 0 ? "plot " : ", \\\n     ") + plot_line(name, i, title);
+    plots += plot_line(name, i, fmt::format("{} {}", objects[i]->object_index, objects[i]->object));
   }
-  return blocks +
-         fmt::format("set title \"{}\" font ',16' textcolor rgb '{}' offset 0,-0.3\n",
-                     gnuplot_text(artifact_title(artifact, scores.condition)), ink) +
-         plots + "\n";
+  return blocks + threshold_lines() + plots + "\n";
 }
 
 /// One artifact of a study with conditions: a line each.
-std::string conditions_panel(const Analysis& analysis, Artifact artifact) {
-  const LevelsDrawn drawn = levels_drawn(analysis.data);
-  const std::size_t count = analysis.data.conditions.size();
+std::string condition_plots(const Analysis& analysis, const LevelsDrawn& drawn, const PanelCurves& panel) {
   std::string blocks, plots;
-  std::size_t line = 0;
-  for (const ArtifactScores& scores : analysis.data.artifacts) {
-    if (scores.artifact != artifact) continue;
-    const std::string name = fmt::format("{}{}", word(artifact), line + 1);
-    blocks += data_block(name, drawn, scores.cells, shift(line, count));
-    plots += ", \\\n     " + plot_line(name, line++, scores.condition);
+  for (std::size_t line = 0; line < panel.curves.size(); ++line) {
+    const ArtifactScores& scores = analysis.data.artifacts[panel.curves[line]];
+    const std::string name = fmt::format("{}{}", word(scores.artifact), line + 1);
+    blocks += data_block(name, drawn, scores.cells, shift(line, panel.curves.size()));
+    plots += plot_line(name, line, scores.condition);
   }
-  return blocks + fmt::format(
-                      "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\n"
-                      "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' "
-                      "lw 1.2 dt '.' "
-                      "notitle{2}\n",
-                      gnuplot_text(artifact_title(artifact)), ink, plots);
+  return blocks + threshold_lines() + plots + "\n";
 }
 
-/// Panels in rows of two, margins in pixels, so that labels keep their room whatever the number of panels.
-Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<std::string>& panel_scripts) {
-  const std::size_t panels = panel_scripts.size();
-  const std::size_t columns = panels > 1 ? 2 : 1, rows = (panels + columns - 1) / columns;
-  const double width_px = columns == 1 ? 640 : 1080, height_px = 30 + 400.0 * static_cast<double>(rows);
-  std::string script =
-      axes(analysis) +
-      fmt::format(
-          "set multiplot layout {},{} title \"{}\" font ',13' textcolor rgb '{}' "
-          "margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\nset key top {} font ',12'\n",
-          rows, columns, gnuplot_text(source_text(analysis)), ink, 66 / width_px, 1 - 14 / width_px,
-          76 / height_px, 1 - 78 / height_px, 92 / width_px, 128 / height_px, key_side(analysis.data.axis));
-  for (const std::string& panel : panel_scripts) script += panel;
-  draw_svg(figure.svg, static_cast<int>(width_px), static_cast<int>(height_px), script + "unset multiplot\n",
-           Readers::owner);
+/// Panels of mean noticeability, two a row; `plots` is what each draws.
+template <class Plots>
+Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<PanelCurves>& panels,
+                   const Plots& plots) {
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  const PanelGrid grid = panel_grid(panels.size(), 165);
+  std::string script = level_axis_script(drawn) + noticeability_axis + multiplot(analysis) + "set key top " +
+                       key_side(drawn.axis) + "\n";
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    script +=
+        panel_frame(grid.panels[i], drawn, panels[i].title, "mean noticeability") + plots(drawn, panels[i]);
+  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }
 
 Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   const LevelWords words = level_words(analysis.data.axis);
-  std::vector<std::string> panels;
-  for (const ArtifactScores& scores : analysis.data.artifacts)
-    panels.push_back(object_panel(analysis, scores));
+  std::vector<PanelCurves> panels;
+  for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
+    const ArtifactScores& scores = analysis.data.artifacts[i];
+    panels.push_back({.title = artifact_title(scores.artifact, scores.condition), .curves = {i}});
+  }
   return draw_panels(
       analysis,
       {.name = "fig6_objects",
@@ -124,16 +107,15 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
                "middle, 3 right); bars: one standard error of the mean over participants. Points of one "
                "{} are moved apart a little.",
                words.quantity, words.level) +
-           " After Fig. 6 of the paper. Data: " + source_sentence(analysis),
+           " Dotted: 0.5 (PT) and 1.0 (SN). After Fig. 6 of the paper. Data: " + source_sentence(analysis),
        .svg = folder / "fig6_objects.svg"},
-      panels);
+      panels, [&](const LevelsDrawn& drawn, const PanelCurves& panel) {
+        return object_plots(analysis, drawn, analysis.data.artifacts[panel.curves.front()]);
+      });
 }
 
 Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   const LevelWords words = level_words(analysis.data.axis);
-  std::vector<std::string> panels;
-  for (const Artifact artifact : drawn_artifacts(analysis.data))
-    panels.push_back(conditions_panel(analysis, artifact));
   return draw_panels(
       analysis,
       {.name = "fig7_averages",
@@ -148,7 +130,9 @@ Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& 
            "Data: " +
            source_sentence(analysis),
        .svg = folder / "fig7_averages.svg"},
-      panels);
+      panels_of_curves(analysis.data), [&](const LevelsDrawn& drawn, const PanelCurves& panel) {
+        return condition_plots(analysis, drawn, panel);
+      });
 }
 
 Figure average_figure(const Analysis& analysis, const std::filesystem::path& folder) {
@@ -164,25 +148,21 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
           source_sentence(analysis),
       .svg = folder / "fig7_averages.svg"};
   const LevelsDrawn drawn = levels_drawn(analysis.data);
-  std::string script = axes(analysis), plots;
+  const PanelGrid grid = panel_grid(1, 240);
+  std::string script = level_axis_script(drawn) + noticeability_axis, plots;
   for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
     const ArtifactScores& scores = analysis.data.artifacts[i];
     const std::string name(word(scores.artifact));
     script += data_block(name, drawn, scores.cells, shift(i, analysis.data.artifacts.size()));
-    plots += ", \\\n     " + plot_line(name, i, artifact_title(scores.artifact));
+    plots += plot_line(name, i, artifact_title(scores.artifact));
   }
-  script += fmt::format(
-      "set title \"{0}\" font ',13' textcolor rgb '{1}'\nset key top {3} font ',13'\nset lmargin 7\nset "
-      "rmargin 2\n"
-      "set label 1 'PT  0.5' at {4} offset 0,0.45 font ',11' textcolor rgb '{1}' "
-      "front\n"
-      "set label 2 'SN  1.0' at {5} offset 0,0.45 font ',11' textcolor rgb '{1}' "
-      "front\n"
-      "plot 0.5 with lines lc rgb '{1}' lw 1.2 dt '.' notitle, 1.0 with lines lc rgb '{1}' lw 1.2 dt '.' "
-      "notitle{2}\n",
-      gnuplot_text(source_text(analysis)), ink, plots, key_side(drawn.axis),
-      beside_line(drawn.axis, 0.004, "0.5"), beside_line(drawn.axis, 0.004, "1.0"));
-  draw_svg(figure.svg, 900, 540, script, Readers::owner);
+  script += panel_frame(grid.panels.front(), drawn, source_text(analysis), "mean noticeability") +
+            fmt::format(
+                "set key top {1}\nset label 1 'PT  0.5' at {2} offset 0,0.45 textcolor rgb '{0}' front\n"
+                "set label 2 'SN  1.0' at {3} offset 0,0.45 textcolor rgb '{0}' front\n{4}{5}\n",
+                ink, key_side(drawn.axis), beside_line(drawn.axis, 0.004, "0.5"),
+                beside_line(drawn.axis, 0.004, "1.0"), threshold_lines(), plots);
+  draw_figure(figure.svg, grid.height_px, script, Readers::owner);
   return figure;
 }
 
@@ -201,7 +181,8 @@ std::vector<Figure> draw_figures(const Analysis& analysis, const ReportNumbers& 
     figures.push_back(conditions ? conditions_figure(analysis, folder) : average_figure(analysis, folder));
   if (analysis.adaptive || !conditions) figures.push_back(object_figure(analysis, folder));
   for (std::optional<Figure>& figure :
-       std::array{psychometric_figure(analysis, numbers, folder), guessing_figure(analysis, folder),
+       std::array{people_figure(analysis, folder), psychometric_figure(analysis, numbers, folder),
+                  guessing_figure(analysis, folder), order_figure(analysis, numbers, folder),
                   times_figure(analysis, numbers, folder)})
     if (figure) figures.push_back(std::move(*figure));
   return figures;

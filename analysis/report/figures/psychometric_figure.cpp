@@ -20,11 +20,11 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, c
     const auto n = static_cast<double>(level.counts.trials);
     block += fmt::format(
         "{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level), level.counts.share(),
-        std::max(0.3, 1.1 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
+        std::max(0.25, 0.8 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);
   }
   if (curve.apart)  // no part of the sigmoid: it has no residual
     block += fmt::format("{:.6g} {:.6g} {:.4g} NaN\n", place_of(drawn, 0), curve.apart->k / curve.apart->n,
-                         std::max(0.3, 1.1 * std::sqrt(curve.apart->n / static_cast<double>(most_trials))));
+                         std::max(0.25, 0.8 * std::sqrt(curve.apart->n / static_cast<double>(most_trials))));
   return block + "EOD\n";
 }
 
@@ -45,7 +45,8 @@ std::string threshold_mark(const ChoiceCurve& curve, const LevelsDrawn& drawn, c
   const double low = std::max(pooled.threshold_ci95.low, range.low),
                high = std::min(pooled.threshold_ci95.high, range.high);
   return fmt::format(
-      "set arrow {} from {:.6g},{:.6g} to {:.6g},{:.6g} heads size screen 0.004,90 front lc rgb '{}' lw 2\n",
+      "set arrow {} from {:.6g},{:.6g} to {:.6g},{:.6g} heads size screen 0.004,90 front lc rgb '{}' lw "
+      "1.4\n",
       number, low, height, high, height, colour);
 }
 
@@ -64,71 +65,64 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
   std::int64_t most_trials = 1;
   for (const LevelResidual& level : curve.goodness.residuals)
     most_trials = std::max(most_trials, level.counts.trials);
-  const double split = panel.bottom + 0.27 * (panel.top - panel.bottom);
+  const double split = panel.bottom + 0.26 * (panel.top - panel.bottom);
   const double gap = 0.035 * (panel.top - panel.bottom);
   Panel above = panel, below = panel;
   above.bottom = split + gap;
   below.top = split - gap;
-  return block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve) + margins(above) +
+  return block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve) +
+         panel_frame(above, drawn, artifact_title(curve.artifact), "right choices") +
+         "unset xlabel\nunset arrow\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n" + level_tics(drawn, 0) +
+         threshold_mark(curve, drawn, colour) +
          fmt::format(
-             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
-             "textcolor rgb '{1}' offset 1.2,0\nunset xlabel\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n"
-             "unset arrow\n{2}{3}",
-             gnuplot_text(artifact_title(curve.artifact)), plot_ink, level_tics(drawn, false),
-             threshold_mark(curve, drawn, colour)) +
-         fmt::format(
-             "set label 1 'chance' at {4} offset 0,-0.55 font ',11' textcolor rgb '{0}'\n"
-             "plot 1.0/3 with lines lc rgb '{0}' lw 1.2 dt '.' notitle, \\\n"
+             "set label 1 'chance' at {4} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "plot 1.0/3 with lines lc rgb '{0}' lw 1 dt '.' notitle, \\\n"
              "     ${1} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{2}' "
              "notitle, \\\n"
-             "     ${1} using 1:2 with lines lc rgb '{2}' lw 2 notitle, \\\n"
+             "     ${1} using 1:2 with lines lc rgb '{2}' lw 1.4 notitle, \\\n"
              "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{2}' notitle\n",
              plot_ink, band, colour, levels, beside_line(drawn.axis, 0.012, "0.3333")) +
-         margins(below) +
+         panel_frame(below, drawn, "", "residual") +
          fmt::format(
-             "unset title\nunset label 1\nunset arrow\nset ylabel \"residual\" textcolor rgb '{0}' offset "
-             "1.2,0\nset xlabel \"{6}\" textcolor rgb '{0}'\n{5}set yrange "
-             "[-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, {2}\n"
-             "plot 0 with lines lc rgb '{0}' lw 1 notitle, \\\n"
-             "     1.96 with lines lc rgb '{0}' lw 1 dt '.' notitle, -1.96 with lines lc rgb '{0}' lw 1 dt "
+             "unset title\nunset label 1\nunset arrow\nset yrange [-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, "
+             "{2}\n"
+             "plot 0 with lines lc rgb '{0}' lw 0.8 notitle, \\\n"
+             "     1.96 with lines lc rgb '{0}' lw 0.8 dt '.' notitle, -1.96 with lines lc rgb '{0}' lw 0.8 "
+             "dt "
              "'.' notitle, \\\n"
-             "     ${3} using 1:4 with impulses lc rgb '{4}' lw 2 notitle, \\\n"
-             "     ${3} using 1:4 with points pt 7 ps 0.6 lc rgb '{4}' notitle\n",
-             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour, level_tics(drawn, true),
-             axis_title(drawn.axis));
+             "     ${3} using 1:4 with impulses lc rgb '{4}' lw 1.4 notitle, \\\n"
+             "     ${3} using 1:4 with points pt 7 ps 0.4 lc rgb '{4}' notitle\n",
+             plot_ink, residual, residual >= 8 ? 4 : 2, levels, colour);
 }
 
 /// One artifact of a study with conditions: a curve each, and no residuals.
-std::string conditions_panel(const ReportNumbers& numbers, Artifact artifact, const Panel& panel,
-                             const LevelsDrawn& drawn) {
+std::string condition_panel(const ReportNumbers& numbers, const PanelCurves& of, const Panel& panel,
+                            const LevelsDrawn& drawn) {
   std::string blocks, marks = "unset arrow\n", plots;
   std::int64_t most_trials = 1;
   for (const ChoiceCurve& curve : numbers.choices)
     for (const LevelResidual& level : curve.goodness.residuals)
       most_trials = std::max(most_trials, level.counts.trials);
   std::size_t line = 0;
-  for (std::size_t i = 0; i < numbers.choices.size(); ++i) {
+  for (const std::size_t i : of.curves) {
     const ChoiceCurve& curve = numbers.choices[i];
-    if (curve.artifact != artifact || !curve.pooled) continue;
+    if (!curve.pooled) continue;
     const char* colour = plot_style(line++).colour;
     const std::string levels = fmt::format("levels{}", i), band = fmt::format("band{}", i);
     blocks += block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve);
     marks += threshold_mark(curve, drawn, colour, line);
     plots += fmt::format(
         ", \\\n     ${0} using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '{1}' "
-        "notitle, \\\n     ${0} using 1:2 with lines lc rgb '{1}' lw 2 title \"{2}\", \\\n"
+        "notitle, \\\n     ${0} using 1:2 with lines lc rgb '{1}' lw 1.4 title \"{2}\", \\\n"
         "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{1}' notitle",
         band, colour, gnuplot_text(curve.condition), levels);
   }
-  return blocks + margins(panel) +
+  return blocks + panel_frame(panel, drawn, of.title, "right choices") +
          fmt::format(
-             "set title \"{0}\" font ',16' textcolor rgb '{1}' offset 0,-0.3\nset ylabel \"right choices\" "
-             "textcolor rgb '{1}' offset 1.2,0\nset xlabel \"{2}\" textcolor rgb '{1}'\nset yrange "
-             "[0:1.04]\nset ytics 0, 0.2, 1\nset key top {5}\n{3}"
-             "set label 1 'chance' at {6} offset 0,-0.55 font ',11' textcolor rgb '{1}'\n"
-             "plot 1.0/3 with lines lc rgb '{1}' lw 1.2 dt '.' notitle{4}\n",
-             gnuplot_text(artifact_title(artifact)), plot_ink, axis_title(drawn.axis), marks, plots,
-             key_side(drawn.axis), beside_line(drawn.axis, 0.012, "0.3333"));
+             "set yrange [0:1.04]\nset ytics 0, 0.2, 1\nset key top {1}\n{2}"
+             "set label 1 'chance' at {3} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "plot 1.0/3 with lines lc rgb '{0}' lw 1 dt '.' notitle{4}\n",
+             plot_ink, key_side(drawn.axis), marks, beside_line(drawn.axis, 0.012, "0.3333"), plots);
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {
@@ -155,19 +149,19 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
                 .title = "Right choices by artifact",
                 .caption = caption_of(analysis, numbers.conditions),
                 .svg = folder / "psychometric.svg"};
-  const std::vector<Artifact> artifacts = drawn_artifacts(analysis.data);
-  const PanelGrid grid = numbers.conditions ? panel_grid(artifacts.size(), 420) : panel_grid(fitted, 490);
+  const std::vector<PanelCurves> artifacts = panels_of_curves(analysis.data);
+  const PanelGrid grid = numbers.conditions ? panel_grid(artifacts.size(), 165) : panel_grid(fitted, 225);
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   const double residual = largest_residual(numbers.choices);
   std::string script = level_axis_script(drawn) + multiplot(analysis);
   std::size_t place = 0;
   if (numbers.conditions)
-    for (const Artifact artifact : artifacts)
-      script += conditions_panel(numbers, artifact, grid.panels[place++], drawn);
+    for (const PanelCurves& artifact : artifacts)
+      script += condition_panel(numbers, artifact, grid.panels[place++], drawn);
   for (std::size_t i = 0; i < numbers.choices.size(); ++i)
     if (numbers.choices[i].pooled && !numbers.conditions)
       script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, drawn);
-  draw_svg(figure.svg, grid.width_px, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }
 

@@ -40,12 +40,11 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
                     " are moved apart a little. Data: " + source_text(analysis) + ".",
                 .svg = folder / "response_times.svg"};
   const LevelsDrawn drawn = levels_drawn(analysis.data);
-  std::string script = level_axis_script(drawn) + axis_labels(drawn.axis, "time to the choice (s)") +
-                       fmt::format(
-                           "set yrange [0:*]\nset offsets graph 0, 0, 0.05, 0\nset key above horizontal "
-                           "font ',13'\nset lmargin 8\nset rmargin 2\n"
-                           "set title \"{}\" font ',13' textcolor rgb '{}'\n",
-                           gnuplot_text(source_text(analysis)), plot_ink);
+  const PanelGrid grid = panel_grid(1, 230);
+  std::string script =
+      level_axis_script(drawn) +
+      panel_frame(grid.panels.front(), drawn, source_text(analysis), "time to the choice (s)") +
+      "set yrange [0:*]\nset offsets graph 0, 0, 0.05, 0\nset key top right\n";
   std::string plots;
   std::size_t index = 0;
   for (TimedAnswers which : {TimedAnswers::right, TimedAnswers::wrong}) {
@@ -53,11 +52,11 @@ std::optional<Figure> times_figure(const Analysis& analysis, const ReportNumbers
     if (!has(numbers.times, which)) continue;
     script += block_of(numbers.times, drawn, which, which == TimedAnswers::right ? -0.04 : 0.04);
     plots += fmt::format(
-        "{0}${1} using 1:2:(0):($4-$2) with vectors nohead lc rgb '{2}' lw 1.5 notitle, \\\n     ${1} using "
-        "1:3 with linespoints lc rgb '{2}' lw 2 pt {3} ps 0.75 title '{1} choices'",
+        "{0}${1} using 1:2:(0):($4-$2) with vectors nohead lc rgb '{2}' lw 1.2 notitle, \\\n     ${1} using "
+        "1:3 with linespoints lc rgb '{2}' lw 1.4 pt {3} ps 0.5 title '{1} choices'",
         plots.empty() ? "plot " : ", \\\n     ", word(which), style.colour, style.point);
   }
-  draw_svg(figure.svg, 900, 480, script + plots + "\n", Readers::owner);
+  draw_figure(figure.svg, grid.height_px, script + plots + "\n", Readers::owner);
   return figure;
 }
 

@@ -38,7 +38,7 @@ td.number { white-space: normal; max-width: 11rem; }
 tbody .sentence { white-space: normal; font-weight: normal; max-width: 56rem; }
 td:last-child:not(.number) { white-space: normal; min-width: 12rem; }
 figure { margin: 1.2rem 0 2rem; }
-figure svg { width: 100%; height: auto; max-width: 62rem; display: block; }
+figure svg { width: 100%; height: auto; max-width: 46rem; display: block; }
 figcaption { font-size: .92rem; max-width: 50rem; margin-top: .5rem; }
 .samples { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); }
 .samples div { font-size: .85rem; text-align: center; color: var(--soft); }

@@ -8,6 +8,7 @@
 #include "analysis/report/page/differences_section.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/page/methods_text.h"
+#include "analysis/report/page/order_section.h"
 #include "analysis/report/page/origins_section.h"
 #include "analysis/report/page/page_style.h"
 #include "analysis/report/page/people_section.h"
@@ -90,7 +91,8 @@ std::string noticeability_section(const std::vector<Figure>& figures, bool adapt
         "of "
         "objects below are over different people at different {0}.</p>\n",
         level_words(axis).levels);
-  return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects");
+  return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects") +
+         figure_html(figures, "participants");
 }
 
 std::string methods_section(const Analysis& analysis, const ReportNumbers& numbers) {
@@ -107,7 +109,7 @@ std::string methods_section(const Analysis& analysis, const ReportNumbers& numbe
 constexpr const char* contents =
     "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> <a "
     "href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> <a "
-    "href=\"#checks\">Checks</a> <a href=\"#times\">Response times</a> <a "
+    "href=\"#checks\">Checks</a> <a href=\"#order\">Order</a> <a href=\"#times\">Response times</a> <a "
     "href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> <a "
     "href=\"#methods\">Methods</a> <a href=\"#data\">Data</a></nav>\n";
 
@@ -115,7 +117,7 @@ constexpr const char* data_section =
     "<h2 id=\"data\">Data</h2>\n<p>Every number of this page is also beside it, as CSV files and as JSON: "
     "<code>report.json</code> holds all the tables, <code>thresholds.json</code> the thresholds and what "
     "they rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> "
-    "holds the figures as SVG and as gnuplot scripts.</p>\n";
+    "holds the figures as SVG, as PDF for a column of 85 mm, and as gnuplot scripts.</p>\n";
 
 }  // namespace
 
@@ -131,7 +133,7 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
           differences_html(analysis) + origins_html(analysis) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
-          times_html(numbers, figures);
+          order_html(numbers, figures) + times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
           methods_section(analysis, numbers) + data_section;

@@ -3,6 +3,7 @@
 #include "analysis/report/tables/checks_tables.h"
 #include "analysis/report/tables/comparisons_tables.h"
 #include "analysis/report/tables/noticeability_tables.h"
+#include "analysis/report/tables/order_tables.h"
 #include "analysis/report/tables/people_tables.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/tables/psychometric_tables.h"
@@ -14,7 +15,8 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
   for (CsvTable& table : std::vector<CsvTable>{
            psychometric_table(analysis, numbers), psychometric_levels_table(analysis, numbers),
            psychometric_band_table(numbers), coefficients_table(numbers), contrasts_table(numbers),
-           response_times_table(numbers), participants_table(numbers), tracks_table(numbers)})
+           order_table(analysis, numbers), residuals_table(numbers), response_times_table(numbers),
+           participants_table(numbers), tracks_table(numbers)})
     tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
   if (analysis.frozen) tables.push_back(deviations_table(*analysis.frozen));

@@ -74,6 +74,29 @@ CsvTable curves_table(const Analysis& analysis) {
   return table;
 }
 
+CsvTable people_curves_table(const Analysis& analysis) {
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::string> conditions;
+  CsvTable table{.name = "curves_people",
+                 .columns = {participant_column,
+                             artifact_column,
+                             level_column(axis),
+                             {"mean", "noticeability 0 to 4", "the participant's mean over objects"}},
+                 .rows = {}};
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    for (std::size_t person = 0; person < scores.people.size(); ++person)
+      for (std::size_t w = 0; w < scores.level.size(); ++w) {
+        const double mean =
+            scores.noticeability(static_cast<Eigen::Index>(person), static_cast<Eigen::Index>(w));
+        if (std::isnan(mean)) continue;
+        table.rows.push_back({scores.people[person], std::string(word(scores.artifact)),
+                              level_value(axis, scores.level[w]), mean});
+        conditions.push_back(scores.condition);
+      }
+  add_conditions(table, has_conditions(analysis.data), conditions);
+  return table;
+}
+
 CsvTable thresholds_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
@@ -151,7 +174,8 @@ CsvTable answers_table(const Analysis& analysis) {
 }  // namespace
 
 std::vector<CsvTable> noticeability_tables(const Analysis& analysis) {
-  return {cells_table(analysis), curves_table(analysis), thresholds_table(analysis), answers_table(analysis)};
+  return {cells_table(analysis), curves_table(analysis), people_curves_table(analysis),
+          thresholds_table(analysis), answers_table(analysis)};
 }
 
 }  // namespace seamline::analysis
