@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "support/files/hash.h"
+#include "support/files/held/byte_lock.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
@@ -24,21 +25,6 @@ constexpr std::uint64_t computers = std::uint64_t{1} << 40;
 constexpr std::array<std::uint32_t, 11> network_file_systems = {
     0x6969,     0x517b,     0xff534d42, 0xfe534d42, 0x00c36400, 0x0bd00bd0,
     0x47504653, 0x5346414f, 0x19830326, 0x01021997, 0x65735546};
-
-struct flock bytes(short type, off_t begin, off_t count) {
-  struct flock lock = {};
-  lock.l_type = type;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = begin;
-  lock.l_len = count;
-  return lock;
-}
-
-bool is_held_in(int descriptor, off_t begin, off_t count) {
-  if (count == 0) return false;
-  struct flock lock = bytes(F_WRLCK, begin, count);
-  return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-}
 
 off_t byte_of(const std::string& host) {
   return first_byte + static_cast<off_t>(std::stoull(sha256(host).substr(0, 15), nullptr, 16) % computers);
@@ -60,17 +46,15 @@ ComputerPlace computer_place(const fs::path& path) {
 void claim_for_computer(int descriptor, const fs::path& lock_file, const ComputerPlace& place) {
   if (!place.shared) return;
   const off_t own = byte_of(place.host);
-  struct flock lock = bytes(F_RDLCK, own, 1);
-  if (::fcntl(descriptor, F_OFD_SETLK, &lock) != 0)
+  if (lock_bytes(descriptor, {.begin = own}, F_RDLCK, F_OFD_SETLK) != Lock::taken)
     throw input_error({.file = lock_file.string(),
                        .wanted = "a file system that has locks (give each computer a log of its own)",
                        .found = std::strerror(errno)});
   const off_t end = first_byte + static_cast<off_t>(computers);
-  if (!is_held_in(descriptor, first_byte, own - first_byte) &&
-      !is_held_in(descriptor, own + 1, end - own - 1))
+  if (!is_locked(descriptor, {.begin = first_byte, .count = own - first_byte}) &&
+      !is_locked(descriptor, {.begin = own + 1, .count = end - own - 1}))
     return;
-  lock.l_type = F_UNLCK;
-  (void)::fcntl(descriptor, F_OFD_SETLK, &lock);
+  lock_bytes(descriptor, {.begin = own}, F_UNLCK, F_OFD_SETLK);
   throw input_error({.file = lock_file.string(),
                      .wanted =
                          "a log that one computer has open at a time, because it lies on a network file "

@@ -9,28 +9,15 @@
 
 #include "study/log/log_place.h"
 #include "study/log/one_computer.h"
+#include "support/files/held/byte_lock.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
 
-struct flock byte_of(std::int64_t participant, short type) {
-  struct flock lock = {};
-  lock.l_type = type;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = participant;
-  lock.l_len = 1;
-  return lock;
-}
-
 InputError trouble(const fs::path& path, const std::string& wanted, int error) {
   return input_error({.file = path.string(), .wanted = wanted, .found = std::strerror(error)});
-}
-
-bool locked_by_others(int descriptor, std::int64_t participant) {
-  struct flock lock = byte_of(participant, F_WRLCK);
-  return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
 }  // namespace
@@ -61,21 +48,20 @@ void SessionClaims::open() {
 
 bool SessionClaims::claim(std::int64_t participant) {
   open();
-  struct flock lock = byte_of(participant, F_WRLCK);
-  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return true;
-  if (errno == EAGAIN || errno == EACCES) return false;
-  throw trouble(path_, "a file system that has locks", errno);
+  const Lock lock = lock_bytes(descriptor_, {.begin = participant}, F_WRLCK, F_OFD_SETLK);
+  if (lock == Lock::not_supported) throw trouble(path_, "a file system that has locks", errno);
+  return lock == Lock::taken;
 }
 
 bool SessionClaims::claimed_elsewhere(std::int64_t participant) {
   open();
-  return locked_by_others(descriptor_, participant);
+  return is_locked(descriptor_, {.begin = participant});
 }
 
 bool is_claimed(const fs::path& log, std::int64_t participant) {
   const int descriptor = ::open(claims_file(log).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool claimed = locked_by_others(descriptor, participant);
+  const bool claimed = is_locked(descriptor, {.begin = participant});
   ::close(descriptor);
   return claimed;
 }

@@ -7,16 +7,16 @@
 #include <cerrno>
 #include <cstring>
 
-#include "renderer/set/sharing/byte_lock.h"
+#include "support/files/held/byte_lock.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
-/// Bytes of the file that locks are taken on; it need not be so long.
-constexpr off_t part_byte = 1000;  ///< everybody who renders shares it
-constexpr off_t gate_byte = 1001;  ///< one newcomer at a time reads the inputs, or changes them
+/// Bytes of the file that locks are taken on; it need not be so long. Everybody who renders shares the part;
+/// one newcomer at a time goes through the gate, and reads the inputs or changes them.
+constexpr ByteRange part_byte = {.begin = 1000}, gate_byte = {.begin = 1001};
 
 std::string text_of(int descriptor) {
   std::array<char, 256> text{};
@@ -41,10 +41,10 @@ SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
   // A link in a set that somebody sent must not lead what is written here to another file.
   descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw unwritable();
-  if (lock_byte(descriptor_, gate_byte, F_WRLCK, F_OFD_SETLKW) == Lock::not_supported) return;
+  if (lock_bytes(descriptor_, gate_byte, F_WRLCK, F_OFD_SETLKW) == Lock::not_supported) return;
   if (text_of(descriptor_) != inputs) {
     // Exclusive only when nobody else has a part: then the set is ours to change.
-    if (lock_byte(descriptor_, part_byte, F_WRLCK, F_OFD_SETLK) != Lock::taken) {
+    if (lock_bytes(descriptor_, part_byte, F_WRLCK, F_OFD_SETLK) != Lock::taken) {
       ::close(descriptor_);
       throw input_error({.file = set_folder.string(),
                          .wanted = "a set that nobody is rendering with other settings or inputs",
@@ -52,8 +52,8 @@ SetClaim::SetClaim(const fs::path& set_folder, const std::string& inputs) {
     }
     if (!write_text(descriptor_, inputs)) throw unwritable();
   }
-  lock_byte(descriptor_, part_byte, F_RDLCK, F_OFD_SETLK);
-  lock_byte(descriptor_, gate_byte, F_UNLCK, F_OFD_SETLK);
+  lock_bytes(descriptor_, part_byte, F_RDLCK, F_OFD_SETLK);
+  lock_bytes(descriptor_, gate_byte, F_UNLCK, F_OFD_SETLK);
 }
 
 SetClaim::~SetClaim() {

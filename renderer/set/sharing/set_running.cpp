@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "renderer/set/sharing/byte_lock.h"
 #include "support/files/atomic_file.h"
+#include "support/files/held/byte_lock.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/error.h"
 #include "support/text/text_bounds.h"
@@ -48,10 +48,10 @@ int open_locks(const fs::path& set_folder, int access) {
 }
 
 /// The byte that bears a name: FNV-1a, far beyond the bytes of the claim.
-off_t byte_of(const std::string& name) {
+ByteRange byte_of(const std::string& name) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return static_cast<off_t>(4096 + hash % (std::uint64_t{1} << 40U));
+  return {.begin = static_cast<off_t>(4096 + hash % (std::uint64_t{1} << 40U))};
 }
 
 /// A mark as its file says it, and which kernel would know whether its process lives.
@@ -113,7 +113,7 @@ RunningMark::RunningMark(const fs::path& set_folder, std::string name, int done,
       done_(done),
       stimuli_(stimuli),
       lock_(open_locks(set_folder, O_RDWR)),
-      locked_(lock_ >= 0 && lock_byte(lock_, byte_of(name_), F_WRLCK, F_OFD_SETLK) == Lock::taken) {
+      locked_(lock_ >= 0 && lock_bytes(lock_, byte_of(name_), F_WRLCK, F_OFD_SETLK) == Lock::taken) {
   prepare_output_folder(path_.parent_path());
   write();
 }
