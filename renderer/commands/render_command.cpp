@@ -22,6 +22,7 @@
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
+#include "support/files/held/prepared_folder.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -95,11 +96,16 @@ void make_job(const RenderOptions& options, const StudyDefinition& study, const 
         {.field = options.slurm.empty() ? "--parallel" : "--slurm",
          .wanted = "no --shard, --true-error or --contact-sheet, which are for single processes",
          .found = "one of them"});
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  if (std::none_of(stimuli.begin(), stimuli.end(), [&](const Stimulus& stimulus) {
+        return matches_pattern(stimulus_id(stimulus), asked.only);
+      }))
+    throw no_such_stimulus(study, asked.only);
   RenderRequest request = asked;
   request.threads = options.threads > 0 ? options.threads : 1;
   const fs::path folder = fs::absolute(options.slurm.empty() ? options.parallel : options.slurm);
   options.slurm.empty() ? check_parallel_folder(folder) : check_slurm_folder(folder);
-  prepare_output_folder(folder);
+  const PreparedFolder prepared(folder);
   const JobCosts costs = measure_costs(study, request, probe_s);
   const RenderJob job = plan_job(study, request, costs, options.elements);
   const JobPlace place{.folder = folder,
@@ -122,8 +128,7 @@ void make_job(const RenderOptions& options, const StudyDefinition& study, const 
   all_s += elements_s;
   fmt::print(
       "{}: {} truths, then {} elements of {} to {} (mean {}), then join; {} in all on {} thread{} each, {} "
-      "MB; "
-      "from a probe of {}\nrun {}\n",
+      "MB; from a probe of {}\nrun {}\n",
       folder.string(), job.truths.size(), job.elements.size(),
       duration_text(std::min_element(job.elements.begin(), job.elements.end(),
                                      [](const auto& a, const auto& b) { return a.seconds < b.seconds; })

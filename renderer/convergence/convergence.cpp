@@ -5,6 +5,7 @@
 #include "renderer/convergence/convergence_figure.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
+#include "support/files/held/prepared_folder.h"
 #include "support/files/markdown_table.h"
 
 namespace seamline::renderer {
@@ -65,7 +66,7 @@ class Writer {
 std::string run_convergence(const StudyDefinition& study, const ConvergenceRequest& request) {
   require_gnuplot();
   const ConvergenceSubject subject = load_subject(study, request);
-  prepare_output_folder(request.out);
+  const PreparedFolder prepared(request.out);
   Writer writer(subject, request);
   const auto wanted = [&](ConvergencePart part) { return request.parts.contains(part); };
   if (wanted(ConvergencePart::samples))

@@ -13,6 +13,13 @@ bool SetWork::is_pending(const std::string& truth) const {
                      [&](const PendingStimulus& work) { return truth_of(work.stimulus) == truth; });
 }
 
+InputError no_such_stimulus(const StudyDefinition& study, const std::string& only) {
+  return input_error({.file = study.file.string(),
+                      .field = "--only",
+                      .wanted = "a pattern that matches a stimulus id",
+                      .found = "\"" + only + "\""});
+}
+
 SetWork find_work(const StudyDefinition& study, const RenderRequest& request, const InputHashes& hashes,
                   const SetRecords& records) {
   SetWork work;
@@ -32,11 +39,7 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
     else
       work.pending.push_back({stimulus, inputs});
   }
-  if (work.selected_truths.empty())
-    throw input_error({.file = study.file.string(),
-                       .field = "--only",
-                       .wanted = "a pattern that matches a stimulus id",
-                       .found = "\"" + request.only + "\""});
+  if (work.selected_truths.empty()) throw no_such_stimulus(study, request.only);
   return work;
 }
 

@@ -6,6 +6,7 @@
 #include "renderer/set/render_set.h"
 #include "renderer/set/sharing/work_list.h"
 #include "renderer/transport/answers.h"
+#include "support/text/error.h"
 
 namespace seamline::renderer {
 
@@ -23,6 +24,9 @@ struct SetWork {
 
   [[nodiscard]] bool is_pending(const std::string& truth) const;
 };
+
+/// That no stimulus of the study matches `--only`.
+[[nodiscard]] InputError no_such_stimulus(const StudyDefinition& study, const std::string& only);
 
 /// Stimuli that match `--only`, belong to this shard and are not finished. Shards share out the virtual
 /// objects of all scenes, because stimuli of one object share its truth. Throws InputError when the pattern

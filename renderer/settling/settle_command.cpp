@@ -20,6 +20,7 @@
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
+#include "support/files/held/prepared_folder.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -165,9 +166,7 @@ void run_settle(const SettleOptions& options) {
                             .matrix());
   const SensedDepth depth = options.depth.empty() ? sense_depth(options.sensed) : depth_of_files(options);
   request.world_from_depth = depth.world_from_depth;
-  prepare_output_folder(folder);
-  if (options.has_ball) write_ball(folder / "ball.glb", options.ball_m);
-
+  const PreparedFolder prepared(folder);
   const DepthSequence measured = filtered(options, depth.measured);
   std::vector<std::pair<std::string, DepthSequence>> sequences = {{"measured", measured},
                                                                   {"planes", with_planes(options, measured)}};
@@ -182,6 +181,7 @@ void run_settle(const SettleOptions& options) {
   }
   const std::vector<StepShake> by_steps =
       depth.exact ? shake_by_steps(*depth.exact, request, progress) : std::vector<StepShake>{};
+  if (options.has_ball) write_ball(folder / "ball.glb", options.ball_m);
   write_falls(folder, falls, by_steps, request,
               fmt::format("{} on {}, {} steps a second", options.has_ball ? "A ball" : options.object,
                           options.depth.empty() ? options.sensed.scene + " seen by " + options.sensed.sensor

@@ -25,13 +25,14 @@ TEST_P(LeavesNothing, WhereItsInputIsWrong) {
   test::write_text(folder / "junk.png", "nothing that anybody reads\n");
   test::write_text(folder / "junk.exr", "nothing that anybody reads\n");
   fs::create_directories(folder / "empty");
-  const fs::path out = folder / "out";
-  const test::Outcome outcome = test::run_seamline(with_path(
-      with_path(
-          with_path(with_path(with_path(arguments, "JUNK", folder / "junk.txt"), "PNG", folder / "junk.png"),
-                    "EXR", folder / "junk.exr"),
-          "EMPTY", folder / "empty"),
-      "OUT", out));
+  const fs::path out = folder / "out", quick = test::studies() / "quick.toml";
+  std::string filled = arguments;
+  for (const auto& [word, path] :
+       {std::pair("JUNK", folder / "junk.txt"), std::pair("PNG", folder / "junk.png"),
+        std::pair("EXR", folder / "junk.exr"), std::pair("EMPTY", folder / "empty"),
+        std::pair("QUICK", quick), std::pair("OUT", out)})
+    filled = with_path(filled, word, path);
+  const test::Outcome outcome = test::run_seamline(filled);
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   EXPECT_THAT(outcome.output, testing::StartsWith("seamline: "));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -55,6 +56,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "capture JUNK --out OUT.exr", "picture JUNK --out OUT.png", "mesh EXR --out OUT.glb",
                     "views PNG --max-depth 5 --fov 60 --out OUT",
                     "settle JUNK --sensor tof_160x120 --ball 0.1 --out OUT",
+                    // What is found out only by the work itself: a body that nothing holds, no stimuli.
+                    "settle builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 -3 0 --out OUT/deep",
+                    "render QUICK --only none --parallel OUT/job --out OUT/set",
+                    "render QUICK --only none --slurm OUT/job --out OUT/set",
                     "relight JUNK --sensor tof_160x120 --out OUT", "convergence JUNK --only x --out OUT"));
 
 }  // namespace

@@ -115,20 +115,21 @@ fs::path study_of_many_scenes() {
 
 /// Every command, and which of its ways.
 const std::vector<std::pair<std::string, std::string>> commands = {
-    {"demo", ""},           {"render", ""},       {"verify", ""},    {"check", ""},      {"check", "set"},
-    {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},  {"bench", ""},
-    {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"}, {"analyze", ""},
-    {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},       {"stability", ""},
-    {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},    {"marker", ""},
-    {"views", ""},          {"settle", ""},       {"relight", ""},   {"record", ""},     {"live", ""},
-    {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},      {"import", ""},
-    {"merge", ""},          {"freeze", ""},       {"flip", ""}};
+    {"demo", ""},      {"render", ""},         {"render", "job"},    {"verify", ""},    {"check", ""},
+    {"check", "set"},  {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},
+    {"bench", ""},     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"},
+    {"analyze", ""},   {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},
+    {"stability", ""}, {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},
+    {"marker", ""},    {"views", ""},          {"settle", ""},       {"relight", ""},   {"record", ""},
+    {"live", ""},      {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},
+    {"import", ""},    {"merge", ""},          {"freeze", ""},       {"flip", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
   const std::string out = (at.folder / ("out-" + command + what)).string();
   const std::string quick = (test::studies() / "quick.toml").string();
   if (command == "demo") return {"--out", out};
+  if (command == "render" && what == "job") return {quick, "--out", out, "--parallel", out + "-job"};
   if (command == "render") return {quick, "--out", out, "--spp", "4096"};
   if (command == "verify") return {at.long_set.string()};
   if (command == "check" && what == "set") return {at.long_set.string()};
@@ -254,6 +255,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
         << "it asked less often whether to stop: " << test::read_text(running.output);
     EXPECT_EQ(test::status_after(running, signal), 130);
     EXPECT_THAT(test::read_text(running.output), testing::HasSubstr("seamline: stopped"));
+    EXPECT_FALSE(what == "job" && fs::exists(work().folder / "out-renderjob-job"));
   }
 }
 
