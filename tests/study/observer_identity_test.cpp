@@ -2,8 +2,11 @@
 // changes. What a session leaves that stored nothing is no log of anybody.
 #include <gmock/gmock.h>
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include "log_fixture.h"
 #include "stimuli/set/set_study.h"
+#include "study/log/online/log_merge.h"
 #include "study/running/simulation.h"
 #include "study/running/visit_store.h"
 
@@ -84,6 +87,58 @@ TEST_F(ObserverIdentity, TheLogSaysWhatItsSimulatedObserversAreMadeOf) {
   const RenderedSet again = render_again(text());
   EXPECT_THAT(complaint_of([&] { (void)run_simulated_study(simulated(again, ObserverKind::threshold)); }),
               HasSubstr("observer: wanted that of the simulated observers in"));
+}
+
+TEST_F(ObserverIdentity, LogsOfTwoObserversAreMerged) {
+  one_person();
+  const RenderedSet other = write_set_of_text(folder / "elsewhere", text(other_observer));
+  const RenderedSet third = write_set_of_text(folder / "third", text("[observer]\nscale_octaves = 2\n"));
+  const fs::path people = folder / "people.sqlite", made = folder / "made.sqlite",
+                 more = folder / "more.sqlite";
+  {
+    LogWriter log(people, other);
+    (void)enter(log, {.code = "p2"}, 3);
+  }
+  const auto simulate = [&](const RenderedSet& of, const fs::path& log, std::uint64_t seed) {
+    (void)run_simulated_study(
+        {.set_folder = of.folder, .log = log, .observer = ObserverKind::threshold, .count = 2, .seed = seed});
+  };
+  simulate(other, made, 1);
+  simulate(third, more, 2);
+  // Simulated people of every log have the same codes, and are others.
+  SQLite::Database(more.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE participants SET code = 'more-' || code");
+  const std::string own_text = read_log(path).study_text;
+  // Of people it says nothing.
+  EXPECT_THAT(merge_logs(path, {people})[0].added, testing::ElementsAre("p2"));
+  EXPECT_EQ(read_log(path).study_text, own_text);
+  // A log without simulated people takes the text that says what the first of them are made of.
+  EXPECT_EQ(merge_logs(path, {made})[0].other_observer, 0);
+  EXPECT_THAT(read_log(path).study_text, HasSubstr("receiver = 77"));
+  EXPECT_EQ(read_log(path).study_hash, set.manifest.study_hash);
+  // The next ones keep how they differ.
+  const std::vector<MergedLog> merged = merge_logs(path, {more});
+  EXPECT_EQ(merged[0].other_observer, 2);
+  EXPECT_THAT(merge_text(merged, path), HasSubstr("2 of them are simulated with another [observer]"));
+  int count = 0;
+  {
+    SQLite::Database log(path.string(), SQLite::OPEN_READONLY);
+    SQLite::Statement kept(log, R"sql(
+      SELECT DISTINCT code, detail FROM events JOIN sessions USING (session) JOIN participants USING (participant)
+      WHERE events.kind = 'observer' ORDER BY code)sql");
+    while (kept.executeStep()) {
+      ++count;
+      EXPECT_EQ(kept.getColumn(1).getString(),
+                "- midpoint receiver 77\n- observer 0.5 0.5\n+ midpoint receiver 300\n+ observer 2 0.5\n");
+    }
+  }
+  EXPECT_EQ(count, 2);
+  EXPECT_EQ(merge_logs(path, {more, made, people})[0].known, 2);
+  // Other pictures are another study whatever the observer.
+  const RenderedSet shows_more = write_set_of_text(folder / "shows", text("[catch]\nattention = 2\n"));
+  const fs::path shown = folder / "shown.sqlite";
+  simulate(shows_more, shown, 3);
+  EXPECT_THAT(complaint_of([&] { (void)merge_logs(path, {shown}); }), HasSubstr("study_hash"));
 }
 
 TEST_F(ObserverIdentity, ARefusedSessionLeavesNoLog) {

@@ -9,6 +9,7 @@
 
 #include "study/log/log_database.h"
 #include "study/log/log_place.h"
+#include "study/log/online/merged_study.h"
 #include "study/log/online/online_tables.h"
 #include "study/log/recovery/log_rows.h"
 #include "study/log/session_claims.h"
@@ -142,8 +143,8 @@ std::optional<PersonFacts> find_person(SQLite::Database& database, const LogValu
 }
 
 /// Enters somebody with everything that hangs on them, under a number of this log's.
-void copy_person(SQLite::Database& from, SQLite::Database& into, const PersonFacts& person,
-                 std::optional<std::int64_t> number) {
+std::int64_t copy_person(SQLite::Database& from, SQLite::Database& into, const PersonFacts& person,
+                         std::optional<std::int64_t> number) {
   LogRow row = person.row;
   row[0] = number ? LogValue(*number) : LogValue();
   insert(into, "participants", row);
@@ -172,6 +173,7 @@ void copy_person(SQLite::Database& from, SQLite::Database& into, const PersonFac
       if (is_session) session_of[old_key] = into.getLastInsertRowid();
     }
   }
+  return participant;
 }
 
 /// Rows that say when something happened and not to whom: as many of each as the log that has more.
@@ -188,11 +190,18 @@ void merge_anonymous(SQLite::Database& from, SQLite::Database& into, const char*
 void merge_one(SQLite::Database& from, SQLite::Database& into, MergedLog& merged,
                std::vector<std::string>& conflicts) {
   if (has_online_tables(schema_version_of(from))) add_online_tables(into);
+  const std::string observer = other_observer(into, from);
+  const auto enter = [&](const PersonFacts& person, std::optional<std::int64_t> number) {
+    const std::int64_t participant = copy_person(from, into, person, number);
+    if (observer.empty() || std::holds_alternative<std::monostate>(person.row[observer_at])) return;
+    note_observer(into, participant, observer);
+    ++merged.other_observer;
+  };
   for (const PersonFacts& person : people_of(from)) {
     const std::string code = text_of(person.row[code_at]);
     const std::optional<PersonFacts> known = find_person(into, person.row[code_at]);
     if (!known) {
-      copy_person(from, into, person, {});
+      enter(person, {});
       merged.added.push_back(code);
       continue;
     }
@@ -203,7 +212,7 @@ void merge_one(SQLite::Database& from, SQLite::Database& into, MergedLog& merged
     } else if (is_within(*known, person)) {
       SQLite::Statement remove(into, "DELETE FROM participants WHERE participant = ?");
       run(remove, known->participant);
-      copy_person(from, into, person, known->participant);
+      enter(person, known->participant);
       merged.extended.push_back(code);
     } else {
       const auto different = std::find_if(person.said.begin(), person.said.end(), [&](const auto& entry) {
@@ -227,24 +236,6 @@ void merge_one(SQLite::Database& from, SQLite::Database& into, MergedLog& merged
     insert(into, "online_tokens", row, "INSERT OR IGNORE");
   for (const LogRow& row : rows_of(from, "online_messages", "participant IS NULL"))
     insert(into, "online_messages", row, "INSERT OR IGNORE");
-}
-
-void check_same_study(SQLite::Database& into, SQLite::Database& from, const fs::path& path) {
-  const auto study = [](SQLite::Database& database, const char* what) {
-    return database.execAndGet(std::string(what)).getString();
-  };
-  for (const auto& [field, question] : {std::pair("study_hash", "SELECT study_hash FROM study"),
-                                        std::pair("set_hash", "SELECT set_hash FROM study")})
-    if (const std::string wanted = study(into, question), found = study(from, question); wanted != found)
-      throw input_error({.file = path.string(),
-                         .field = field,
-                         .wanted = wanted + ", of the log that it is merged into (nothing was merged)",
-                         .found = found});
-  if (rows_of(into, "stimuli", "1 ORDER BY stimulus") != rows_of(from, "stimuli", "1 ORDER BY stimulus"))
-    throw input_error({.file = path.string(),
-                       .field = "stimuli",
-                       .wanted = "those of the log that it is merged into (nothing was merged)",
-                       .found = "others"});
 }
 
 void check_version(SQLite::Database& database, const fs::path& path) {
@@ -318,6 +309,12 @@ std::string merge_text(const std::vector<MergedLog>& merged, const fs::path& int
   for (const MergedLog& one : merged)
     text += fmt::format("{}: {} participants added, {} extended, {} known before, into {}\n",
                         one.from.string(), one.added.size(), one.extended.size(), one.known, into.string());
+  for (const MergedLog& one : merged)
+    if (one.other_observer > 0)
+      text += fmt::format(
+          "{}: {} of them are simulated with another [observer] than the study in {} says; an event "
+          "\"observer\" of each keeps how it differs\n",
+          one.from.string(), one.other_observer, into.string());
   return text;
 }
 

@@ -11,14 +11,17 @@ struct MergedLog {
   std::vector<std::string> added;     ///< codes that were new
   std::vector<std::string> extended;  ///< that had fewer answers or messages, and have all of them now
   int known = 0;                      ///< that had everything before
+  int other_observer = 0;  ///< added or extended, simulated with another [observer] than the log's study says
 };
 
 /// Adds the participants of other logs of the same study and set to a log, all in one transaction. A
 /// participant is the same by code, and an answer by the id of its message; an answer of the window, which
 /// has none, by `window_answer_id`. Somebody who is in both is a duplicate as far as both say the same: the
-/// log keeps what is more. Throws InputError, and merges nothing, when a participant's answers or messages
-/// contradict one another, or when a log is of another study or set, is of an old schema version, is damaged,
-/// or has somebody in a session now. People whom one log forgot come back from another that knows them.
+/// log keeps what is more. Logs whose studies differ in [observer] alone are of one study; how simulated
+/// people differ from what the log's text of the study says is kept with each. Throws InputError, and merges
+/// nothing, when a participant's answers or messages contradict one another, or when a log is of another
+/// study or set, is of an old schema version, is damaged, or has somebody in a session now. People whom one
+/// log forgot come back from another that knows them.
 std::vector<MergedLog> merge_logs(const std::filesystem::path& into,
                                   const std::vector<std::filesystem::path>& from);
 
