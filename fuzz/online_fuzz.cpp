@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "fuzz/fuzz_target.h"
+#include "study/log/log_writer.h"
 #include "study/online/messages/message_reader.h"
 #include "study/online/messages/message_writer.h"
 #include "study/online/serving/http_request.h"
+#include "support/files/hash.h"
 
 namespace {
 

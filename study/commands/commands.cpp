@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "stimuli/set/manifest_pictures.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
+#include "study/log/online/invitation_codes.h"
 #include "study/log/recovery/log_recovery.h"
 #include "study/log/recovery/log_recovery_text.h"
 #include "study/log/recovery/log_upgrade.h"
@@ -31,7 +33,7 @@ struct StudyOptions {
 };
 
 struct LogOptions {
-  std::string log, exclude, forget, recover, upgrade, set;
+  std::string log, exclude, forget, codes, recover, upgrade, set;
   bool status = false, tracks = false;
 };
 
@@ -89,6 +91,26 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
                    .trace = options.trace});
 }
 
+/// From the log, and from the file that says whose invitation was whose. Somebody who is in that file alone
+/// was forgotten before, without it.
+void forget_person(const LogOptions& options) {
+  if (options.codes.empty()) {
+    if (forget_participant(options.log, options.forget))
+      fmt::print("{}: forgotten in {}. {}\n", options.forget, options.log,
+                 "If a server kept codes (seamline serve --codes FILE), FILE still has their line: the same "
+                 "command with --codes FILE takes it out.");
+    return;
+  }
+  const bool is_in_log = has_participant(options.log, options.forget);
+  const InvitationCodes codes = read_invitation_codes(options.codes);
+  const bool is_in_codes = std::any_of(codes.begin(), codes.end(),
+                                       [&](const auto& line) { return line.second == options.forget; });
+  if (is_in_log || !is_in_codes) forget_participant(options.log, options.forget);
+  fmt::print("{}: {} in {}, {} lines taken out of {}\n", options.forget,
+             is_in_log ? "forgotten" : "not there any more", options.log,
+             forget_invitation_of(options.codes, options.forget), options.codes);
+}
+
 void administer(const LogOptions& options) {
   const bool does_something = options.status || options.tracks || !options.exclude.empty() ||
                               !options.forget.empty() || !options.recover.empty() || !options.upgrade.empty();
@@ -107,7 +129,7 @@ void administer(const LogOptions& options) {
     return;
   }
   if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
-  if (!options.forget.empty()) forget_participant(options.log, options.forget);
+  if (!options.forget.empty()) forget_person(options);
   if (options.status) fmt::print("{}", status_text(read_log(options.log)));
   if (options.tracks) fmt::print("{}", tracks_text(quest_plus_estimates(read_log(options.log))));
 }
@@ -157,6 +179,9 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
       log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
   CLI::Option* forget =
       log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  log->add_option("--codes", log_options->codes,
+                  "for --forget: the file in which `serve --codes` kept whose invitation was whose")
+      ->needs(forget);
   CLI::Option* recover =
       log->add_option("--recover", log_options->recover,
                       "save what can be read of a damaged log into a new one, and say what is lost");

@@ -68,6 +68,14 @@ std::string more(const ParticipantRecord& participant, const AnswerCounts& done)
   return text;
 }
 
+bool took_part_in_browser(SQLite::Database& database, const std::string& code) {
+  if (!has_online_tables(schema_version_of(database))) return false;
+  SQLite::Statement row(
+      database, "SELECT 1 FROM online_participants JOIN participants USING (participant) WHERE code = ?");
+  SQLite::bind(row, code);
+  return row.executeStep();
+}
+
 void delete_rows(SQLite::Database& database, const fs::path& log, const std::string& code) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement record(database, R"sql(
@@ -117,12 +125,23 @@ void exclude_participant(const fs::path& log, const std::string& code) {
   });
 }
 
-void forget_participant(const fs::path& log, const std::string& code) {
+bool has_participant(const fs::path& log, const std::string& code) {
+  SQLite::Database database = open_log_database(log, LogAccess::read);
+  return with_log_errors(log, [&] {
+    SQLite::Statement row(database, "SELECT 1 FROM participants WHERE code = ?");
+    SQLite::bind(row, code);
+    return row.executeStep();
+  });
+}
+
+bool forget_participant(const fs::path& log, const std::string& code) {
   SQLite::Database database = open_log_database(log, LogAccess::alone);
-  with_log_errors(log, [&] {
+  return with_log_errors(log, [&] {
+    const bool in_browser = took_part_in_browser(database, code);
     delete_rows(database, log, code);
     erase_free_pages(database);
     fs::remove(claims_file(log));  // nobody has it open: the log is ours alone
+    return in_browser;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/log/log_writer.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -57,10 +58,9 @@ std::string LogValues::text(int column) const {
 }
 
 std::string LogValues::code(int column) const {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
   const SQLite::Column value = row_.getColumn(column);
   const std::string code = value.getString();
-  if (code.empty() || code.size() > 64 || code.find_first_not_of(letters) != std::string::npos)
+  if (!is_code(code))
     throw out_of_range(log_, table_, value,
                        "a code of 1 to 64 letters, digits, dots, dashes and underscores");
   return code;

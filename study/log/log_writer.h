@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stimuli/definition/form_definition.h"
@@ -79,6 +80,9 @@ struct RawEvent {
   std::string detail = {};
   std::optional<std::int64_t> swap = {};  ///< number of the buffer swap that showed it, from 0 at the start
 };
+
+/// Whether a text is a participant's code: 1 to 64 of A-Z a-z 0-9 . _ -
+[[nodiscard]] bool is_code(std::string_view text);
 
 /// Throws InputError unless the code is one that the log takes (see Enrolment).
 void check_participant_code(const std::string& code);

@@ -4,6 +4,8 @@
 
 #include "refusal.h"
 #include "run_program.h"
+#include "study/log/log.h"
+#include "tests/app/picture_set.h"
 
 namespace seamline {
 namespace {
@@ -40,6 +42,36 @@ TEST(OnlineCommands, AConfigurationForNginxIsWritten) {
   const Outcome named = run_seamline("serve --nginx " + file + " --host a.example.org --host b.example.org");
   EXPECT_EQ(named.status, 0) << named.output;
   EXPECT_THAT(read_text(file), HasSubstr("server_name a.example.org b.example.org;"));
+}
+
+TEST(OnlineCommands, WhoIsForgottenIsTakenOutOfTheFileOfCodesToo) {
+  const auto folder = fresh_folder("online-forget");
+  const std::string log = (folder / "log.sqlite").string(), codes = (folder / "codes").string(),
+                    hashes = std::string(64, 'a') + " ", others = std::string(64, 'b') + " somebody-else\n";
+  test::write_picture_set(folder / "set", {});
+  const Outcome simulated =
+      run_seamline("study " + (folder / "set").string() + " --observer perfect --count 2 --log " + log);
+  ASSERT_EQ(simulated.status, 0) << simulated.output;
+  const std::vector<study::ParticipantRecord> people = study::read_log(log).participants;
+  const std::string first = people.at(0).code, second = people.at(1).code;
+  write_text(codes, hashes + first + "\n" + others);
+  const std::string forget = "log " + log + " --forget ";
+  // A code that neither knows changes neither.
+  expect_refused(forget + "nobody --codes " + codes, "wanted a code that is in the log");
+  expect_refused(forget + first + " --codes " + log, "wanted the hash of an invitation and a code");
+  EXPECT_EQ(study::read_log(log).participants.size(), 2U);
+  const Outcome forgotten = run_seamline(forget + first + " --codes " + codes);
+  EXPECT_EQ(forgotten.status, 0) << forgotten.output;
+  EXPECT_EQ(read_text(codes), others);
+  EXPECT_EQ(study::read_log(log).participants.size(), 1U);
+  // Forgotten in the log first, and in the file later.
+  EXPECT_EQ(run_seamline(forget + second).output, "");  // nobody came by an invitation
+  write_text(codes, hashes + second + "\n" + others);
+  const Outcome later = run_seamline(forget + second + " --codes " + codes);
+  EXPECT_EQ(later.status, 0) << later.output;
+  EXPECT_THAT(later.output, HasSubstr("not there any more in"));
+  EXPECT_EQ(read_text(codes), others);
+  expect_refused("log " + log + " --status --codes " + codes, "--forget");
 }
 
 TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {

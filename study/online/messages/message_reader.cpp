@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "study/log/log_writer.h"
 #include "study/online/messages/strict_json.h"
+#include "support/files/hash.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -164,15 +166,6 @@ bool is_uuid4(std::string_view text) {
          is_hexadecimal(text.substr(14, 4)) &&
          std::string_view("89ab").find(text[19]) != std::string_view::npos &&
          is_hexadecimal(text.substr(19, 4)) && is_hexadecimal(text.substr(24));
-}
-
-bool is_sha256(std::string_view text) {
-  return text.size() == 64 && is_hexadecimal(text);
-}
-
-bool is_code(std::string_view text) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-  return !text.empty() && text.size() <= 64 && text.find_first_not_of(letters) == std::string_view::npos;
 }
 
 namespace {

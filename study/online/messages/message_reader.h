@@ -22,10 +22,4 @@ struct EnrolRequest {
 /// Whether a text is a UUID of version 4, in lower case with dashes.
 [[nodiscard]] bool is_uuid4(std::string_view text);
 
-/// Whether a text is 64 lower-case hexadecimal digits.
-[[nodiscard]] bool is_sha256(std::string_view text);
-
-/// Whether a text is a participant's code: 1 to 64 of A-Z a-z 0-9 . _ -
-[[nodiscard]] bool is_code(std::string_view text);
-
 }  // namespace seamline::study::online

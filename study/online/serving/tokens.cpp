@@ -9,10 +9,9 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <utility>
 
-#include "study/online/messages/message_reader.h"
+#include "study/log/online/invitation_codes.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
@@ -99,31 +98,8 @@ std::set<std::string> read_token_hashes(const fs::path& file) {
   return hashes;
 }
 
-namespace {
-
-std::map<std::string, std::string> read_codes(const fs::path& file) {
-  std::map<std::string, std::string> codes;
-  const std::string text = read_file(file);
-  std::size_t at = 0;
-  for (int number = 1; at < text.size(); ++number) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string line = text.substr(at, end - at);
-    at = end + 1;
-    const std::string hash = line.substr(0, std::min<std::size_t>(64, line.size()));
-    const std::string code = line.size() > 65 && line[64] == ' ' ? line.substr(65) : "";
-    if (!is_sha256(hash) || !is_code(code))
-      throw input_error({.file = fmt::format("{}:{}", file.string(), number),
-                         .wanted = "the hash of an invitation and a code (seamline serve --codes FILE)",
-                         .found = "\"" + printable(line, 80) + "\""});
-    codes[hash] = code;
-  }
-  return codes;
-}
-
-}  // namespace
-
 std::string code_of_invitation(const fs::path& file, const std::string& invitation) {
-  const std::map<std::string, std::string> codes = read_codes(file);
+  const InvitationCodes codes = read_invitation_codes(file);
   const std::string before = "token=";
   const std::size_t at = invitation.find(before);
   const std::string token = at == std::string::npos ? invitation : invitation.substr(at + before.size());
@@ -141,18 +117,16 @@ Invitations::Invitations(fs::path file, std::function<void(const std::string&)> 
       say_(std::move(say)),
       seen_(stamp_of(file_)),
       hashes_(read_token_hashes(file_)) {
-  if (!codes_.empty() && fs::exists(codes_)) (void)read_codes(codes_);
+  if (!codes_.empty() && fs::exists(codes_)) (void)read_invitation_codes(codes_);
 }
 
 void Invitations::note(const std::string& token_sha256, const std::string& code) {
   if (codes_.empty()) return;
   const std::lock_guard guard(lock_);
-  std::map<std::string, std::string> codes;
-  if (fs::exists(codes_)) codes = read_codes(codes_);  // a line may have been taken out by hand
+  InvitationCodes codes;
+  if (fs::exists(codes_)) codes = read_invitation_codes(codes_);  // a line may have been taken out by hand
   codes[token_sha256] = code;
-  std::string text;
-  for (const auto& [hash, own] : codes) text += hash + " " + own + "\n";
-  write_file_atomically(codes_, text, Readers::owner);
+  write_invitation_codes(codes_, codes);
 }
 
 void Invitations::look() {

@@ -35,9 +35,8 @@ class Invitations {
   Invitations(std::filesystem::path file, std::function<void(const std::string&)> say,
               std::filesystem::path codes = {});
   [[nodiscard]] bool has(const std::string& token_sha256);
-  /// Notes the code where codes are kept: a line of hash and code, on the disk when this returns, in a file
-  /// for its owner alone, sorted by hash, which says nothing of who came first. The same invitation again
-  /// takes the place of its line. Throws InputError when it cannot.
+  /// Notes the code where codes are kept (`InvitationCodes`). The same invitation again takes the place of
+  /// its line. Throws InputError when it cannot.
   void note(const std::string& token_sha256, const std::string& code);
 
  private:
