@@ -32,6 +32,21 @@ fs::path program_with_a_smaller_study(const fs::path& folder) {
   return folder / "seamline";
 }
 
+TEST(Demo, WhoseOutputIsLostStillMakesEverything) {
+  const fs::path folder = test::fresh_folder("demo-lost");
+  const std::string program = program_with_a_smaller_study(folder / "program").string();
+  for (const auto& [outputs, found] : {std::pair(">/dev/full", "No space left on device"),
+                                       std::pair(">&-", "it closed"), std::pair(">&- 2>&-", "")}) {
+    const fs::path out = folder / "out";
+    fs::remove_all(out);
+    const test::Outcome outcome =
+        test::run_program("{ " + program, "demo --spp 1 --out " + out.string() + " " + outputs + "; }");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr(found));
+    EXPECT_TRUE(fs::exists(out / "report" / "report.html")) << outputs;
+  }
+}
+
 TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   const fs::path folder = test::fresh_folder("demo");
   const test::Outcome outcome = test::run_program(program_with_a_smaller_study(folder / "program").string(),

@@ -1,15 +1,22 @@
 // Output that cannot be written: every command still does its work, says so in one sentence and ends with
-// status 1. The program's own list of commands is walked.
+// status 1. The program's own list of commands is walked, and every command does some real work; `demo` does
+// in demo_test.cpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <set>
 
 #include "program.h"
+#include "registration/calibration/aruco.h"
+#include "renderer/physics/rigid_world.h"
 #include "run_program.h"
+#include "running_program.h"
+#include "study/online/messages/message_writer.h"
+#include "support/files/assets.h"
 #include "support/files/image.h"
 #include "tests/app/picture_set.h"
 
@@ -21,23 +28,46 @@ using test::Outcome;
 using test::Outputs;
 using test::run_seamline;
 
-/// A short way of every command whose short way is not longer than a moment; the others say their help.
 class LostOutput : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder() = test::fresh_folder("lost-output");
-    test::write_picture_set(folder() / "set", {});
+    const study::RenderedSet set = test::write_picture_set(folder() / "set", {});
+    write_inputs(set);
     test::write_small_study(folder(), test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}}));
-    test::write_text(folder() / "counts.csv", "level,correct,trials\n1,20,60\n2,30,60\n3,50,60\n4,58,60\n");
-    write_exr(folder() / "photograph.exr", Image(32, 24, 3, 0.5F));
     for (const char* made_by :
          {"study {set} --observer threshold --count 5 --log {log}",
+          "study {set} --observer threshold --count 1 --log {in}/other.sqlite",
           "capture builtin:bedroom --width 256 --out {in}/depth.exr",
           "sense builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out {in}/sensed",
           "record builtin:bedroom --preset tof_160x120 --frames 1 --spp 1 --bounces 0 "
           "--out {in}/recording"})
       if (const Outcome outcome = run_seamline(filled(made_by, "made")); outcome.status != 0)
         throw std::runtime_error(outcome.output);
+  }
+
+  static void write_inputs(const study::RenderedSet& set) {
+    test::write_text(folder() / "counts.csv", "level,correct,trials\n1,20,60\n2,30,60\n3,50,60\n4,58,60\n");
+    write_exr(folder() / "photograph.exr", Image(32, 24, 3, 0.5F));
+    write_png(folder() / "frame.png", display_image(Image(32, 12, 3, 0.5F)));
+    test::write_text(folder() / "line.jsonl",
+                     study::online::message_line({.study_hash = set.manifest.study_hash,
+                                                  .set_hash = set.set_hash,
+                                                  .participant = {},
+                                                  .sequence = 0,
+                                                  .id = "00000000-0000-4000-8000-000000000000",
+                                                  .body = study::online::DeclineBody{}}) +
+                         "\n");
+    test::write_text(
+        folder() / "known.toml",
+        "format = \"seamline camera 1\"\n[colour]\nwidth_px = 320\nheight_px = 240\nfx_px = 300\n"
+        "fy_px = 300\ncx_px = 160\ncy_px = 120\n");
+    std::string pairs = "u,v,x,y,z,confidence\n";
+    for (int i = 0; i < 12; ++i) {
+      const double x_m = 0.3 * (i % 3 - 1), y_m = 0.2 * (i % 2), z_m = 1 + 0.1 * i;
+      pairs += fmt::format("{},{},{},{},{},1\n", 160 + 300 * x_m / z_m, 120 + 300 * y_m / z_m, x_m, y_m, z_m);
+    }
+    test::write_text(folder() / "pairs.csv", pairs);
   }
 
   static fs::path& folder() {
@@ -60,7 +90,8 @@ class LostOutput : public testing::Test {
   }
 };
 
-/// Each of them prints something.
+/// A short way of every command but `demo`; each prints something. `serve` has another one below, and `place`
+/// is a window.
 const std::map<std::string, std::string> short_ways = {
     {"render", "{study} --only bedroom-receiver-statue-0064 --spp 1 --out {out}"},
     {"verify", "{set}"},
@@ -88,7 +119,28 @@ const std::map<std::string, std::string> short_ways = {
     {"relight", "builtin:bedroom --sensor tof_160x120 --frames 2 --out {out}"},
     {"export", "{log} --bids {out}"},
     {"stability", "--list"},
+    {"convergence",
+     "{study} --only bedroom-receiver-statue-0064 --parts mesh --tolerances 1e-2 --spp 2 --size 32x18 --out {out}"},
+    {"views", "{in}/frame.png --max-depth 5 --fov 60 --zero-parallax 2 --views 2 --out {out}"},
+    {"settle",
+     "builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 1 0 --frames 2 --frames-to-rest 0 --out {out}"},
+    {"marker", "--spp 1 --frames 1 --noise 0 --out {out}"},
+    {"person", "--sensor tof_160x120 --out {out}"},
+    {"field", "{in}/cube.gltf --out {out}.png"},
+    {"bench", "--quick --only capture --threads 1"},
+    {"serve", "--make-tokens 1 --tokens {out}"},
+    {"import", "{out}.sqlite {in}/line.jsonl --set {set}"},
+    {"merge", "{in}/other.sqlite {log}"},
+    {"calibrate", "--pairs {in}/pairs.csv --camera {in}/known.toml --out {out}"},
 };
+
+/// The way of a command where this program has the library that it needs; else, and without one, its help.
+std::string way_of(const std::string& command) {
+  const auto way = short_ways.find(command);
+  const bool lacks = (command == "marker" && !registration::has_aruco()) ||
+                     (command == "settle" && !renderer::has_physics());
+  return way == short_ways.end() || lacks ? "--help" : way->second;
+}
 
 std::vector<std::string> every_command() {
   bool failed = false;
@@ -101,13 +153,12 @@ std::vector<std::string> every_command() {
 
 TEST_F(LostOutput, EndsEveryCommandWithOneSentence) {
   for (const std::string& command : every_command())
-    for (const Outputs outputs : {Outputs::full, Outputs::closed}) {
-      const auto way = short_ways.find(command);
-      const std::string run = command + (outputs == Outputs::full ? "-full" : "-closed");
-      const Outcome outcome = run_seamline(
-          command + " " + (way == short_ways.end() ? "--help" : filled(way->second, run)), outputs);
+    for (const Outputs outputs : {Outputs::full, Outputs::closed, Outputs::both_closed}) {
+      const std::string run = command + "-" + std::to_string(static_cast<int>(outputs));
+      const Outcome outcome = run_seamline(command + " " + filled(way_of(command), run), outputs);
       SCOPED_TRACE(run);
-      EXPECT_EQ(outcome.status, 1);
+      EXPECT_EQ(outcome.status, 1) << outcome.output;
+      if (outputs == Outputs::both_closed) continue;  // nobody can be told
       EXPECT_THAT(
           outcome.output,
           testing::EndsWith(std::string("seamline: standard output: wanted a place that takes all that "
@@ -115,6 +166,27 @@ TEST_F(LostOutput, EndsEveryCommandWithOneSentence) {
                             (outputs == Outputs::full ? "No space left on device\n" : "it closed\n")));
       EXPECT_EQ(outcome.output.find("bug in seamline"), std::string::npos);
     }
+}
+
+TEST_F(LostOutput, OnlyAWindowAndTheDemoAreNotTriedHere) {
+  std::set<std::string> untried;
+  for (const std::string& command : every_command())
+    if (!short_ways.contains(command)) untried.insert(command);
+  EXPECT_EQ(untried, (std::set<std::string>{"", "demo", "place"}));
+}
+
+TEST_F(LostOutput, AServerServesOnAndSaysSoAtItsEnd) {
+  if (!fs::exists(web_page_folder() / "jspsych.js"))
+    return;  // built without its page: `export --web` says so
+  const Outcome page = run_seamline(filled("export {set} --web {in}/site --serve --pilot --slots 1", "site"));
+  ASSERT_EQ(page.status, 0) << page.output;
+  const auto line = [&](const char* text) { return filled(text, "served"); };
+  const test::Running server = test::start(
+      {"serve", line("{in}/site"), "--log", line("{out}.sqlite"), "--set", line("{set}"), "--port", "0"},
+      folder() / "serve.txt", 3, "/dev/full");
+  ASSERT_TRUE(test::stands_still(server)) << test::read_text(server.output);
+  EXPECT_EQ(test::status_after(server, SIGTERM), 1);
+  EXPECT_THAT(test::read_text(server.output), testing::HasSubstr("found No space left on device"));
 }
 
 /// Without those that say how long it took.

@@ -21,15 +21,17 @@ struct Running {
 };
 
 /// `stand_still_at_ask`: the program stops itself when it asks for the n-th time whether to stop
-/// (support/running/interrupt.h); 0: never.
+/// (support/running/interrupt.h); 0: never. `standard_output`: where that goes, if not into the output.
 inline Running start(const std::vector<std::string>& arguments, const std::filesystem::path& output,
-                     int stand_still_at_ask = 0) {
+                     int stand_still_at_ask = 0, const char* standard_output = nullptr) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                    0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  if (standard_output != nullptr)
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, standard_output, O_WRONLY, 0);
   std::vector<std::string> words = {SEAMLINE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
