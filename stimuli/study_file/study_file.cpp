@@ -24,6 +24,7 @@ namespace seamline::inline stimuli {
 namespace {
 
 constexpr const char* study_format = "seamline study 1";
+constexpr double most_seed = 9007199254740991;  // all whole numbers up to here are numbers of TOML and JSON
 
 void check_format(const TomlTable& table) {
   const std::string format = table.text("format");
@@ -172,7 +173,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   study.width_px = table.integer("width_px", study.width_px, {8, 16384, "px"});
   study.height_px = table.integer("height_px", study.height_px, {8, 16384, "px"});
   study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
-  study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 2147483647}));
+  study.seed = static_cast<std::uint64_t>(table.long_integer("seed", 1, {0, most_seed}));
   study.level = read_level(table);
   study.depth = read_depth(table, study.level, study.seed);
   if (const auto session = table.table("session")) study.session = read_session(*session);

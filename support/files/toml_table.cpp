@@ -112,12 +112,16 @@ double TomlTable::number(const std::string& key, double fallback, NumberRange ra
 }
 
 int TomlTable::integer(const std::string& key, int fallback, NumberRange range) const {
+  return static_cast<int>(long_integer(key, fallback, range));
+}
+
+std::int64_t TomlTable::long_integer(const std::string& key, std::int64_t fallback, NumberRange range) const {
   if (!has(key)) return fallback;
   const toml::node& node = *node_->table->get(key);
   const std::optional<std::int64_t> value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
   if (!value || !inside(static_cast<double>(*value), range))
     throw complaint(key, range_text("a whole number", range), shown(node));
-  return static_cast<int>(*value);
+  return *value;
 }
 
 bool TomlTable::boolean(const std::string& key, bool fallback) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -28,6 +29,8 @@ class TomlTable {
   [[nodiscard]] bool is_text(const std::string& key) const;  ///< it is there and a text
   [[nodiscard]] double number(const std::string& key, double fallback, NumberRange range) const;
   [[nodiscard]] int integer(const std::string& key, int fallback, NumberRange range) const;
+  [[nodiscard]] std::int64_t long_integer(const std::string& key, std::int64_t fallback,
+                                          NumberRange range) const;
   [[nodiscard]] bool boolean(const std::string& key, bool fallback) const;
   [[nodiscard]] std::string text(const std::string& key) const;  ///< must be there and not empty
   [[nodiscard]] std::string text(const std::string& key, const std::string& fallback) const;

@@ -87,6 +87,11 @@ void run_export(const ExportOptions& options, const OtherPage& other) {
              static_cast<double>(summary.bytes) / 1e6, summary.pictures,
              summary.adaptive ? std::string("trials placed by `seamline serve`")
                               : fmt::format("{} orders", summary.slots));
+  if (summary.guessable_orders)
+    fmt::print(
+        "The orders follow from the study's seed, which is short enough to be found by trying: then two files "
+        "of orders/ tell which picture is which stimulus. Against people who would, render the set with a "
+        "seed of 15 digits that nobody knows.\n");
 }
 
 }  // namespace
@@ -99,8 +104,7 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   command
       ->add_option("source", options->source,
                    "folder of the rendered set for --web and --x3d (there also a scene: .glb, .gltf or "
-                   "builtin:NAME), else "
-                   "the log, LOG.sqlite")
+                   "builtin:NAME), else the log, LOG.sqlite")
       ->required();
   CLI::Option* web = command->add_option(
       "--web", options->web,

@@ -19,6 +19,8 @@ struct WebRequest {
 struct WebSummary {
   int slots = 0;
   bool adaptive = false;  ///< no trials are planned: `seamline serve` places them
+  /// Orders follow from a seed so small that all can be tried: two files of orders give the set's list away.
+  bool guessable_orders = false;
   int pictures = 0;
   int files = 0;
   std::int64_t bytes = 0;
