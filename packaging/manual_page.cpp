@@ -131,9 +131,8 @@ std::string program_page(const CommandLine& line, const std::string& version) {
          bold(line.program.name) + " \\fIcommand\\fR [\\fIargument\\fR ...]\n.SH DESCRIPTION\n" +
          plain(sentence(line.program.description)) +
          "\nIt renders pictures in which one object was composited through a depth map, shows them to "
-         "people, and computes "
-         "thresholds from their answers.\n.PP\nEach command has a page of its own, e.g.\n.BR "
-         "seamline\\-render (1).\n"
+         "people, and computes thresholds from their answers.\n.PP\nEach command has a page of its own, "
+         "e.g.\n.BR seamline\\-render (1).\n"
          ".SH COMMANDS\n";
   for (const Command& command : line.commands)
     out += ".TP\n" + bold(command.name) + "\n" + plain(sentence(command.description)) + "\n";

@@ -29,8 +29,7 @@ constexpr double longest_wait_s = 0.25;  ///< after which Ctrl-C in the terminal
 constexpr double type_px = 18, bar_px = 64, margin_px = 8;
 constexpr const char* help =
     "Drag: onto a surface    Wheel: turn    Shift+wheel: size    Arrows, Page Up/Down: shift (Shift: "
-    "further)    "
-    "Tab: next    D: another    Delete    Ctrl+Z: take back    S: save    Esc: leave";
+    "further)    Tab: next    D: another    Delete    Ctrl+Z: take back    S: save    Esc: leave";
 
 /// Where the objects begin that were named beside those of the file: on the surface in the picture's middle.
 void put_in_middle(const renderer::PlacePreview& preview, std::vector<renderer::PlacedModel>& objects) {

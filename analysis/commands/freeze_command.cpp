@@ -82,8 +82,7 @@ void freeze(const FreezeOptions& options) {
   write_file_atomically(options.out, archive_text(content));
   fmt::print(
       "{}: study {}, {} stimulus set{}, {} participants\nSHA-256 {}\nKeep the file as it is, and publish it "
-      "or "
-      "this hash where a date is put to it, before anybody is asked.\n",
+      "or this hash where a date is put to it, before anybody is asked.\n",
       options.out, printable(content.study_name), content.sets.size(), content.sets.size() == 1 ? "" : "s",
       content.participants, read_archive(options.out).sha256);
 }

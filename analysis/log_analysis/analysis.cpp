@@ -39,8 +39,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   if (!uncorrected.empty())
     notes.push_back(fmt::format(
         "{} participant{} used whose vision is neither normal nor corrected ({}); --exclude-uncorrected "
-        "leaves "
-        "them out.",
+        "leaves them out.",
         uncorrected.size(), uncorrected.size() == 1 ? " is" : "s are", fmt::join(uncorrected, ", ")));
   if (analysis.log.forgotten_participants > 0)
     notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
@@ -51,8 +50,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   if (counts.used < 2)
     notes.emplace_back(
         "With one participant there are no standard errors and no intervals over participants, so no "
-        "threshold is "
-        "determined.");
+        "threshold is determined.");
   if (counts.used >= 2 && counts.used < fewest_for_intervals)
     notes.push_back(fmt::format(
         "With {} participants the 95 % intervals hold the truth less often than they say: in simulated "
@@ -79,8 +77,7 @@ std::vector<std::string> notes_on_steps(const Analysis& analysis) {
     const LevelRange range = range_at(axis, fit.centre_range);
     notes.push_back(
         fmt::format("The logistic of '{}'{} is a step between {} and {}: its inflection point is the middle "
-                    "of {}s that are as "
-                    "likely.",
+                    "of {}s that are as likely.",
                     word(found.artifact), in_condition(found.condition), estimated_text(axis, range.low),
                     estimated_text(axis, range.high), level_word(axis)));
   }
@@ -289,8 +286,7 @@ std::optional<StudyDefinition> study_of_log(const study::LogContents& log, std::
   if (log.study_text.empty()) {
     notes.emplace_back(
         "The log keeps no study text: planted values are not known, and widths are taken as not placed by "
-        "the "
-        "answers.");
+        "the answers.");
     return std::nullopt;
   }
   try {

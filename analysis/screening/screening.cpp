@@ -40,9 +40,8 @@ std::string_view rule_of(ScreeningRule rule) {
     case ScreeningRule::correlation:
       return "correlation: Pearson correlation over stimuli with the mean of the others not above what "
              "somebody who looks at nothing exceeds in 0.1 % of cases (0.33 for 84 stimuli); like kurtosis "
-             "judged "
-             "only where fewer than 1 % of honest people, simulated by the study's own answers, would be "
-             "named";
+             "judged only where fewer than 1 % of honest people, simulated by the study's own answers, "
+             "would be named";
   }
   return "";
 }

@@ -169,8 +169,7 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
       ->capture_default_str();
   add_number(*command, "--surface-reach", request.settings.surface_reach_px, {1, 1000, "px"},
              "how far beside a pixel the depths lie through which the plane that a shadow falls on is "
-             "fitted; 1: its own "
-             "depth, and its neighbours for the normal")
+             "fitted; 1: its own depth, and its neighbours for the normal")
       ->capture_default_str();
   add_number(*command, "--views", request.settings.views, {1, 64}, "eyes beside each other")
       ->capture_default_str();

@@ -181,19 +181,16 @@ void write_status_page(const fs::path& file, const fs::path& set_folder, const S
   const int done = status.done(), of = status.of();
   const std::string said = advice(status);
   std::string body = fmt::format(
-      "<p><strong>{} of {}</strong> stimuli are done ({:.0f} %); pieces: {}.{} {} This page is as old as its "
-      "file: <code>seamline render --status {} --html FILE</code> writes "
-      "it "
-      "anew.</p>\n<table><thead><tr><th>truth</th><th>reference</th><th>stimuli</th><th></th></tr></"
-      "thead><tbody>",
+      "<p><strong>{} of {}</strong> stimuli are done ({:.0f} %); pieces: {}.{} {} This page is as old as "
+      "its file: <code>seamline render --status {} --html FILE</code> writes it "
+      "anew.</p>\n<table><thead><tr><th>truth</th><th>reference</th><th>stimuli</th><th></th></tr></thead><tbody>",
       done, of, percent(done, of), counts_text(status), status.joined ? " The manifest lists all." : "",
       html_escape(said.empty() ? said : "Note: " + said + "."), html_escape(set_folder.string()));
   for (const TruthStatus& truth : status.truths)
     body += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{} of {}</td><td><svg width=\"240\" height=\"14\" role=\"img\" "
         "aria-label=\"{:.0f} percent\"><rect width=\"240\" height=\"14\" fill=\"#ddd\"/><rect "
-        "width=\"{:.1f}\" "
-        "height=\"14\" fill=\"#2a7\"/></svg></td></tr>\n",
+        "width=\"{:.1f}\" height=\"14\" fill=\"#2a7\"/></svg></td></tr>\n",
         html_escape(truth.name), truth.reference ? "done" : "&ndash;", truth.done, truth.of,
         percent(truth.done, truth.of), 2.4 * percent(truth.done, truth.of));
   body += "</tbody></table>\n";

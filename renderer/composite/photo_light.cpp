@@ -130,8 +130,7 @@ std::string sun_text(const SplitSun& split) {
   const Rgb& light = split.sun.irradiance_w_m2;
   return fmt::format(
       "--to-sun {:.4f} {:.4f} {:.4f} --sun-irradiance {:.4g} {:.4g} {:.4g} --sun-radius {:.3g} (solid angle "
-      "{:.3g} sr; "
-      "{:.0f} % of the irradiance of a surface that faces it)",
+      "{:.3g} sr; {:.0f} % of the irradiance of a surface that faces it)",
       to.x(), to.y(), to.z(), light[0], light[1], light[2],
       double{split.sun.angular_radius_rad} * 180 / std::numbers::pi, split.solid_angle_sr, 100 * split.share);
 }

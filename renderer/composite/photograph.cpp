@@ -89,14 +89,12 @@ std::string codes_warning(const Photograph& photograph, const std::string& file)
   if (!photograph.was_codes)
     return ends_at_one_value ? fmt::format(
                                    "{}: {:.2g} % of its pixels have the same largest value, as a picture "
-                                   "that was clipped has: "
-                                   "how bright these were is lost",
+                                   "that was clipped has: how bright these were is lost",
                                    printable(file), 100 * photograph.clipped_share)
                              : "";
   return fmt::format(
       "{}: whole numbers, taken as sRGB codes (IEC 61966-2-1, white is 1 W/m2/sr); {:.2g} % of the pixels "
-      "are "
-      "white in some channel, and how bright these were is lost",
+      "are white in some channel, and how bright these were is lost",
       printable(file), 100 * photograph.clipped_share);
 }
 

@@ -155,10 +155,9 @@ CsvTable seam_cells_table(const SetSeams& seams) {
 
 std::string seams_meaning(const SetSeams& seams) {
   return fmt::format(
-      "Where stimuli differ from their references by more than {}, {} and {} steps of 255 beyond noise: area "
-      "in "
-      "px (square degrees), and widest band, the diameter of the largest disc inside, in px (degrees). Means "
-      "over {}, at {:g} pixels per degree.",
+      "Where stimuli differ from their references by more than {}, {} and {} steps of 255 beyond noise: "
+      "area in px (square degrees), and widest band, the diameter of the largest disc inside, in px "
+      "(degrees). Means over {}, at {:g} pixels per degree.",
       seam_steps[0], seam_steps[1], seam_steps[2],
       std::all_of(seams.rows.begin(), seams.rows.end(),
                   [&](const SeamRow& row) { return row.stimulus.scene == seams.rows.front().stimulus.scene; })

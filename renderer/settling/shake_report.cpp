@@ -112,8 +112,7 @@ std::string fall_sentence(const Fall& fall) {
                         turn = rotation_deg_of(fall.poses.back().linear());
   return fmt::format(
       "{:<9} shake {:.4g} mm, height {:.4g} mm; from frame to frame {:.4g} mm and {:.3g} degrees; last at "
-      "{:.4f} "
-      "{:.4f} {:.4f}, rotation {:.2f} {:.2f} {:.2f}",
+      "{:.4f} {:.4f} {:.4f}, rotation {:.2f} {:.2f} {:.2f}",
       fall.name, fall.shake_mm, fall.height_mm, fall.jump_mm, fall.turn_deg, at.x(), at.y(), at.z(), turn.x(),
       turn.y(), turn.z());
 }

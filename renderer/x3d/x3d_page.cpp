@@ -49,8 +49,7 @@ std::string scene(const X3dPage& page, X3dTextures& textures, const std::filesys
   const Eigen::Vector2d tangents = tangents_of(subject.camera);
   std::string text = fmt::format(
       "<x3d width=\"{0}px\" height=\"{1}px\" showStat=\"false\" showLog=\"false\" showProgress=\"false\" "
-      "disableDoubleClick=\"true\" "
-      "keysEnabled=\"false\"><scene id=\"scene\">\n"
+      "disableDoubleClick=\"true\" keysEnabled=\"false\"><scene id=\"scene\">\n"
       "<environment frustumCulling=\"false\" gammaCorrectionDefault=\"linear\"></environment>\n"
       "<navigationInfo type='\"NONE\"' headlight=\"false\"></navigationInfo>\n"
       "<background skyColor=\"0.45 0.62 0.85\"></background>\n"
@@ -101,9 +100,8 @@ std::string x3d_page_text(const X3dPage& page, const std::filesystem::path& fold
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"x3dom.css\"><link "
-      "rel=\"stylesheet\" "
-      "href=\"page.css\">\n<script src=\"x3dom.js\" defer></script><script src=\"page.js\" "
-      "defer></script></head>\n"
+      "rel=\"stylesheet\" href=\"page.css\">\n<script src=\"x3dom.js\" defer></script><script "
+      "src=\"page.js\" defer></script></head>\n"
       "<body data-step-m=\"{:.4f}\"><main><h1>{}</h1>\n<div class=\"scene\">",
       content_policy, title, step_m, title);
   text += scene(page, textures, folder) + "</div>\n";

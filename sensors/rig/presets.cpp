@@ -74,10 +74,9 @@ SensorPreset kinect_1() {
       "Khoshelham and Elberink 2012: 0.075 m to the projector, disparities in eighths of a pixel with a "
       "standard deviation of half a step, 0.5 to 5 m (about 4 cm at 5 m). 585.6 pixels is the focal length "
       "in use for its infrared camera. Colour: OpenNI's default of 525 pixels. Konolige and Mihelich, "
-      "'Technical description of "
-      "Kinect calibration' (ROS, 2010): 0.025 m between the lenses, the colour camera on the projector's "
-      "side. Nguyen, Izadi and Lovell 2012: noise at grazing angles. Ours: where dropouts by angle and "
-      "darkness begin and end. Single devices differ by some pixels; calibrate yours.",
+      "'Technical description of Kinect calibration' (ROS, 2010): 0.025 m between the lenses, the colour "
+      "camera on the projector's side. Nguyen, Izadi and Lovell 2012: noise at grazing angles. Ours: where "
+      "dropouts by angle and darkness begin and end. Single devices differ by some pixels; calibrate yours.",
       rig};
 }
 

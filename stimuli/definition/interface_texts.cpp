@@ -48,8 +48,7 @@ const std::vector<PhraseEntry>& every_phrase() {
       {Phrase::thanks_title, "thanks_title", "Thank you"},
       {Phrase::thanks_text, "thanks_text",
        "You have seen all the pictures and your answers are stored. Please tell the experimenter that you "
-       "are "
-       "done."},
+       "are done."},
       {Phrase::declined_title, "declined_title", "Thank you for your time"},
       {Phrase::declined_text, "declined_text",
        "You have chosen not to take part. Nothing about you is stored."},
@@ -93,12 +92,10 @@ const std::vector<PhraseEntry>& every_phrase() {
       {Phrase::online_forgotten, "online_forgotten",
        "This study has no answers of yours any more: they were deleted. What this browser still keeps goes "
        "when you clear the data of this site in its settings.\n\nIf you did not ask for that, please tell "
-       "those "
-       "who invited you."},
+       "those who invited you."},
       {Phrase::online_excluded, "online_excluded",
-       "Those who run this study have ended your part in it. Nothing more is asked of you, and nothing more "
-       "is "
-       "stored.\n\nIf you think that this is a mistake, please tell them."},
+       "Those who run this study have ended your part in it. Nothing more is asked of you, and nothing "
+       "more is stored.\n\nIf you think that this is a mistake, please tell them."},
       {Phrase::online_wait, "online_wait",
        "This page is being loaded. If these words stay, please load it again."},
       {Phrase::online_refusing, "online_refusing",

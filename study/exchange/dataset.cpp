@@ -39,9 +39,8 @@ std::string dataset_readme(const LogContents& log, const std::string& layout,
       "# {}\n\nAnswers to the study \"{}\", written by Seamline {} in the layout of {}.\n\n"
       "- People: {}{}. {}, each marked.\n"
       "- Answers: {} to stimuli, {} to catch trials. A trial is a picture with three objects; the "
-      "participant "
-      "says which one\n  was inserted by a computer, and how noticeable that is, from 1 (slightly) to 4 "
-      "(extremely).\n"
+      "participant says which one\n  was inserted by a computer, and how noticeable that is, from 1 "
+      "(slightly) to 4 (extremely).\n"
       "- Study file: SHA-256 of its settings {}. Stimuli: SHA-256 of their manifest {}.\n",
       clean_text(log.study_name), clean_text(log.study_name), program_version(), layout,
       log.participants.size(), simulated > 0 ? fmt::format(", {} of them simulated", simulated) : "",

@@ -46,8 +46,7 @@ const char* advice_for(int version) {
   if (version > newest_log_schema_version) return "written by a newer seamline: use that one";
   if (version >= oldest_log_schema_version)
     return "written by an older seamline: `seamline log LOG --upgrade NEW` makes a log of it that sessions "
-           "go "
-           "on in, with every answer; nothing in this one was changed";
+           "go on in, with every answer; nothing in this one was changed";
   return "written by an older seamline: go on with that one, or begin a new log; nothing in it was changed";
 }
 

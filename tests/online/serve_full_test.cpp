@@ -104,8 +104,7 @@ void crowd(const char* name, int people, int answers, std::chrono::duration<doub
   };
   std::printf(
       "%s: %d participants, %zu answers in %.1f s (%.0f a second): latency 50%% %.1f ms, 95%% %.1f ms, 99%% "
-      "%.1f ms, "
-      "longest %.1f ms; memory %.1f MB (idle %.1f, peak %.1f); processor %.1f s\n",
+      "%.1f ms, longest %.1f ms; memory %.1f MB (idle %.1f, peak %.1f); processor %.1f s\n",
       name, people, all.size(), seconds, static_cast<double>(all.size()) / seconds, quantile(0.5),
       quantile(0.95), quantile(0.99), all.back(), memory_mb(server.process(), "VmRSS:"), idle_mb,
       memory_mb(server.process(), "VmHWM:"), used_s);

@@ -12,8 +12,7 @@ using test::run_seamline;
 fs::path recorded(const fs::path& folder) {
   const test::Outcome outcome = run_seamline(
       "record builtin:bedroom --preset tof_160x120 --frames 2 --spp 1 --bounces 0 --noise 0.1 --at 0.4 1.5 "
-      "-1.5 "
-      "--look-at 0.1 0.5 -4.2 --angle 2 --out " +
+      "-1.5 --look-at 0.1 0.5 -4.2 --angle 2 --out " +
       (folder / "recording").string());
   if (outcome.status != 0) throw std::runtime_error(outcome.output);
   return folder / "recording";

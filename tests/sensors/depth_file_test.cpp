@@ -137,8 +137,7 @@ TEST_F(DepthFiles, AnotherSizeOrShapeIsRefused) {
   form_.camera = pinhole_of_field_of_view(24, 18, 50);
   EXPECT_EQ(complaint(path),
             "size: wanted 24 x 18 pixels, as its camera is stated, found 12 x 9: state the camera of that "
-            "size, its "
-            "numbers of pixels times 0.5");
+            "size, its numbers of pixels times 0.5");
   form_.camera = pinhole_of_field_of_view(12, 10, 50);
   EXPECT_EQ(complaint(path),
             "size: wanted 12 x 10 pixels, as its camera is stated, found 12 x 9, which is of another shape");

@@ -66,10 +66,9 @@ TEST_F(LogSchema, WhatIsNotOursIsRefusedAndItsRowsAreSaved) {
            // Whoever edits the file needs no rule of SQLite's: here a column that is computed when it is
            // read.
            std::string(
-               "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, 'image_scale "
-               "    REAL NOT NULL', 'image_scale REAL AS (length(hex(zeroblob(9000000)))), more REAL NOT "
-               "NULL') "
-               "WHERE name = 'answers'"),
+               "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, 'image_scale     "
+               "REAL NOT NULL', 'image_scale REAL AS (length(hex(zeroblob(9000000)))), more REAL NOT "
+               "NULL') WHERE name = 'answers'"),
            std::string("PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, 'STRICT', "
                        "'') WHERE name = 'participants'"),
        }) {

@@ -105,8 +105,7 @@ void compare(const Task& task, const Answering& answer, int people, const char* 
   const int needed = quest.trials_to(constant.rms[most_trials]);
   std::printf(
       "%s, 7 widths: rms error (octaves) after 14, 28, 42, 84 trials: constant %.3f %.3f %.3f %.3f, QUEST+ "
-      "%.3f "
-      "%.3f %.3f %.3f; QUEST+ has the error of 84 constant trials after %d; bias %.3f and %.3f\n",
+      "%.3f %.3f %.3f %.3f; QUEST+ has the error of 84 constant trials after %d; bias %.3f and %.3f\n",
       what, constant.rms[14], constant.rms[28], constant.rms[42], constant.rms[84], quest.rms[14],
       quest.rms[28], quest.rms[42], quest.rms[84], needed, constant.bias, quest.bias);
   EXPECT_LT(needed * least_gain, most_trials);

@@ -138,9 +138,8 @@ ConditionPairs compare_condition_pairs(std::span<const study::Answer> answers,
   if (own_errors > 0)
     result.notes.push_back(fmt::format(
         "Standard errors of {} of {} pairs of conditions are the model's own: without one of the "
-        "participants "
-        "some effect cannot be estimated. They are too small when participants differ in more than their "
-        "level.",
+        "participants some effect cannot be estimated. They are too small when participants differ in more "
+        "than their level.",
         own_errors, pairs.size()));
   return result;
 }

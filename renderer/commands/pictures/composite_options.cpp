@@ -22,8 +22,7 @@ void add_photograph_options(CLI::App& command, CompositeOptions& options) {
   command
       .add_option("--projection", options.projection,
                   "of the photograph: panorama (equirectangular, +Y up, its middle column towards -Z), "
-                  "perspective, or "
-                  "auto: a picture twice as wide as high is a panorama")
+                  "perspective, or auto: a picture twice as wide as high is a panorama")
       ->check(CLI::IsMember({"auto", "panorama", "perspective"}))
       ->capture_default_str();
   add_formed_text(
@@ -63,8 +62,7 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
   command
       .add_option("--depth-view", options.depth_view,
                   "of the depth map: panorama, photograph (the photograph's own view), or auto: twice as "
-                  "wide as high "
-                  "is a panorama")
+                  "wide as high is a panorama")
       ->check(CLI::IsMember({"auto", "panorama", "photograph"}))
       ->capture_default_str();
   command
@@ -208,8 +206,7 @@ void add_sampling_options(CLI::App& command, CompositeOptions& options) {
   command
       .add_option("--estimator", options.estimator,
                   "fast (filtered bounce light), path (every path traced), or auto: fast, but path beside "
-                  "--occlusion "
-                  "none or --shadows none and where a lens leaves the picture's corners empty")
+                  "--occlusion none or --shadows none and where a lens leaves the picture's corners empty")
       ->check(CLI::IsMember({"auto", "fast", "path"}))
       ->capture_default_str();
   add_number(command, "--error", options.error, {1e-5, 1},

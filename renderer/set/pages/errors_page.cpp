@@ -122,13 +122,10 @@ void write_errors_page(const fs::path& set_folder) {
           "Errors and run time: " + html_escape(errors.study_name),
           summary(errors) + "<h2>Error against run time</h2>\n" + figure(errors) +
               "<h2>Every stimulus</h2>\n<p class=\"soft\">Errors are root mean squares in display units (0 "
-              "to 1; "
-              "one 8-bit step is 0.0039). Seconds and rays are of the stimulus' own pass. The true error is "
-              "against the path estimator with another seed, without that reference's noise, plus or minus "
-              "its "
-              "standard error; the rounding to 8 bits (0.0011) is part of it. A true error above its "
-              "estimate is "
-              "in orange.</p>\n" +
+              "to 1; one 8-bit step is 0.0039). Seconds and rays are of the stimulus' own pass. The true "
+              "error is against the path estimator with another seed, without that reference's noise, plus "
+              "or minus its standard error; the rounding to 8 bits (0.0011) is part of it. A true error "
+              "above its estimate is in orange.</p>\n" +
               table(errors) + worst_tiles(set_folder, errors)));
 }
 

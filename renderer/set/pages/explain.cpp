@@ -162,8 +162,7 @@ std::string depth_text(const StudyDefinition& study) {
                       canonical_text(condition.scenes.front().view));
   if (exact)
     return "Depth: exact panoramas; no noise, repair, registration, calibration error or delay; sheets where "
-           "it "
-           "jumps.\n" +
+           "it jumps.\n" +
            beside;
   std::string out;
   for (const ConditionDefinition& condition : conditions) {

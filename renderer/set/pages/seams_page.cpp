@@ -20,10 +20,9 @@ std::string seams_figure_text(const SetSeams& seams) {
   }
   return "<figure>" + seams_figure(seams) +
          fmt::format(
-             "<figcaption>Above the area, below the widest band that differs from the reference by more than "
-             "{}, "
-             "{} and {} steps of 255 beyond noise. {:.4g} px are one degree, {:.4g} px one square degree. "
-             "Hollow, on the lower axis: 0.</figcaption></figure>\n",
+             "<figcaption>Above the area, below the widest band that differs from the reference by more "
+             "than {}, {} and {} steps of 255 beyond noise. {:.4g} px are one degree, {:.4g} px one square "
+             "degree. Hollow, on the lower axis: 0.</figcaption></figure>\n",
              seam_steps[0], seam_steps[1], seam_steps[2], seams.pixels_per_degree,
              seams.pixels_per_degree * seams.pixels_per_degree);
 }
@@ -65,10 +64,8 @@ void write_seams_page(const std::filesystem::path& folder, const SetSeams& seams
                 "<p>" + html_escape(seams_meaning(seams)) + "</p>\n" + seams_figure_text(seams) +
                     "<h2>Means</h2>\n" + html_table(seam_cells_table(seams)) +
                     "<h2>Every stimulus</h2>\n<p class=\"soft\">Areas and bands in px. Noise: standard "
-                    "deviation in the "
-                    "noisiest tile of 32 x 32 pixels, in steps of 255; from each difference three standard "
-                    "deviations of "
-                    "its own tile are taken off.</p>\n" +
+                    "deviation in the noisiest tile of 32 x 32 pixels, in steps of 255; from each "
+                    "difference three standard deviations of its own tile are taken off.</p>\n" +
                     html_table(stimuli_table(seams)));
   write_file_atomically(folder / "seams.csv", csv_text(seams_table(seams)));
   write_file_atomically(folder / "seams.html", page);

@@ -130,8 +130,7 @@ LogUpgrade upgrade_log(const fs::path& old, const fs::path& out) {
 std::string upgrade_text(const LogUpgrade& upgrade, const fs::path& old, const fs::path& out) {
   return fmt::format(
       "{}: a log of schema version {} with {} participants and {} answers became {}, of version {}, row by "
-      "row "
-      "the same; go on in that one\n",
+      "row the same; go on in that one\n",
       old.string(), upgrade.from_version, upgrade.rows.at("participants"), upgrade.rows.at("answers"),
       out.string(), upgrade.to_version);
 }

@@ -226,8 +226,7 @@ std::string import_text(const ImportReport& report, const fs::path& log) {
   }
   std::string text = fmt::format(
       "{}: {} messages of {} participants in {} files: {} new, {} known, {} left out; {} participants "
-      "complete, "
-      "{} incomplete, {} declined\n",
+      "complete, {} incomplete, {} declined\n",
       log.string(), report.messages, report.people.size(), report.files, stored, known, refused, complete,
       report.people.size() - static_cast<std::size_t>(complete), report.declined);
   for (const std::string& file : report.cut_files)
