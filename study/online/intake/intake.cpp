@@ -6,10 +6,7 @@
 
 #include "study/log/now.h"
 #include "study/online/messages/message_writer.h"
-#include "study/running/participant_session.h"
 #include "support/files/hash.h"
-#include "support/running/overloaded.h"
-#include "support/text/printable.h"
 
 namespace seamline::study::online {
 namespace {
@@ -18,14 +15,6 @@ namespace {
 constexpr std::size_t most_remembered_sequences = 128;
 /// A slot that a page on a host of files may draw where everybody has an order of their own.
 constexpr int most_own_orders = 1'000'000;
-
-Refusal conflict(const std::string& field, const std::string& wanted, const std::string& found) {
-  return {RefusalKind::conflict, {.field = field, .wanted = wanted, .found = found}};
-}
-
-Refusal wrong(const std::string& field, const std::string& wanted, const std::string& found) {
-  return {RefusalKind::wrong, {.field = field, .wanted = wanted, .found = found}};
-}
 
 std::optional<int> trial_of(const MessageBody& body) {
   if (const auto* answer = std::get_if<AnswerBody>(&body)) return answer->trial_index;
@@ -46,50 +35,6 @@ MessageNote note_of(const Message& message, const std::string& content) {
           .trial_index = trial_of(message.body),
           .content_sha256 = content,
           .free_text_bytes = free_text_bytes_of(message.body)};
-}
-
-std::string in_quotes(const std::string& text) {
-  return "\"" + printable(text, 60) + "\"";
-}
-
-DisplayFacts facts_of(const DisplayBody& body) {
-  return {.machine = {},
-          .monitor = {},
-          .renderer = "browser",
-          .mode_width_px = body.screen_width_px,
-          .mode_height_px = body.screen_height_px,
-          .refresh_hz = body.refresh_hz,
-          .content_scale = body.device_pixel_ratio,
-          .framebuffer_width_px = body.viewport_width_px,
-          .framebuffer_height_px = body.viewport_height_px,
-          .mm_per_px = body.mm_per_px,
-          .viewing_distance_mm = body.viewing_distance_mm,
-          .pixels_per_degree = body.pixels_per_degree,
-          .gamma_confirmed = body.gamma_confirmed,
-          .scaling_allowed = body.image_scale != 1,
-          .image_scale = body.image_scale};
-}
-
-TrialAnswer answer_of(int index, const PictureAnswer& answer) {
-  return {.trial_index = index,
-          .chosen_index = answer.chosen_index,
-          .rating = answer.rating,
-          .choice_ns = answer.choice_ns,
-          .rating_ns = answer.rating_ns};
-}
-
-std::string_view text(FormFault fault) {
-  switch (fault) {
-    case FormFault::missing:
-      return "nothing";
-    case FormFault::not_a_number:
-      return "no number";
-    case FormFault::out_of_range:
-      return "a number out of range";
-    case FormFault::not_an_option:
-      return "none of the options";
-  }
-  return {};
 }
 
 }  // namespace
@@ -271,105 +216,6 @@ bool Intake::take(const Message& message) {
   store(who, message.body);
   log_.note_message(who.stored, note);
   return true;
-}
-
-void Intake::store(Person& who, const MessageBody& body) {
-  std::visit(Overloaded{[](const EnrolBody&) {}, [](const DeclineBody&) {},
-                        [&](const CompletionBody&) { store_completion(who); },
-                        [&](const auto& other) { store(who, other); }},
-             body);
-}
-
-void Intake::store(Person& who, const BeginBody& body) {
-  log_.begin_sitting(who.stored, body.user_agent, time_of(who));
-}
-
-void Intake::store(Person& who, const FormBody& body) {
-  if (who.stored.place.form_done) throw conflict("body.answers", "one form of a participant", "another one");
-  std::vector<FormAnswer> answers;
-  for (const FormAnswer& answer : body.answers) {
-    const auto is_field = [&](const FormField& field) { return field.name == answer.field; };
-    const auto is_same = [&](const FormAnswer& other) { return other.field == answer.field; };
-    if (std::none_of(script_.form.begin(), script_.form.end(), is_field))
-      throw wrong("body.answers", "fields of the study's form", in_quotes(answer.field));
-    if (std::any_of(answers.begin(), answers.end(), is_same))
-      throw wrong("body.answers", "each field once", in_quotes(answer.field) + " twice");
-    answers.push_back(answer);
-  }
-  for (const FormField& field : script_.form) {
-    std::string value;
-    for (const FormAnswer& answer : answers)
-      if (answer.field == field.name) value = answer.value;
-    if (const std::optional<FormFault> fault = fault_of(field, value))
-      throw wrong("body.answers." + field.name, "an answer to the question", std::string(text(*fault)));
-  }
-  log_.record_form(who.stored, answers);
-}
-
-void Intake::store(Person& who, const DisplayBody& body) {
-  log_.record_display(who.stored, facts_of(body));
-}
-
-void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
-  if (answer.kind == planned.kind && names_.is_name_of(planned, answer.stimulus_id, known_names_)) return;
-  // Whoever asks may be the participant: the set's own id would tell them the right answer.
-  throw conflict(which, fmt::format("the planned {} {}", word(planned.kind), names_.name_of(planned)),
-                 fmt::format("{} {}", word(answer.kind), in_quotes(answer.stimulus_id)));
-}
-
-void Intake::store(Person& who, const TrainingBody& body) {
-  const std::string which = fmt::format("training_index {}", body.training_index);
-  if (body.training_index >= static_cast<int>(script_.training.size()))
-    throw wrong("body.training_index", fmt::format("one of {} practice trials", script_.training.size()),
-                std::to_string(body.training_index));
-  const Trial& planned = script_.training[static_cast<std::size_t>(body.training_index)];
-  check_shown(planned, body.answer, which);
-  if (!log_.append_training(who.stored,
-                            {.trial = planned, .answer = answer_of(body.training_index, body.answer)}))
-    throw conflict(which, "one answer in a sitting", "another one");
-}
-
-void Intake::store(Person& who, const AnswerBody& body) {
-  OnlinePerson& stored = who.stored;
-  const std::string which = fmt::format("trial_index {}", body.trial_index);
-  if (stored.place.completed)
-    throw conflict(which, "a participant who has not finished", "an answer after the end");
-  if (stored.answered.contains(body.trial_index))
-    throw conflict(which, "one answer to a trial", "another one, with another id");
-  if (body.trial_index >= static_cast<int>(stored.place.trials.size()))
-    throw conflict(which, fmt::format("one of {} planned trials", stored.place.trials.size()),
-                   "one that is not planned");
-  check_shown(stored.place.trials[static_cast<std::size_t>(body.trial_index)], body.answer, which);
-  if (rules_.quest_plus && body.trial_index != stored.place.answered)
-    throw conflict(which, fmt::format("the trial that is due, {}", stored.place.answered), "another one");
-  const TrialAnswer answer = answer_of(body.trial_index, body.answer);
-  if (rules_.quest_plus) {
-    TrialSequence& sequence = sequence_of(who);  // before the answer is among those it is made of
-    sequence = after_answer(std::move(sequence), answer);
-  }
-  log_.append_answer(stored, answer, body.image_scale, time_of(who));
-}
-
-void Intake::store(Person& who, const EventBody& body) {
-  const RawEvent event{.monotonic_ns = body.monotonic_ns,
-                       .kind = body.kind,
-                       .trial_index = body.trial_index,
-                       .detail = body.detail};
-  log_.append_events(who.stored, std::span<const RawEvent>(&event, 1));
-}
-
-void Intake::store_completion(Person& who) {
-  const OpenSession& place = who.stored.place;
-  if (place.completed) throw conflict("kind", "one completion", "another one");
-  const bool over = rules_.quest_plus ? !current_trial(sequence_of(who))
-                                      : place.answered == static_cast<int>(place.trials.size());
-  if (!over)
-    throw conflict("kind", "a completion when every trial is answered",
-                   fmt::format("{} of {} answered", place.answered, place.trials.size()));
-  if (rules_.quest_plus)
-    if (const EdgeEvents edges = edge_events(sequence_of(who).procedure, 0); !edges.events.empty())
-      log_.append_events(who.stored, edges.events);
-  log_.complete(who.stored);
 }
 
 TrialSequence& Intake::sequence_of(Person& who) {

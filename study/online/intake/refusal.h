@@ -1,5 +1,8 @@
 #pragma once
+#include <string>
+
 #include "support/text/error.h"
+#include "support/text/printable.h"
 
 namespace seamline::study::online {
 
@@ -22,5 +25,18 @@ class Refusal : public InputError {
  private:
   RefusalKind kind_;
 };
+
+inline Refusal conflict(const std::string& field, const std::string& wanted, const std::string& found) {
+  return {RefusalKind::conflict, {.field = field, .wanted = wanted, .found = found}};
+}
+
+inline Refusal wrong(const std::string& field, const std::string& wanted, const std::string& found) {
+  return {RefusalKind::wrong, {.field = field, .wanted = wanted, .found = found}};
+}
+
+/// What a message said, as a sentence may show it.
+inline std::string in_quotes(const std::string& text) {
+  return "\"" + printable(text, 60) + "\"";
+}
 
 }  // namespace seamline::study::online

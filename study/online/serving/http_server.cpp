@@ -1,23 +1,19 @@
 #include "study/online/serving/http_server.h"
 
+#include "study/online/serving/http_responses.h"
+#include "study/online/serving/server_socket.h"
 #include "support/text/error.h"
 
 #ifdef SEAMLINE_HAS_SERVER
 
-#include <arpa/inet.h>
-#include <fmt/core.h>
 #include <microhttpd.h>
-#include <netinet/in.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <map>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -29,13 +25,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t memory_a_connection = 16U << 10;
-
-/// The first page's own policy, in the page, holds beside this one, and names the script within it by its
-/// hash.
-constexpr const char* content_security_policy =
-    "default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; img-src 'self' "
-    "blob: data:; "
-    "font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// A connection that a client has open.
 struct Connection {
@@ -64,61 +53,9 @@ MHD_Result take_field(void* fields, MHD_ValueKind, const char* key, const char* 
   return MHD_YES;
 }
 
-/// Empty for this computer itself.
 std::string address_of(MHD_Connection* connection) {
   const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
-  if (info == nullptr || info->client_addr == nullptr) return "?";
-  char text[INET6_ADDRSTRLEN] = "?";
-  if (info->client_addr->sa_family == AF_INET) {
-    sockaddr_in four = {};
-    std::memcpy(&four, info->client_addr, sizeof four);
-    if ((ntohl(four.sin_addr.s_addr) >> 24) == 127) return {};
-    ::inet_ntop(AF_INET, &four.sin_addr, text, sizeof text);
-  } else if (info->client_addr->sa_family == AF_INET6) {
-    sockaddr_in6 six = {};
-    std::memcpy(&six, info->client_addr, sizeof six);
-    if (IN6_IS_ADDR_LOOPBACK(&six.sin6_addr)) return {};
-    ::inet_ntop(AF_INET6, &six.sin6_addr, text, sizeof text);
-  }
-  return text;
-}
-
-/// As many open files as the system lets a program have, and as many connections as leave some for others.
-unsigned connections_of(unsigned wanted) {
-  rlimit limit = {};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return wanted;
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &limit);
-  ::getrlimit(RLIMIT_NOFILE, &limit);
-  return static_cast<unsigned>(std::min<rlim_t>(wanted, limit.rlim_cur / 2));
-}
-
-int listen_at(const std::string& address, int port) {
-  sockaddr_in four = {};
-  four.sin_family = AF_INET;
-  four.sin_port = htons(static_cast<std::uint16_t>(port));
-  sockaddr_in6 six = {};
-  six.sin6_family = AF_INET6;
-  six.sin6_port = htons(static_cast<std::uint16_t>(port));
-  const bool is_four = ::inet_pton(AF_INET, address.c_str(), &four.sin_addr) == 1;
-  if (!is_four && ::inet_pton(AF_INET6, address.c_str(), &six.sin6_addr) != 1)
-    throw input_error({.field = "--listen",
-                       .wanted = "an address of this computer, like 127.0.0.1 or ::1",
-                       .found = "\"" + address + "\""});
-  const int descriptor =
-      ::socket(is_four ? AF_INET : AF_INET6, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  const int yes = 1;
-  const sockaddr* where =
-      is_four ? reinterpret_cast<const sockaddr*>(&four) : reinterpret_cast<const sockaddr*>(&six);
-  const socklen_t bytes = is_four ? sizeof four : sizeof six;
-  if (descriptor >= 0 && ::setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
-      ::bind(descriptor, where, bytes) == 0 && ::listen(descriptor, SOMAXCONN) == 0)
-    return descriptor;
-  const std::string found = std::strerror(errno);
-  if (descriptor >= 0) ::close(descriptor);
-  throw input_error({.field = fmt::format("{} port {}", address, port),
-                     .wanted = "an address and a port that are free",
-                     .found = found});
+  return info == nullptr || info->client_addr == nullptr ? "?" : address_text(*info->client_addr);
 }
 
 }  // namespace
@@ -138,10 +75,8 @@ struct HttpServer::State {
   std::atomic<std::int64_t> bodies_bytes = 0;
   std::atomic<int> exchanges = 0;  ///< requests between their first line and their answer's last byte
   std::atomic<int> suspended = 0;  ///< that wait for `later`
-  std::map<const SentFile*, MHD_Response*> files;
-  std::mutex files_lock;
+  HttpResponses responses;
 
-  MHD_Response* response_of(const HttpResponse& response);
   MHD_Result send(MHD_Connection* connection, const HttpResponse& response, bool close);
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, Exchange& exchange);
   MHD_Result proceed(MHD_Connection* connection, Exchange& exchange, const char* data, std::size_t* bytes);
@@ -157,44 +92,6 @@ struct HttpServer::State {
   void mark(MHD_Connection* connection, bool sending);
 };
 
-/// Answers with a file are made once and sent to everybody.
-MHD_Response* HttpServer::State::response_of(const HttpResponse& response) {
-  const auto header = [](MHD_Response* made, const char* name, const std::string& value) {
-    MHD_add_response_header(made, name, value.c_str());
-  };
-  const auto common = [&](MHD_Response* made, const std::string& type) {
-    header(made, "Content-Type", type);
-    header(made, "X-Content-Type-Options", "nosniff");
-    header(made, "Referrer-Policy", "no-referrer");
-    header(made, "Cross-Origin-Resource-Policy", "same-origin");
-  };
-  if (!response.file) {
-    MHD_Response* made = MHD_create_response_from_buffer(
-        response.body.size(), const_cast<char*>(response.body.data()), MHD_RESPMEM_MUST_COPY);
-    if (response.status == 304) return made;  // says nothing of a type: what the browser has keeps its own
-    common(made, "application/json; charset=utf-8");
-    header(made, "Cache-Control", "no-store");
-    return made;
-  }
-  const std::lock_guard guard(files_lock);
-  MHD_Response*& made = files[response.file.get()];
-  if (made == nullptr) {
-    const SentFile& file = *response.file;
-    if (file.descriptor >= 0)
-      made =
-          MHD_create_response_from_fd64(static_cast<std::uint64_t>(file.size_bytes), ::dup(file.descriptor));
-    else
-      made = MHD_create_response_from_buffer(file.bytes.size(), const_cast<char*>(file.bytes.data()),
-                                             MHD_RESPMEM_PERSISTENT);
-    common(made, file.content_type);
-    header(made, "ETag", file.version);
-    header(made, "Cache-Control", "no-cache");
-    header(made, "Content-Security-Policy", content_security_policy);
-    header(made, "X-Frame-Options", "DENY");
-  }
-  return made;
-}
-
 void HttpServer::State::mark(MHD_Connection* connection, bool sending) {
   const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
   if (info == nullptr || info->socket_context == nullptr) return;
@@ -205,7 +102,7 @@ void HttpServer::State::mark(MHD_Connection* connection, bool sending) {
 }
 
 MHD_Result HttpServer::State::send(MHD_Connection* connection, const HttpResponse& response, bool close) {
-  MHD_Response* made = response_of(response);
+  MHD_Response* made = responses.of(response);
   if (close && !response.file) MHD_add_response_header(made, "Connection", "close");
   mark(connection, true);
   const MHD_Result queued = MHD_queue_response(connection, static_cast<unsigned>(response.status), made);
@@ -340,11 +237,7 @@ HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler
   state.limits = limits;
   const unsigned connections = connections_of(limits.connections);
   state.listener = listen_at(address, port);
-  sockaddr_storage bound = {};
-  socklen_t bytes = sizeof bound;
-  ::getsockname(state.listener, reinterpret_cast<sockaddr*>(&bound), &bytes);
-  state.port = ntohs(bound.ss_family == AF_INET ? reinterpret_cast<const sockaddr_in*>(&bound)->sin_port
-                                                : reinterpret_cast<const sockaddr_in6*>(&bound)->sin6_port);
+  state.port = port_of(state.listener);
   state.daemon = MHD_start_daemon(
       MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &State::on_request,
       &state, MHD_OPTION_LISTEN_SOCKET, state.listener, MHD_OPTION_THREAD_POOL_SIZE, limits.threads,
@@ -388,7 +281,6 @@ void HttpServer::stop(double patience_s) {
   MHD_stop_daemon(state.daemon);
   state.daemon = nullptr;
   ::close(state.listener);
-  for (const auto& [file, response] : state.files) MHD_destroy_response(response);
 }
 
 }  // namespace seamline::study::online

@@ -38,7 +38,7 @@ struct HttpHandler {
   std::function<void(const std::string&, int)> refused;
 };
 
-/// HTTP/1.1 over epoll (libmicrohttpd, which only http_server.cpp names).
+/// HTTP/1.1 over epoll (libmicrohttpd, which only this and http_responses name).
 class HttpServer {
  public:
   /// Listens at `address` (IPv4 or IPv6) and `port` (0: any that is free). Throws InputError when it cannot.
