@@ -5,7 +5,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
+#include <utility>
 
 #include "analysis/statistics/distributions.h"
 
@@ -16,10 +17,9 @@ namespace {
 /// A curve is at chance unless a test of no more than chance rejects at this probability.
 constexpr double above_chance_at = 0.01;
 constexpr std::size_t levels_of_a_scale = 3, levels_of_a_threshold = 2;
-/// A scale is identified where the penalty is at most this share of what is known of it.
-constexpr double most_share_of_penalty = 0.25;
-/// Where the scale is less than this share of the smallest gap between levels, a step fits as well.
-constexpr double step_share = 0.05;
+/// A step fits as well where a scale so many times smaller loses less than this of the log likelihood.
+constexpr double much_smaller = 8, as_likely = 0.5;
+constexpr int most_step_iterations = 40;
 
 struct CurveTally {
   double right = 0, wrong = 0;
@@ -65,20 +65,32 @@ CurveVerdict verdict_of_curve(const JointData& data, int curve, bool own_scale) 
   return above_chance(tally.excess) ? CurveVerdict::estimated : CurveVerdict::at_chance;
 }
 
-double smallest_gap(const JointData& data) {
-  double gap = infinity;
-  for (int c = 0; c < static_cast<int>(data.curves.size()); ++c) {
-    const std::vector<double> levels = levels_of_curve(data, c);
-    for (std::size_t l = 1; l < levels.size(); ++l) gap = std::min(gap, levels[l] - levels[l - 1]);
-  }
-  return gap;
+/// What is maximised, without the penalty of one coordinate.
+double value_without_pull(const JointModel& model, const JointCounts& counts, const Eigen::VectorXd& theta,
+                          Eigen::Index at) {
+  const double away = theta[at] - penalty_centre(model)[at],
+               curvature = joint_penalty(model, theta).hessian(at, at);
+  return joint_log_likelihood(model, counts, theta) + joint_penalty(model, theta).value -
+         away * away * curvature / 2;
 }
 
-/// Whether the answers say more of a scale than its penalty does, and it is no step.
-bool scale_identified(const JointFit& fit, const Eigen::MatrixXd& covariance, int curve, double gap) {
+/// Whether the answers exclude that the curve is a step: the maximum with a much smaller scale is compared.
+bool excludes_step(const JointFit& fit, const JointCounts& counts, int curve) {
   const Eigen::Index at = fit.model.log_scale(curve);
-  const double penalty = -joint_penalty(fit.model, fit.theta).hessian(at, at);
-  return covariance(at, at) * penalty < most_share_of_penalty && std::exp(fit.theta[at]) > step_share * gap;
+  Eigen::VectorXd start = fit.theta;
+  start[at] -= std::log(much_smaller);
+  const NewtonResult steep = maximise(
+      [&](const Eigen::VectorXd& theta) {
+        Evaluation held = joint_objective(fit.model, counts, theta);
+        held.gradient[at] = 0;
+        held.hessian.row(at).setZero();
+        held.hessian.col(at).setZero();
+        held.hessian(at, at) = -1;
+        return held;
+      },
+      start, most_step_iterations);
+  return value_without_pull(fit.model, counts, steep.at, at) <
+         value_without_pull(fit.model, counts, fit.theta, at) - as_likely;
 }
 
 void conclude(JointFit& fit, JointVerdict verdict, std::string explanation) {
@@ -92,6 +104,18 @@ bool any_curve(const JointFit& fit, CurveVerdict verdict) {
 
 bool every_curve(const JointFit& fit, CurveVerdict verdict) {
   return std::all_of(fit.curves.begin(), fit.curves.end(), [&](CurveVerdict one) { return one == verdict; });
+}
+
+/// Curves whose scale, their own or the shared one, may be a step's.
+void mark_steps(JointFit& fit, const JointCounts& counts) {
+  std::optional<bool> shared;
+  for (int c = 0; c < fit.model.curves; ++c) {
+    CurveVerdict& curve = fit.curves[static_cast<std::size_t>(c)];
+    if (curve != CurveVerdict::estimated) continue;
+    const bool known = shared ? *shared : excludes_step(fit, counts, c);
+    if (fit.model.sharing.scale) shared = known;
+    if (!known) curve = CurveVerdict::separated;
+  }
 }
 
 /// False, with a verdict, for answers to which the model cannot be fitted.
@@ -185,13 +209,7 @@ JointFit fit_joint(const JointData& data, const JointSharing& sharing) {
     conclude(fit, JointVerdict::not_converged, "The likelihood is flat at its maximum.");
     return fit;
   }
-  const Eigen::MatrixXd covariance =
-      factor.solve(Eigen::MatrixXd::Identity(fit.hessian.rows(), fit.hessian.cols()));
-  const double gap = smallest_gap(data);
-  for (int c = 0; c < fit.model.curves; ++c)
-    if (CurveVerdict& curve = fit.curves[static_cast<std::size_t>(c)];
-        curve == CurveVerdict::estimated && !scale_identified(fit, covariance, c, gap))
-      curve = CurveVerdict::separated;
+  mark_steps(fit, counts);
   if (!any_curve(fit, CurveVerdict::estimated))
     conclude(fit, JointVerdict::separated,
              "A step between two levels fits, so the answers do not say how steeply noticeability falls.");

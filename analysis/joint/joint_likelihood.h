@@ -22,6 +22,11 @@ struct JointCounts {
 [[nodiscard]] double joint_log_likelihood(const JointModel& model, const JointCounts& counts,
                                           const Eigen::VectorXd& theta);
 
+/// Derivatives of the log probability of each outcome: parameters x (cells x 2K), columns as
+/// `JointData::answers`. Its product with a person's counts is the gradient of their likelihood, references
+/// apart.
+[[nodiscard]] Eigen::MatrixXd outcome_scores(const JointModel& model, const Eigen::VectorXd& theta);
+
 /// Weak penalties, one for each coordinate, so that a maximum exists whatever the answers are. Quadratic,
 /// -(v - centre)^2 / (2 sd^2):
 ///

@@ -41,7 +41,7 @@ MeanAtZ mean_at_z(const JointCurve& curve, JointMean mean, double chance, double
   const bool counted = mean == JointMean::as_counted;
   const double c = counted ? chance * mean_guess(curve) : 0, rest = 1 - curve.lapse;
   const std::array<double, 5> f = normal_derivatives(z);
-  const auto cuts = static_cast<std::size_t>(curve.ratings) - 1;
+  const std::size_t cuts = mean == JointMean::detected ? 0 : static_cast<std::size_t>(curve.ratings) - 1;
   std::array<double, 4> m = {1 - c, 0, 0, 0};  // mu - c and its derivatives
   std::array<std::array<double, 4>, most_joint_ratings - 1> by_cut{};
   std::array<double, 4> by_spread{};

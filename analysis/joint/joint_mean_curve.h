@@ -8,7 +8,8 @@ namespace seamline::analysis {
 /// Which answers a mean noticeability counts.
 enum class JointMean {
   as_counted,  ///< all right answers, lucky guesses among them, as the paper counts
-  seen         ///< those that were seen: corrected for guessing
+  seen,        ///< those that were seen: corrected for guessing
+  detected     ///< psi: 1 where it was seen, whatever the rating
 };
 
 /// A mean noticeability at one z = (m - x) / s, and its derivatives by z and by the coordinates that shape
@@ -16,6 +17,7 @@ enum class JointMean {
 ///
 ///     E(z) = (1 - lapse) F(z) (mu(z) - c) + c      as_counted
 ///     E(z) = (1 - lapse) F(z) mu(z)                seen
+///     E(z) = (1 - lapse) F(z)                      detected
 struct MeanAtZ {
   std::array<double, 4> z{};  ///< E, E', E'', E'''
   /// Of E and of E'' by l, t_2, log distances of the cuts, log rho, h_2..: JointModel's order within a curve.

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "analysis/statistics/distributions.h"
 #include "analysis/thresholds/thresholds.h"
 
 namespace seamline::analysis {
@@ -13,6 +11,7 @@ namespace {
 
 constexpr double farthest_z = 38;
 constexpr int bisections = 70;
+constexpr double detected_share = 0.5;
 
 /// Adds a curve's derivatives by its shape, times a factor.
 void add_shape(const JointModel& model, int curve, const MeanAtZ::ByShape& shape, double factor,
@@ -80,14 +79,6 @@ std::optional<JointPlace> place_of_inflection(const JointModel& model, const Joi
   return place_from(model, at, curve, z, there.second, there.z[3]);
 }
 
-std::optional<JointPlace> place_of_detection(const JointModel& model, const JointCurve& at, int curve) {
-  const double share = 0.5 / (1 - at.lapse), z = normal_quantile(share);
-  MeanAtZ::ByShape by;
-  const double slope = (1 - at.lapse) * std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
-  by.lapse = -at.lapse * (1 - at.lapse / most_lapse) * share;
-  return place_from(model, at, curve, z, by, slope);
-}
-
 }  // namespace
 
 std::string_view word(JointQuantity quantity) {
@@ -118,8 +109,9 @@ std::optional<SoughtMean> sought_mean(JointQuantity quantity) {
       return SoughtMean{.mean = JointMean::seen, .level = perceptual_level};
     case JointQuantity::slightly_noticeable_corrected:
       return SoughtMean{.mean = JointMean::seen, .level = slight_level};
-    case JointQuantity::inflection:
     case JointQuantity::detection:
+      return SoughtMean{.mean = JointMean::detected, .level = detected_share};
+    case JointQuantity::inflection:
       return std::nullopt;
   }
   return std::nullopt;
@@ -139,8 +131,7 @@ double chance_of_curve(const JointModel& model, int curve) {
 std::optional<JointPlace> place_of(const JointModel& model, const Eigen::VectorXd& theta, int curve,
                                    JointQuantity quantity) {
   const JointCurve at = curve_at(model, theta, curve);
-  if (quantity == JointQuantity::detection) return place_of_detection(model, at, curve);
-  if (model.ratings == 1) return std::nullopt;
+  if (model.ratings == 1 && quantity != JointQuantity::detection) return std::nullopt;
   if (const std::optional<SoughtMean> sought = sought_mean(quantity))
     return place_of_mean(model, at, curve, *sought);
   return place_of_inflection(model, at, curve);
@@ -158,6 +149,11 @@ MeanAtX mean_at_x(const JointModel& model, const Eigen::VectorXd& theta, int cur
   found.gradient[model.log_scale(curve)] = -z * there.z[1];
   add_shape(model, curve, there.value, 1, found.gradient);
   return found;
+}
+
+MeanAtX floor_at(const JointModel& model, const Eigen::VectorXd& theta, int curve, JointMean mean) {
+  const double beyond = farthest_z * std::exp(theta[model.log_scale(curve)]);
+  return mean_at_x(model, theta, curve, mean, theta[model.threshold(curve)] + beyond);
 }
 
 }  // namespace seamline::analysis

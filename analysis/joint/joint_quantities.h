@@ -26,7 +26,7 @@ inline constexpr std::array every_joint_quantity = {
 /// "PT", "SN", "PT corrected", "SN corrected", "IP", "detection".
 [[nodiscard]] std::string_view word(JointQuantity quantity);
 
-/// The mean noticeability and level of PT, SN and their corrected ones; none for the others.
+/// What reaches which level at a quantity; none for IP.
 struct SoughtMean {
   JointMean mean = JointMean::as_counted;
   double level = 0;
@@ -55,5 +55,9 @@ struct MeanAtX {
 };
 [[nodiscard]] MeanAtX mean_at_x(const JointModel& model, const Eigen::VectorXd& theta, int curve,
                                 JointMean mean, double x);
+
+/// The floor of a mean, which it has far beyond the threshold, with its gradient.
+[[nodiscard]] MeanAtX floor_at(const JointModel& model, const Eigen::VectorXd& theta, int curve,
+                               JointMean mean);
 
 }  // namespace seamline::analysis

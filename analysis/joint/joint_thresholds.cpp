@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "analysis/ordinal/contrasts/max_t.h"
 #include "analysis/statistics/distributions.h"
@@ -25,11 +25,8 @@ double standard_error_of(const Eigen::VectorXd& gradient, const JointJackknife& 
 /// Whether the floor with its uncertainty reaches the level.
 bool level_in_floor(const JointFit& fit, const JointJackknife& left_out, int curve, const SoughtMean& sought,
                     double t) {
-  if (sought.mean == JointMean::seen) return false;
-  constexpr double scales_beyond = 40;
-  const double far =
-      fit.theta[fit.model.threshold(curve)] + scales_beyond * std::exp(fit.theta[fit.model.log_scale(curve)]);
-  const MeanAtX floor = mean_at_x(fit.model, fit.theta, curve, sought.mean, far);
+  if (sought.mean != JointMean::as_counted) return false;
+  const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought.mean);
   return floor.value + t * standard_error_of(floor.gradient, left_out) >= sought.level;
 }
 
@@ -67,34 +64,62 @@ double largest_gap(const std::vector<double>& levels) {
   return gap;
 }
 
-/// estimate -+ half, open where it leaves [low, high].
-LevelInterval interval_within(double x, double half, double low, double high) {
+/// estimate -+ half, open where it leaves the range.
+LevelInterval interval_within(double x, double half, const LevelInterval& range) {
   LevelInterval interval;
-  if (x - half >= low) interval.low_x = x - half;
-  if (x + half <= high) interval.high_x = x + half;
+  if (x - half >= range.low_x) interval.low_x = x - half;
+  if (x + half <= range.high_x) interval.high_x = x + half;
   return interval;
 }
 
-void write_threshold(const RoughPlace& rough, const std::vector<double>& levels, double t, double max_t,
-                     JointThreshold& into) {
-  into.here.reason = rough.reason;
-  into.standard_error = rough.standard_error;
-  if (!rough.place) return;
-  const double x = rough.place->x, gap = largest_gap(levels);
-  const double low = levels.front() - gap, high = levels.back() + gap;
-  into.here.ci95 = interval_within(x, t * rough.standard_error, low, high);
-  into.simultaneous = interval_within(x, max_t * rough.standard_error, low, high);
-  const bool open_low = !std::isfinite(into.here.ci95.low_x),
-             open_high = !std::isfinite(into.here.ci95.high_x);
-  if (open_low && open_high)
-    into.here.reason = "not determined: no level is excluded";
-  else if (open_high)
-    into.here.reason = "above every level, or not excluded to be";
-  else if (open_low)
-    into.here.reason = "below every level, or not excluded to be";
-  else
-    into.here.level_x = x;
-  into.beyond_levels = x < levels.front() || x > levels.back();
+/// Where a pivot first leaves its critical value, going from `from` to `to`; infinite when it does not.
+template <class Inside>
+double first_outside(double from, double to, const Inside& inside) {
+  constexpr int steps = 48, halvings = 30;
+  double last = from;
+  for (int i = 1; i <= steps; ++i) {
+    double next = from + (to - from) * i / steps;
+    if (inside(next)) {
+      last = next;
+      continue;
+    }
+    for (int h = 0; h < halvings; ++h) {
+      const double middle = (last + next) / 2;
+      (inside(middle) ? last : next) = middle;
+    }
+    return last;
+  }
+  return to > from ? infinity : -infinity;
+}
+
+LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, int curve,
+                          JointQuantity quantity, const RoughPlace& rough, double t,
+                          const LevelInterval& range) {
+  const double x = rough.place->x;
+  const std::optional<SoughtMean> sought = sought_mean(quantity);
+  if (!sought) return interval_within(x, t * rough.standard_error, range);
+  const auto inside = [&](double at) {
+    return std::abs(level_pivot(fit, left_out, curve, *sought, at)) <= t;
+  };
+  LevelInterval interval;
+  if (x > range.low_x) interval.low_x = first_outside(x, range.low_x, inside);
+  if (x < range.high_x) interval.high_x = first_outside(x, range.high_x, inside);
+  return interval;
+}
+
+/// What the open ends of an interval say.
+std::string reason_of_open(const LevelInterval& interval) {
+  const bool low = !std::isfinite(interval.low_x), high = !std::isfinite(interval.high_x);
+  if (low && high) return "not determined: no level is excluded";
+  if (high) return "at the levels hardest to see or beyond: no upper end of its interval";
+  if (low) return "at the levels easiest to see or before: no lower end of its interval";
+  return "";
+}
+
+/// Thresholds may lie beyond the levels tested by the largest gap between them.
+LevelInterval range_of_thresholds(const std::vector<double>& levels) {
+  const double gap = largest_gap(levels);
+  return {.low_x = levels.front() - gap, .high_x = levels.back() + gap};
 }
 
 /// Critical value that holds for all places of one quantity together.
@@ -116,6 +141,16 @@ double simultaneous_t(const std::vector<RoughPlace>& places, const JointJackknif
 }
 
 }  // namespace
+
+double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve, const SoughtMean& sought,
+                   double x) {
+  const MeanAtX at = mean_at_x(fit.model, fit.theta, curve, sought.mean, x);
+  const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought.mean);
+  const double above = at.value - floor.value, wanted = sought.level - floor.value;
+  if (!(above > 0) || !(wanted > 0)) return 0;
+  const Eigen::VectorXd gradient = (at.gradient - floor.gradient) / above + floor.gradient / wanted;
+  return std::log(above / wanted) / standard_error_of(gradient, left_out);
+}
 
 std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointData& data,
                                              const JointJackknife& left_out) {
@@ -143,9 +178,20 @@ std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointDat
       continue;
     }
     const double max_t = simultaneous_t(places, left_out, df);
-    for (int c = 0; c < curves; ++c)
-      write_threshold(places[static_cast<std::size_t>(c)], levels_of_curve(data, c), t, max_t,
-                      rows[static_cast<std::size_t>(c) * quantities + q]);
+    for (int c = 0; c < curves; ++c) {
+      const RoughPlace& rough = places[static_cast<std::size_t>(c)];
+      JointThreshold& row = rows[static_cast<std::size_t>(c) * quantities + q];
+      row.here.reason = rough.reason;
+      row.standard_error = rough.standard_error;
+      if (!rough.place) continue;
+      const std::vector<double> levels = levels_of_curve(data, c);
+      const LevelInterval range = range_of_thresholds(levels);
+      row.here.ci95 = interval_of(fit, left_out, c, row.quantity, rough, t, range);
+      row.simultaneous = interval_of(fit, left_out, c, row.quantity, rough, max_t, range);
+      row.here.reason = reason_of_open(row.here.ci95);
+      if (row.here.reason.empty()) row.here.level_x = rough.place->x;
+      row.beyond_levels = rough.place->x < levels.front() || rough.place->x > levels.back();
+    }
   }
   return rows;
 }

@@ -12,17 +12,28 @@ namespace seamline::analysis {
 struct JointThreshold {
   int curve = 0;
   JointQuantity quantity = JointQuantity::perceptual;
-  /// Level on the axis and its 95 % interval: estimate -+ t standard errors of the jackknife over people,
-  /// people - 1 degrees of freedom. As everywhere there is an estimate exactly where its interval is closed;
-  /// `reason` says why there is none.
+  /// Level on the axis and its 95 % interval over participants (`level_pivot`). As everywhere there is an
+  /// estimate exactly where its interval is closed; `reason` says why there is none.
   ThresholdEstimate here;
   LevelInterval simultaneous;  ///< holds together with those of the other thresholds of its quantity (max t)
-  double standard_error = 0;   ///< units of the axis; NaN without an estimate
+  double standard_error = 0;   ///< by the jackknife, units of the axis; NaN without an estimate
   bool beyond_levels =
       false;  ///< the estimate lies outside the levels tested of its curve: by the model alone
 };
 
-/// Every quantity of every curve: quantities run fastest. A threshold has no number, but a reason,
+/// Whether a mean noticeability E reaches a level at x, as a t of people - 1 degrees of freedom: positive
+/// where E is above the level. c is the floor of guesses, the variance the jackknife's over people:
+///
+///     h(x) = log(E(x) - c) - log(level - c),    t = h / se(h)
+///
+/// Intervals are the x with |t| at most its critical value (as Fieller's). Logarithms, because what a level
+/// near the floor asks for is how many times E exceeds it; with E itself intervals held the truth too seldom
+/// (documentation/joint_model.md).
+[[nodiscard]] double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve,
+                                 const SoughtMean& sought, double x);
+
+/// Every quantity of every curve: quantities run fastest. IP: estimate -+ t standard errors. A threshold has
+/// no number, but a reason,
 ///
 ///   - where the curve has none (CurveVerdict), or the fit has no numbers (JointVerdict)
 ///   - "the level lies in the guess floor": the floor of PT or SN with its uncertainty (one-sided 97.5 %)

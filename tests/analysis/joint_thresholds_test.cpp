@@ -1,0 +1,221 @@
+// What is read off the joint model: places, intervals, contrasts, people, checks.
+#include "analysis/joint/joint_thresholds.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/joint/joint_contrasts.h"
+#include "analysis/joint/joint_goodness.h"
+#include "analysis/joint/joint_sharing.h"
+#include "support/text/numbers.h"
+#include "tests/analysis/joint_answers.h"
+
+namespace seamline::analysis {
+namespace {
+
+struct Fitted {
+  JointData data;
+  JointFit fit;
+  JointJackknife left_out;
+};
+
+Fitted fitted(const test::JointAnswers& people, std::uint64_t seed) {
+  Fitted all{.data = test::draw_answers(people, seed), .fit = {}, .left_out = {}};
+  all.fit = fit_joint(all.data);
+  if (all.fit.estimated()) all.left_out = leave_people_out(all.fit, all.data);
+  return all;
+}
+
+TEST(JointThresholds, GradientsAreThoseOfDifferences) {
+  const JointFit fit = fitted({.people_sd = 0.5}, 3).fit;
+  constexpr double h = 1e-5;
+  for (const JointQuantity quantity : every_joint_quantity) {
+    const std::optional<JointPlace> place = place_of(fit.model, fit.theta, 1, quantity);
+    ASSERT_TRUE(place) << word(quantity);
+    for (Eigen::Index i = 0; i < fit.theta.size(); ++i) {
+      Eigen::VectorXd up = fit.theta, down = fit.theta;
+      up[i] += h;
+      down[i] -= h;
+      const double difference =
+          (place_of(fit.model, up, 1, quantity)->x - place_of(fit.model, down, 1, quantity)->x) / (2 * h);
+      EXPECT_NEAR(place->gradient[i], difference, 1e-5) << word(quantity) << " " << i;
+    }
+  }
+}
+
+TEST(JointThresholds, MeansReachTheirLevelsAndIpIsSteepest) {
+  const JointFit fit = fitted({.people_sd = 0.5}, 4).fit;
+  for (const JointQuantity quantity : every_joint_quantity) {
+    const JointPlace place = place_of(fit.model, fit.theta, 2, quantity).value();
+    const std::optional<SoughtMean> sought = sought_mean(quantity);
+    if (sought) {
+      EXPECT_NEAR(mean_at_x(fit.model, fit.theta, 2, sought->mean, place.x).value, sought->level, 1e-10);
+      continue;
+    }
+    const auto slope = [&](double x) {
+      return mean_at_x(fit.model, fit.theta, 2, JointMean::as_counted, x).slope;
+    };
+    EXPECT_LT(slope(place.x), slope(place.x - 0.05));
+    EXPECT_LT(slope(place.x), slope(place.x + 0.05));
+  }
+}
+
+TEST(JointThresholds, MeanIsTheSumOverOutcomes) {
+  const JointCurve curve = test::JointAnswers{}.shape;
+  for (const double x : {-2.0, 0.0, 1.0, 4.0}) {
+    const Eigen::VectorXd p = outcome_probabilities(curve, x, 0.3);
+    EXPECT_NEAR(mean_noticeability(curve, JointMean::as_counted, 0.3, x),
+                p[0] + 2 * p[1] + 3 * p[2] + 4 * p[3], 1e-14);
+  }
+}
+
+TEST(JointThresholds, IntervalsEndWhereThePivotIsCritical) {
+  const Fitted all = fitted({.people_sd = 0.5}, 5);
+  const std::vector<JointThreshold> rows = joint_thresholds(all.fit, all.data, all.left_out);
+  ASSERT_EQ(rows.size(), 24U);
+  int closed = 0;
+  for (const JointThreshold& row : rows) {
+    const std::optional<SoughtMean> sought = sought_mean(row.quantity);
+    if (!sought || !row.here.level_x) continue;
+    ++closed;
+    EXPECT_LT(row.here.ci95.low_x, *row.here.level_x);
+    EXPECT_GT(row.here.ci95.high_x, *row.here.level_x);
+    EXPECT_LE(row.simultaneous.low_x, row.here.ci95.low_x);
+    EXPECT_GE(row.simultaneous.high_x, row.here.ci95.high_x);
+    EXPECT_NEAR(level_pivot(all.fit, all.left_out, row.curve, *sought, row.here.ci95.low_x), 2.093, 2e-3);
+    EXPECT_NEAR(level_pivot(all.fit, all.left_out, row.curve, *sought, row.here.ci95.high_x), -2.093, 2e-3);
+  }
+  EXPECT_GE(closed, 15);
+}
+
+TEST(JointThresholds, ALevelInTheFloorOfGuessesHasNoNumber) {
+  test::JointAnswers people;
+  people.shape.g = {0.3, 0.4, 0.2, 0.1};  // floor 0.7
+  const Fitted all = fitted(people, 6);
+  for (const JointThreshold& row : joint_thresholds(all.fit, all.data, all.left_out)) {
+    if (row.quantity != JointQuantity::perceptual) continue;
+    EXPECT_FALSE(row.here.level_x);
+    EXPECT_EQ(row.here.reason, "not identified: the level lies in the guess floor");
+  }
+}
+
+TEST(JointThresholds, WithoutNumbersEachHasAReason) {
+  test::JointAnswers people;
+  people.m = {-100, -100, -100, -100};
+  const Fitted all = fitted(people, 1);
+  for (const JointThreshold& row : joint_thresholds(all.fit, all.data, all.left_out)) {
+    EXPECT_FALSE(row.here.level_x);
+    EXPECT_EQ(row.here.reason, "at chance");
+  }
+}
+
+std::vector<CurveLabel> four_artifacts() {
+  return {{.artifact = "receiver", .condition = {}, .group = {}},
+          {.artifact = "shadow", .condition = {}, .group = {}},
+          {.artifact = "occlusion", .condition = {}, .group = {}},
+          {.artifact = "overlap", .condition = {}, .group = {}}};
+}
+
+TEST(JointContrasts, AreDifferencesOfThresholdsInOctaves) {
+  const Fitted all = fitted({.people_sd = 0.5}, 7);
+  const JointContrasts contrasts = joint_contrasts(all.data, four_artifacts(), {}, {});
+  ASSERT_EQ(contrasts.tables.size(), 2U);
+  ASSERT_EQ(contrasts.tables[0].rows.size(), 6U);
+  EXPECT_NEAR(contrasts.tables[0].rows[0].estimate, all.fit.theta[1] - all.fit.theta[0], 1e-9);
+  EXPECT_EQ(contrasts.tables[0].rows[0].name, "shadow - receiver");
+  for (const ContrastRow& row : contrasts.tables[0].rows) EXPECT_GE(row.adjusted_p, row.p - 1e-3);
+}
+
+TEST(JointContrasts, GroupsAreCurvesOfTheirOwn) {
+  const JointData data = test::draw_answers({}, 8);
+  std::vector<int> group(20, 0);
+  for (std::size_t p = 0; p < 8; ++p) group[p] = 1;
+  group[19] = -1;
+  const JointData split = split_by_group(data, group, 2);
+  EXPECT_EQ(split.people.size(), 19U);
+  EXPECT_EQ(split.curves.size(), 8U);
+  EXPECT_DOUBLE_EQ(split.answers.sum(), 19.0 * 84);
+  EXPECT_DOUBLE_EQ(split.answers.row(0).tail(data.answers.cols()).sum(), 84);
+  EXPECT_TRUE(fit_joint(split).estimated());
+}
+
+TEST(JointPeople, RanksPeopleAndShrinksThem) {
+  test::JointAnswers people;
+  people.people_sd = 0.8;
+  people.shape.s = 0.5;
+  const Fitted all = fitted(people, 9);
+  const JointPeople found = joint_people(all.fit, all.data);
+  EXPECT_GT(found.shift_sd, 0.5);
+  EXPECT_LT(found.shift_sd, 1.2);
+  ASSERT_EQ(found.thresholds.size(), 80U);
+  Random random(9);
+  Eigen::ArrayXd shift(20), away(20);
+  int held = 0;
+  // The same draws as the answers': a person's shift comes first.
+  for (Eigen::Index p = 0; p < 20; ++p) {
+    shift[p] = 0.8 * random.normal();
+    for (int draw = 0; draw < 84; ++draw) random.uniform();
+    const PersonThreshold& row = found.thresholds[static_cast<std::size_t>(4 * p)];
+    const double planted = people.m[0] + shift[p];
+    away[p] = 0;
+    for (Eigen::Index c = 0; c < 4; ++c)
+      away[p] += (found.thresholds[static_cast<std::size_t>(4 * p + c)].x - all.fit.theta[c]) / 4;
+    held += row.ci95.low_x <= planted && planted <= row.ci95.high_x ? 1 : 0;
+  }
+  shift -= shift.mean();
+  away -= away.mean();
+  EXPECT_GT((shift * away).sum() / std::sqrt(shift.square().sum() * away.square().sum()), 0.9);
+  EXPECT_GE(held, 14);
+}
+
+TEST(JointGoodness, AcceptsTheModelsOwnAnswersAndCountsThemAll) {
+  const Fitted all = fitted({.people_sd = 0.5}, 10);
+  const JointPeople people = joint_people(all.fit, all.data);
+  const JointGoodness one =
+      joint_goodness(all.fit, all.data, people, {.replicates = 40, .seed = 1, .threads = 1});
+  const JointGoodness two =
+      joint_goodness(all.fit, all.data, people, {.replicates = 40, .seed = 1, .threads = 2});
+  EXPECT_EQ(one.choices_p, two.choices_p);
+  EXPECT_EQ(one.ratings_p, two.ratings_p);
+  EXPECT_GT(one.choices_p, 0.03);
+  EXPECT_GT(one.ratings_p, 0.03);
+  double observed = 0, expected = 0;
+  for (const ScoreCell& cell : one.cells) {
+    observed += cell.observed;
+    expected += cell.expected;
+  }
+  EXPECT_DOUBLE_EQ(observed, 20.0 * 84);
+  EXPECT_NEAR(expected, 20.0 * 84, 1e-9);
+}
+
+TEST(JointGoodness, SeesACurveThatRisesAgain) {
+  Fitted all = fitted({.people_sd = 0.3}, 12);
+  // At the hardest level of a curve everybody sees.
+  const Eigen::Index last = 6 * all.data.cell_counts();
+  all.data.answers.middleCols(last, all.data.cell_counts()).setZero();
+  all.data.answers.col(last).setConstant(3);
+  all.fit = fit_joint(all.data);
+  const JointGoodness found = joint_goodness(all.fit, all.data, joint_people(all.fit, all.data),
+                                             {.replicates = 40, .seed = 1, .threads = 2});
+  EXPECT_LT(found.choices_p, 0.05);
+}
+
+TEST(JointSharing, IsRefusedWhereScalesDiffer) {
+  test::JointAnswers people;
+  people.people = 40;
+  const Fitted same = fitted({.people_sd = 0.4, .people = 40}, 13);
+  const std::vector<SharingTest> tests = test_sharing(same.fit, same.data);
+  ASSERT_EQ(tests.size(), 4U);
+  EXPECT_EQ(tests[0].parameters, 3);
+  EXPECT_EQ(tests[1].parameters, 12);
+  for (const SharingTest& one : tests) EXPECT_GT(one.p, 0.001) << one.shared;
+  // Two curves steep, two flat.
+  JointData mixed = test::draw_answers(people, 14);
+  people.shape.s = 0.35;
+  const JointData steep = test::draw_answers(people, 15);
+  const Eigen::Index half = mixed.answers.cols() / 2;
+  mixed.answers.leftCols(half) = steep.answers.leftCols(half);
+  EXPECT_LT(test_sharing(fit_joint(mixed), mixed)[0].p, 0.001);
+}
+
+}  // namespace
+}  // namespace seamline::analysis
