@@ -26,6 +26,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   options.exclude_screened = request.exclude_screened;
   options.exclude_inattentive = request.exclude_inattentive;
   options.exclude_uncorrected = request.exclude_uncorrected;
+  options.compare = request.compare;
   std::optional<Archive> archive;
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
   study::LogContents log = study::read_log(request.log);
@@ -61,7 +62,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   return {.frozen = frozen_text(analysis),
           .table = table_text(analysis),
           .checks = checks_text(analysis),
-          .sections = numbers_text(numbers),
+          .sections = numbers_text(analysis, numbers),
           .notes = std::move(notes),
           .report_html = folder / "report.html"};
 }

@@ -13,12 +13,13 @@ struct AnalysisRequest {
   int bootstrap_replicates = 10000;
   std::uint64_t seed = 1;  ///< of the bootstrap; same seed, same intervals, for any number of threads
   bool include_pilot = false;
-  int threads = 0;                    ///< 0: as many as the machine has
-  double field_of_view_deg = 90;      ///< horizontal, for which thresholds are also stated
-  std::filesystem::path frozen = {};  ///< an archive of seamline freeze to compare with; empty: none
-  bool exclude_screened = false;      ///< leave out the participants whom a screen names
-  bool exclude_inattentive = false;   ///< leave out those whom catch trials name
-  bool exclude_uncorrected = false;   ///< leave out those whose vision is neither normal nor corrected
+  int threads = 0;                        ///< 0: as many as the machine has
+  double field_of_view_deg = 90;          ///< horizontal, for which thresholds are also stated
+  std::filesystem::path frozen = {};      ///< an archive of seamline freeze to compare with; empty: none
+  bool exclude_screened = false;          ///< leave out the participants whom a screen names
+  bool exclude_inattentive = false;       ///< leave out those whom catch trials name
+  bool exclude_uncorrected = false;       ///< leave out those whose vision is neither normal nor corrected
+  std::vector<std::string> compare = {};  ///< fields whose groups are compared (`compare_groups`)
 };
 
 struct AnalysisSummary {

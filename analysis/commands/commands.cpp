@@ -43,6 +43,9 @@ void add_analysis_commands(CLI::App& app) {
                     "leave out the participants whom catch trials name");
   command->add_flag("--exclude-uncorrected", request->exclude_uncorrected,
                     "leave out the participants whose vision is neither normal nor corrected");
+  command->add_option("--compare", request->compare,
+                      "groups of people whose thresholds are compared: a question of the form, with bands "
+                      "(age=30,45) or split at the median, or origin; may be given several times");
   command->add_option("--frozen", request->frozen,
                       "an archive of seamline freeze: says what deviates from it");
   command->callback([request] { run_analyze(*request); });

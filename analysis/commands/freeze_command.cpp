@@ -100,7 +100,8 @@ void add_freeze_command(CLI::App& app) {
   command->add_option("--out", options->out, "the archive, ARCHIVE.json; must not be there yet")->required();
   command
       ->add_option("--thresholds", options->thresholds,
-                   "the confirmatory ones of PT, SN and IP, with commas; all else explores")
+                   "the confirmatory ones of PT, SN, PT corrected, SN corrected, IP and detection, with "
+                   "commas; all else explores")
       ->capture_default_str();
   command->add_flag("--exclude-screened", analysis.exclude_screened,
                     "analyze will leave out the participants whom a screen names");
@@ -109,6 +110,7 @@ void add_freeze_command(CLI::App& app) {
   command->add_flag("--exclude-uncorrected", analysis.exclude_uncorrected,
                     "analyze will leave out the participants whose vision is neither normal nor corrected");
   command->add_flag("--include-pilot", analysis.include_pilot, "analyze will use pilot data as well");
+  command->add_option("--compare", analysis.compare, "groups that analyze will compare, as its --compare");
   command->add_option("--by-hand", analysis.by_hand,
                       "whom people will exclude in the log, in words (else nobody may be)");
   add_number(*command, "--bootstrap", analysis.bootstrap_replicates, {100, 1000000}, "of analyze")

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/log_analysis/adaptive_log.h"
+#include "analysis/log_analysis/headline_rows.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/set/set_study.h"
@@ -121,16 +122,27 @@ void leave_out_screened(Analysis& analysis) {
   analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
 }
 
+/// Of the test of the joint model, each of which fits all of it again.
+int model_replicates(const ResamplingRequest& request) {
+  constexpr int fewest = 19, most = 299;
+  return std::clamp(request.replicates / 10, fewest, most);
+}
+
 /// What stands beside the thresholds: single objects, guessing, opinion scores.
 void add_checks(Analysis& analysis) {
   analysis.differences = threshold_differences(analysis.data, analysis.resampling);
   analysis.origins = compare_origins(analysis.log, analysis.people, analysis.resampling, analysis.conditions);
   analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
-  analysis.guessing =
-      correct_for_guessing(count_guess_trials(analysis.log, analysis.data, analysis.options.references),
-                           analysis.data, analysis.resampling);
+  const GuessTrials trials = count_guess_trials(analysis.log, analysis.data, analysis.options.references);
+  analysis.guessing = correct_for_guessing(trials, analysis.data, analysis.resampling);
+  analysis.joint = analyze_jointly(trials, analysis.data, analysis.guessing.guessers,
+                                   {.sharing = {},
+                                    .goodness = {.replicates = model_replicates(analysis.resampling),
+                                                 .seed = analysis.resampling.seed,
+                                                 .threads = analysis.resampling.threads}});
   analysis.opinion = opinion_scores(analysis.scores.score);
   analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = study::highest_rating});
+  for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
   for (std::string& note : notes_on_steps(analysis)) analysis.notes.push_back(std::move(note));
   add_notes_on_screening(analysis);
   analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
@@ -181,7 +193,8 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                                  .bootstrap_replicates = analysis.resampling.replicates,
                                  .seed = analysis.resampling.seed,
                                  .rules = rules_of_analysis(),
-                                 .by_hand = {}},
+                                 .by_hand = {},
+                                 .compare = analysis.options.compare},
                     .participants_used = analysis.counts.used,
                     .excluded = {}};
   for (const ParticipantUse& person : analysis.people)

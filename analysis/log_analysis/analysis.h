@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/joint/joint_analysis.h"
 #include "analysis/log_analysis/origins.h"
 #include "analysis/preregistration/deviations.h"
 #include "analysis/scores/cells.h"
@@ -34,6 +35,7 @@ struct AnalysisOptions {
   bool exclude_screened = false;     ///< leave out whom any screen names; else they are named and used
   bool exclude_inattentive = false;  ///< leave out whom catch trials name
   bool exclude_uncorrected = false;  ///< leave out whose vision is neither normal nor corrected
+  std::vector<std::string> compare = {};                ///< what people are grouped by (`compare_groups`)
   std::map<std::string, study::ShownOn> displays = {};  ///< by participant (`read_displays`); may be empty
   std::vector<ReferenceAnswer> references;              ///< where nothing was inserted, besides the log's own
   std::vector<CatchAnswer> catches;  ///< where nobody who looks can be wrong, besides the log's own
@@ -57,9 +59,10 @@ struct Analysis {
   Screening screening;                            ///< of everybody, also when those named are left out
   std::vector<ScreenedThresholds> screened;       ///< everybody first
   std::optional<OriginComparison> origins;        ///< none where all came by one way, and in adaptive logs
-  ScoreMatrix scores;                             ///< of the people used
-  std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
-  SosParameter sos;                               ///< of noticeability, 0 to 4
+  std::optional<JointAnalysis> joint;      ///< what thresholds of record are read off; none in adaptive logs
+  ScoreMatrix scores;                      ///< of the people used
+  std::vector<OpinionScore> opinion;       ///< one a stimulus of `scores`
+  SosParameter sos;                        ///< of noticeability, 0 to 4
   PlantedValues planted;                   ///< empty unless every used participant is a `threshold` observer
   std::vector<std::string> notes;          ///< what a reader must know, a sentence each
   std::optional<FrozenComparison> frozen;  ///< none where nothing was frozen (`compare_with_archive`)

@@ -40,6 +40,10 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   numbers.choices = choice_curves(analysis);
   add_comparisons(numbers, analysis);
   numbers.times = response_times(analysis);
+  std::vector<std::string> fields = analysis.options.compare;
+  if (fields.empty() && !technical_groups(analysis).empty()) fields = {technical_question};
+  if (!analysis.adaptive || !analysis.options.compare.empty())
+    numbers.groups = compare_groups(analysis, fields);
   numbers.order = session_order(analysis);
   numbers.participants = participant_rows(analysis);
   numbers.questions = answered_questions(analysis.log);

@@ -5,6 +5,7 @@
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/choice_curves.h"
+#include "analysis/log_analysis/group_comparison.h"
 #include "analysis/log_analysis/participant_rows.h"
 #include "analysis/log_analysis/response_times.h"
 #include "analysis/log_analysis/session_order.h"
@@ -20,6 +21,7 @@ struct ReportNumbers {
   std::vector<ChoiceCurve> choices;         ///< one an artifact, in the order of the analysis
   std::optional<OrdinalStudy> comparisons;  ///< none: see `comparisons_missing`
   std::string comparisons_missing;          ///< a sentence
+  std::vector<GroupComparison> groups;      ///< one a field of `AnalysisOptions::compare`
   ResponseTimes times;
   SessionOrder order;
   std::vector<ParticipantRow> participants;
@@ -27,7 +29,8 @@ struct ReportNumbers {
   std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs
 };
 
-/// Never throws because of what the answers are: what cannot be computed is missing, with a sentence.
+/// Never throws because of what the answers are: what cannot be computed is missing, with a sentence. Throws
+/// InputError for a field of `compare` that nobody was asked.
 [[nodiscard]] ReportNumbers report_numbers(const Analysis& analysis);
 
 /// The answers of the participants marked `Use::used`, in the log's order.

@@ -21,16 +21,18 @@ constexpr std::string_view last_lines = "\"\n}\n";
 constexpr std::size_t hash_letters = 64;
 
 Json analysis_json(const FrozenAnalysis& analysis) {
-  return {{"confirmatory_thresholds", analysis.thresholds},
-          {"include_pilot", analysis.include_pilot},
-          {"exclude_screened", analysis.exclude_screened},
-          {"exclude_inattentive", analysis.exclude_inattentive},
-          {"exclude_uncorrected", analysis.exclude_uncorrected},
-          {"excluded_by_hand", analysis.by_hand},
-          {"field_of_view_deg", analysis.field_of_view_deg},
-          {"bootstrap_replicates", analysis.bootstrap_replicates},
-          {"bootstrap_seed", analysis.seed},
-          {"rules", analysis.rules}};
+  Json json = {{"confirmatory_thresholds", analysis.thresholds},
+               {"include_pilot", analysis.include_pilot},
+               {"exclude_screened", analysis.exclude_screened},
+               {"exclude_inattentive", analysis.exclude_inattentive},
+               {"exclude_uncorrected", analysis.exclude_uncorrected},
+               {"excluded_by_hand", analysis.by_hand},
+               {"field_of_view_deg", analysis.field_of_view_deg},
+               {"bootstrap_replicates", analysis.bootstrap_replicates},
+               {"bootstrap_seed", analysis.seed},
+               {"rules", analysis.rules}};
+  if (!analysis.compare.empty()) json["compare"] = analysis.compare;
+  return json;
 }
 
 InputError not_whole(const std::filesystem::path& file, const std::string& found) {
@@ -75,7 +77,9 @@ FrozenAnalysis read_analysis(const ArchiveFields& fields) {
           .bootstrap_replicates = fields.get<int>("bootstrap_replicates"),
           .seed = fields.get<std::uint64_t>("bootstrap_seed"),
           .rules = fields.get<std::vector<std::string>>("rules"),
-          .by_hand = fields.get<std::string>("excluded_by_hand")};
+          .by_hand = fields.get<std::string>("excluded_by_hand"),
+          .compare = fields.has("compare") ? fields.get<std::vector<std::string>>("compare")
+                                           : std::vector<std::string>{}};
 }
 
 Preregistration read_content(const ArchiveFields& fields) {

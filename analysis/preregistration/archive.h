@@ -15,9 +15,10 @@ struct FrozenAnalysis {
   bool exclude_uncorrected = false;  ///< those whose vision is neither normal nor corrected
   double field_of_view_deg = 90;
   int bootstrap_replicates = 10000;
-  std::uint64_t seed = 1;          ///< of the bootstrap
-  std::vector<std::string> rules;  ///< the program's own, a sentence each (`rules_of_analysis`)
-  std::string by_hand;             ///< whom people will exclude, in words; empty: nobody
+  std::uint64_t seed = 1;                 ///< of the bootstrap
+  std::vector<std::string> rules;         ///< the program's own, a sentence each (`rules_of_analysis`)
+  std::string by_hand;                    ///< whom people will exclude, in words; empty: nobody
+  std::vector<std::string> compare = {};  ///< what people are grouped by (analyze --compare)
 
   bool operator==(const FrozenAnalysis&) const = default;
 };

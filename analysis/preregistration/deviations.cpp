@@ -69,6 +69,11 @@ void compare_exclusions(Comparing& comparing, const FrozenAnalysis& frozen, cons
 void compare_options(Comparing& comparing, const FrozenAnalysis& frozen, const FrozenAnalysis& done) {
   comparing.same("bootstrap replicates", std::to_string(frozen.bootstrap_replicates),
                  std::to_string(done.bootstrap_replicates));
+  const auto listed = [](const std::vector<std::string>& fields) {
+    return fields.empty() ? std::string("as the program does by itself")
+                          : fmt::format("{}", fmt::join(fields, ", "));
+  };
+  comparing.same("groups compared", listed(frozen.compare), listed(done.compare));
   comparing.same("bootstrap seed", std::to_string(frozen.seed), std::to_string(done.seed));
   comparing.same("field of view", fmt::format("{:g} degrees", frozen.field_of_view_deg),
                  fmt::format("{:g} degrees", done.field_of_view_deg));
@@ -96,6 +101,8 @@ FrozenComparison compare_with_frozen(const Archive& archive, const AnalysisDone&
   return {.archive = archive.file.filename().string(),
           .sha256 = archive.sha256,
           .thresholds = archive.content.analysis.thresholds,
+          .participants = archive.content.participants,
+          .why_so_many = archive.content.why_so_many,
           .deviations = std::move(comparing.deviations),
           .remarks = remarks_on(archive.content, done)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/scores/participants.h"
+#include "analysis/thresholds/threshold_rules.h"
 #include "stimuli/set/manifest.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
@@ -17,9 +18,13 @@ namespace {
 void require_thresholds(const std::vector<std::string>& thresholds) {
   if (thresholds.empty())
     throw input_error({.field = "--thresholds", .wanted = "at least one of PT, SN and IP", .found = "none"});
+  std::string known;
+  for (const ThresholdRule& rule : threshold_rules)
+    known += (known.empty() ? "" : ", ") + std::string(rule.name);
   for (const std::string& name : thresholds)
-    if (name != "PT" && name != "SN" && name != "IP")
-      throw input_error({.field = "--thresholds", .wanted = "PT, SN or IP, with commas", .found = name});
+    if (std::none_of(threshold_rules.begin(), threshold_rules.end(),
+                     [&](const ThresholdRule& rule) { return name == rule.name; }))
+      throw input_error({.field = "--thresholds", .wanted = known + ", with commas", .found = name});
 }
 
 void require_text(const std::string& field, const std::string& text) {

@@ -16,11 +16,11 @@ namespace {
 /// Everything that is read off a curve: the thresholds of record, and PT and SN off the logistic beside them.
 const std::vector<ThresholdRule>& all_rules() {
   static const std::vector<ThresholdRule> rules = [] {
-    std::vector<ThresholdRule> all(threshold_rules.begin(), threshold_rules.end());
-    all.push_back({"PT", perceptual_level, Estimator::logistic, IntervalMethod::score_test,
-                   &CurveThresholds::perceptual_logistic});
-    all.push_back({"SN", slight_level, Estimator::logistic, IntervalMethod::score_test,
-                   &CurveThresholds::slightly_noticeable_logistic});
+    std::vector<ThresholdRule> all(paper_rules.begin(), paper_rules.end());
+    all.push_back({"PT", "perceptual_threshold", "", perceptual_level, Estimator::logistic,
+                   IntervalMethod::score_test, &CurveThresholds::perceptual_logistic});
+    all.push_back({"SN", "slightly_noticeable", "", slight_level, Estimator::logistic,
+                   IntervalMethod::score_test, &CurveThresholds::slightly_noticeable_logistic});
     return all;
   }();
   return rules;

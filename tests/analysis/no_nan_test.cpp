@@ -165,7 +165,8 @@ void expect_numbers_in_report(const std::string& what, LogContents log, bool wit
   expect_numbers(what + ", methods.txt", plain_text(methods));
   expect_numbers(what + ", report.html",
                  report_html(analysis, numbers, figures, std::string("No pictures.")));
-  expect_numbers(what + ", terminal", table_text(analysis) + checks_text(analysis) + numbers_text(numbers));
+  expect_numbers(what + ", terminal",
+                 table_text(analysis) + checks_text(analysis) + numbers_text(analysis, numbers));
   for (const std::string& note : analysis.notes) expect_numbers(what + ", note", note);
 }
 

@@ -128,9 +128,9 @@ TEST(Preregistration, TheFrozenRuleOfAThresholdIsTheOneThatIsComputed) {
   const ArtifactScores& scores = analysis.data.artifacts.front();
   const CurveThresholds& found = analysis.thresholds.front().estimates;
   const MeanVector means = mean_and_covariance(scores.noticeability);
-  for (const ThresholdRule& rule : threshold_rules) {
+  for (const ThresholdRule& rule : paper_rules) {
     const auto said = std::find_if(rules.begin(), rules.end(), [&](const std::string& sentence) {
-      return sentence.starts_with(std::string(rule.name) + ": ");
+      return sentence.starts_with(std::string("paper's way, ") + rule.name + ": ");
     });
     ASSERT_NE(said, rules.end()) << rule.name;
     if (!rule.level) {
@@ -158,7 +158,7 @@ TEST(Preregistration, AnotherIntervalThanThatComputedIsADeviation) {
   std::vector<std::string> what;
   for (const Deviation& deviation : deviations(analysed_as(test::simulate_log(8, 1)), frozen))
     what.push_back(deviation.found);
-  EXPECT_THAT(what, ElementsAre("not so today", HasSubstr("score test")));
+  EXPECT_THAT(what, ElementsAre("not so today", HasSubstr("jackknife")));
 }
 
 TEST(Preregistration, EveryOtherDifferenceIsListed) {

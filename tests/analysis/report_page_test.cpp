@@ -74,14 +74,14 @@ void expect_explained(const std::string& json_text, const std::string& file, con
 
 TEST(ReportPage, HasEverySectionAndFigure) {
   const Report report = report_of(test::people_log(8, 4));
-  for (const char* section : {"thresholds", "order", "noticeability", "psychometric", "comparisons", "checks",
-                              "times", "participants", "stimuli", "methods", "data"}) {
+  for (const char* section : {"thresholds", "model", "order", "noticeability", "psychometric", "comparisons",
+                              "checks", "times", "participants", "stimuli", "methods", "data"}) {
     EXPECT_THAT(report.html, HasSubstr(std::string("<h2 id=\"") + section + "\">"));
     EXPECT_THAT(report.html, HasSubstr(std::string("href=\"#") + section + "\""));
   }
   std::size_t figures = 0;
   for (std::size_t at = 0; (at = report.html.find("<figure ", at)) != std::string::npos; ++at) ++figures;
-  EXPECT_EQ(figures, 6U);
+  EXPECT_EQ(figures, 8U);
 }
 
 TEST(ReportPage, EveryFieldIsInTheDictionary) {
@@ -100,7 +100,7 @@ TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
   const Report report = report_of(test::people_log(12, 4));
   const Json tables = Json::parse(report_json(report.analysis, report.methods, report.tables))["tables"];
   ASSERT_EQ(tables["psychometric"].size(), 4U);
-  const std::string terminal = numbers_text(report.numbers);
+  const std::string terminal = numbers_text(report.analysis, report.numbers);
   for (const Json& row : tables["psychometric"]) {
     ASSERT_EQ(row["verdict"], "identified");
     const auto px = [&](const char* key) { return std::to_string(std::lround(row[key].get<double>())); };
@@ -108,8 +108,8 @@ TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
     EXPECT_THAT(report.html, HasSubstr(px("threshold_px") + " (" + interval + ")"));
     EXPECT_THAT(terminal, HasSubstr(interval));
   }
-  ASSERT_FALSE(tables["comparisons_contrasts"].empty());
-  for (const Json& row : tables["comparisons_contrasts"]) {
+  ASSERT_FALSE(tables["joint_contrasts"].empty());
+  for (const Json& row : tables["joint_contrasts"]) {
     EXPECT_THAT(report.html, HasSubstr(html_escape(row["conclusion"].get<std::string>())));
     EXPECT_THAT(terminal, HasSubstr(row["conclusion"].get<std::string>()));
   }

@@ -134,7 +134,7 @@ TEST(Report, IsOneEscapedPageWithFiguresThatSayWhoAnswered) {
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
   EXPECT_THAT(html, HasSubstr("set was not found"));
   EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
-  ASSERT_EQ(figures.size(), 5U);  // simulated observers have no response times
+  ASSERT_EQ(figures.size(), 7U);  // simulated observers have no response times
   for (const Figure& figure : figures)
     EXPECT_THAT(inline_svg(figure), HasSubstr("5 simulated observers (threshold)")) << figure.name;
   EXPECT_FALSE(std::filesystem::exists("x"));

@@ -16,7 +16,7 @@ constexpr double share_beyond = 1.25;  ///< of a level on log2 axes
 constexpr double units_beyond = 0.3;   ///< sixths of the range on linear ones
 
 // Pixels of a figure of one column.
-constexpr double head_px = 24, title_px = 22, tics_px = 20, axis_title_px = 18, row_gap_px = 8;
+constexpr double head_px = 32, title_px = 24, tics_px = 26, axis_title_px = 26, row_gap_px = 10;
 constexpr double left_px = 46, right_px = 12, column_gap_px = 16;
 constexpr double digit_px = 0.64 * smallest_letters_px, label_gap_px = 7;
 

@@ -73,6 +73,10 @@ struct PanelGrid {
 
 /// The vertical axis of mean noticeability.
 inline constexpr const char* noticeability_axis = "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
+/// The same with room for a key of three rows above the data.
+inline constexpr const char* noticeability_axis_below_key =
+    "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:5.5]\nset key maxrows 3 top right\n";
+inline constexpr int keyed_panel_px = 190;  ///< height of such a panel
 
 /// Dotted lines at 0.5 and 1.0, the levels of PT and SN, to begin a `plot` with.
 [[nodiscard]] std::string threshold_lines();

@@ -8,6 +8,7 @@
 
 #include "analysis/report/figures/figure_parts.h"
 #include "analysis/report/figures/guessing_figure.h"
+#include "analysis/report/figures/joint_figures.h"
 #include "analysis/report/figures/order_figure.h"
 #include "analysis/report/figures/people_figure.h"
 #include "analysis/report/figures/psychometric_figure.h"
@@ -80,9 +81,8 @@ template <class Plots>
 Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<PanelCurves>& panels,
                    const Plots& plots) {
   const LevelsDrawn drawn = levels_drawn(analysis.data);
-  const PanelGrid grid = panel_grid(panels.size(), 165);
-  std::string script = level_axis_script(drawn) + noticeability_axis + multiplot(analysis) + "set key top " +
-                       key_side(drawn.axis) + "\n";
+  const PanelGrid grid = panel_grid(panels.size(), keyed_panel_px);
+  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
   for (std::size_t i = 0; i < panels.size(); ++i)
     script +=
         panel_frame(grid.panels[i], drawn, panels[i].title, "mean noticeability") + plots(drawn, panels[i]);
@@ -181,7 +181,8 @@ std::vector<Figure> draw_figures(const Analysis& analysis, const ReportNumbers& 
     figures.push_back(conditions ? conditions_figure(analysis, folder) : average_figure(analysis, folder));
   if (analysis.adaptive || !conditions) figures.push_back(object_figure(analysis, folder));
   for (std::optional<Figure>& figure :
-       std::array{people_figure(analysis, folder), psychometric_figure(analysis, numbers, folder),
+       std::array{joint_curves_figure(analysis, folder), joint_scores_figure(analysis, folder),
+                  people_figure(analysis, folder), psychometric_figure(analysis, numbers, folder),
                   guessing_figure(analysis, folder), order_figure(analysis, numbers, folder),
                   times_figure(analysis, numbers, folder)})
     if (figure) figures.push_back(std::move(*figure));

@@ -55,10 +55,9 @@ std::optional<Figure> guessing_figure(const Analysis& analysis, const std::files
                     source_sentence(analysis),
                 .svg = folder / "corrected_for_guessing.svg"};
   const std::vector<PanelCurves> panels = panels_of_curves(analysis.data);
-  const PanelGrid grid = panel_grid(panels.size(), 165);
+  const PanelGrid grid = panel_grid(panels.size(), keyed_panel_px);
   const LevelsDrawn drawn = levels_drawn(analysis.data);
-  std::string script = level_axis_script(drawn) + noticeability_axis + "set key top " + key_side(drawn.axis) +
-                       "\n" + multiplot(analysis);
+  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
   for (std::size_t i = 0; i < panels.size(); ++i)
     script += panel_frame(grid.panels[i], drawn, panels[i].title, "mean noticeability") +
               corrected_plots(analysis, drawn, panels[i], i);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/log_analysis/headline_rows.h"
 #include "analysis/report/json/checks_json.h"
 #include "analysis/report/json/json_values.h"
 #include "analysis/report/json/origins_json.h"
@@ -87,6 +88,42 @@ Json differences_json(const Analysis& analysis) {
   return differences;
 }
 
+/// The thresholds of record of a curve, by key and unit.
+Json headline_json(const Analysis& analysis, const ArtifactThresholds& curve,
+                   const std::vector<HeadlineRow>& rows) {
+  Json json;
+  for (const HeadlineRow& row : rows) {
+    if (row.artifact != curve.artifact || row.condition != curve.condition) continue;
+    Json one = json_estimate(row.here, row.tested.axis);
+    one["ci95_text"] = interval_text(row.here.ci95, row.tested);
+    one["simultaneous_ci95"] = json_interval(row.simultaneous, row.tested.axis);
+    one["beyond_levels"] = row.beyond_levels;
+    one["differs"] = row.differs.empty() ? Json(nullptr) : Json(row.differs);
+    json[row.rule->key + unit_suffix(analysis.data.axis)] = std::move(one);
+  }
+  return json;
+}
+
+/// What the joint model was fitted to and how well it fits.
+Json joint_json(const JointAnalysis& joint) {
+  Json json;
+  json["verdict"] = word(joint.fit.verdict);
+  json["explanation"] = joint.fit.explanation.empty() ? Json(nullptr) : Json(joint.fit.explanation);
+  json["participants"] = joint.fit.people;
+  json["answers"] = json_number(joint.fit.answers);
+  const bool known = joint.fit.estimated();
+  json["log_likelihood"] = known ? json_number(joint.fit.log_likelihood) : Json(nullptr);
+  json["people_sd"] =
+      known ? json_number(std::abs(difference_at(joint.axis, joint.people.shift_sd))) : Json(nullptr);
+  json["people_by_curve_sd"] =
+      known ? json_number(std::abs(difference_at(joint.axis, joint.people.curve_sd))) : Json(nullptr);
+  const bool tested = joint.goodness && joint.goodness->replicates > 0;
+  json["choices_p"] = tested ? json_number(joint.goodness->choices_p) : Json(nullptr);
+  json["ratings_p"] = tested ? json_number(joint.goodness->ratings_p) : Json(nullptr);
+  json["replicates"] = tested ? joint.goodness->replicates : 0;
+  return json;
+}
+
 Json artifact_json(const Analysis& analysis, std::size_t index, const std::vector<ThresholdRow>& rows) {
   const ArtifactThresholds& thresholds = analysis.thresholds[index];
   Json json;
@@ -105,6 +142,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
     if (row.planted) planted[row.key + unit] = json_number(level_of(*row.planted, axis));
     if (row.bootstrap) bootstrap[row.key + unit] = json_interval(*row.bootstrap, axis);
   }
+  if (analysis.joint) json["joint"] = headline_json(analysis, thresholds, headline_rows(analysis));
   json["planted"] = planted;
   if (beside_the_paper(analysis)) json["paper"] = paper;
   json["expanded_percentile_ci95"] = bootstrap;
@@ -141,6 +179,8 @@ std::string thresholds_json(const Analysis& analysis) {
   json["include_pilot"] = analysis.include_pilot;
   json["bootstrap"] = {{"replicates", analysis.resampling.replicates}, {"seed", analysis.resampling.seed}};
   json["intervals"] = intervals_in_short();
+  json["headline"] = analysis.joint ? "joint" : "paper_way";
+  if (analysis.joint) json["joint"] = joint_json(*analysis.joint);
   json["notes"] = analysis.notes;
   const LevelAxis& axis = analysis.data.axis;
   if (!of_depth_widths(axis))

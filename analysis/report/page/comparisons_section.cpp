@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/page/html_parts.h"
+#include "analysis/report/page/joint_section.h"
 #include "analysis/scores/level_words.h"
 #include "support/text/html.h"
 
@@ -28,10 +29,12 @@ std::string contrast_html(const ContrastTable& contrasts) {
   std::string html = "<h3>" + html_escape(contrasts.question) + "</h3>\n";
   Lines lines;
   for (const ContrastRow& row : contrasts.rows)
-    lines.push_back({row.conclusion, decimal_text(row.estimate, 2), range_text(row.ci95_low, row.ci95_high)});
-  html += html_table({{.title = "finding", .sentence = true},
+    lines.push_back({row.name, decimal_text(row.estimate, 2), range_text(row.ci95_low, row.ci95_high),
+                     p_of(row.adjusted_p)});
+  html += html_table({{.title = "contrast", .sentence = true},
                       {.title = "log odds", .number = true},
-                      {.title = "95 % interval", .number = true}},
+                      {.title = "95 % interval", .number = true},
+                      {.title = "adjusted p", .number = true}},
                      lines);
   if (contrasts.joint_p && contrasts.joint_contrasts > 1)
     html += fmt::format("<p class=\"soft\">All {} independent contrasts together: {}.</p>\n",
@@ -58,25 +61,31 @@ std::string coefficients_html(const OrdinalStudy& study) {
 
 }  // namespace
 
-std::string comparisons_html(const ReportNumbers& numbers) {
-  std::string html = "<h2 id=\"comparisons\">Comparisons</h2>\n";
+std::string comparisons_html(const Analysis& analysis, const ReportNumbers& numbers) {
+  std::string html = "<h2 id=\"comparisons\">Comparisons</h2>\n" + joint_contrasts_html(analysis, numbers);
   if (!numbers.comparisons) return html + html_paragraph(numbers.comparisons_missing);
   const OrdinalStudy& study = *numbers.comparisons;
+  html += "<details><summary>An ordinal mixed model of the same scores</summary>\n";
   html += fmt::format(
-      "<p>An ordinal mixed model of noticeability (0 to 4): a {} and a slope over {} for each "
+      "<p>Noticeability (0 to 4): a {} and a slope over {} for each "
       "artifact{}, objects within artifacts, and a random level for each participant; {} answers of {} "
-      "participants. Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds.</p>\n",
+      "participants. Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds. The model "
+      "knows no "
+      "guesses, so its slopes are too shallow where scores come near the guess floor: read thresholds and "
+      "slopes "
+      "above.</p>\n",
       of_depth_widths(numbers.axis) ? "level" : "mean", level_words(numbers.axis).axis,
       numbers.conditions ? " in each condition" : "", study.fit.observations, study.fit.participants);
   for (const std::string& note : study.notes) html += html_paragraph(note);
   if (!has_estimates(study.fit.verdict))
-    return html + html_paragraph("No comparison is made: " + std::string(word(study.fit.verdict)) + ".");
+    return html + html_paragraph("No comparison is made: " + std::string(word(study.fit.verdict)) + ".") +
+           "</details>\n";
   for (const ContrastTable& contrasts : study.contrasts) html += contrast_html(contrasts);
   return html +
-         "<p class=\"soft\">Verdicts and intervals of these tables are adjusted for all contrasts of a "
-         "question; "
-         "standard errors are over participants. “Not shown” is not the same as “no difference”.</p>\n" +
-         coefficients_html(study);
+         "<p class=\"soft\">p and intervals of these tables are adjusted for all contrasts of a question; "
+         "standard "
+         "errors are over participants.</p>\n" +
+         coefficients_html(study) + "</details>\n";
 }
 
 }  // namespace seamline::analysis

@@ -5,7 +5,7 @@
 
 namespace seamline::analysis {
 
-/// The ordinal model's contrasts, a table a question, and its coefficients.
-[[nodiscard]] std::string comparisons_html(const ReportNumbers& numbers);
+/// Differences of thresholds and slopes by the joint model; folded, what the ordinal model says.
+[[nodiscard]] std::string comparisons_html(const Analysis& analysis, const ReportNumbers& numbers);
 
 }  // namespace seamline::analysis

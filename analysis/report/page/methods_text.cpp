@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/text/joint_text.h"
 #include "analysis/scores/level_words.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
@@ -75,11 +78,104 @@ std::string procedure(const Analysis& analysis) {
       source_text(analysis), trials, widths_text(analysis), conditions_text(analysis));
 }
 
+/// "12 yes, 8 no".
+std::string groups_in_words(const GroupComparison& groups) {
+  std::string text;
+  for (std::size_t g = 0; g < groups.groups.size(); ++g)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", groups.people[g], groups.groups[g]);
+  return text;
+}
+
+/// Participants and answers of every curve.
+std::string curves_text(const Analysis& analysis) {
+  std::map<std::pair<Artifact, std::string>, int> answers_of;
+  for (const study::Answer& answer : used_answers(analysis.log, analysis.people))
+    ++answers_of[{answer.artifact, answer.condition}];
+  std::string curves;
+  for (const ArtifactScores& scores : analysis.data.artifacts) {
+    const int answers = answers_of[{scores.artifact, scores.condition}];
+    curves +=
+        fmt::format("{}{}{} {} participants and {} answers", curves.empty() ? "" : "; ",
+                    word(scores.artifact), in_condition(scores.condition), scores.people.size(), answers);
+  }
+  return "Behind the curves are: " + curves + ". " + fixed_effects_text(analysis);
+}
+
+/// The model of record, as far as it was fitted.
+std::string joint_text(const Analysis& analysis, const LevelWords& words) {
+  const JointAnalysis& joint = *analysis.joint;
+  std::string sought;
+  for (const ThresholdRule& rule : threshold_rules)
+    sought += fmt::format("{}{} where {}", sought.empty() ? "" : "; ", rule.name, rule.meaning);
+  const JointSharing& sharing = joint.fit.model.sharing;
+  std::string shared, own = "thresholds";
+  const auto sort_into = [&](bool is_shared, const char* what) {
+    std::string& list = is_shared ? shared : own;
+    list += (list.empty() ? "" : ", ") + std::string(what);
+  };
+  sort_into(sharing.scale, "scale");
+  sort_into(sharing.criteria, "rating criteria");
+  sort_into(sharing.lapse, "lapse rate (0 to 0.1)");
+  sort_into(sharing.guess_ratings, "guess ratings");
+  std::string text = fmt::format(
+      "Thresholds are of one joint model of all answers. An insertion is seen with probability psi, (1 - "
+      "lapse) "
+      "times a cumulative normal of {}; what is seen is chosen rightly and rated by a cumulative link with "
+      "ordered criteria (Agresti, 2010); what is not seen is guessed, right with the chance of the guessers' "
+      "positions (about 1/3), and rated as wrong choices are. Shared by all curves: {}; each curve's own: "
+      "{}. The model was fitted by "
+      "maximum likelihood with a weak penalty. Read off it are: {}. ",
+      words.axis, shared.empty() ? "nothing" : shared, own, sought);
+  if (!joint.fit.estimated()) return text + joint.fit.explanation;
+  text += fmt::format(
+      "Intervals of {:g} % are over participants (leaving out each in turn, Student's t with {} degrees of "
+      "freedom); "
+      "beside each stands one that holds together with those of the same threshold of all curves. There is "
+      "an "
+      "estimate where its interval is closed, and none where the level lies in the guess floor.",
+      100 * confidence, joint.fit.people - 1);
+  for (const std::string& sentence : joint_check_sentences(analysis)) text += " " + sentence;
+  return text;
+}
+
+std::string joint_comparisons_text(const ReportNumbers& numbers) {
+  std::string text =
+      "Thresholds and slopes were compared by contrasts of the joint model (slopes in a fit with a scale for "
+      "each "
+      "curve), adjusted within each question by the contrasts' joint distribution (Hothorn, Bretz and "
+      "Westfall, 2008); "
+      "questions are not adjusted for each other.";
+  for (const GroupComparison& groups : numbers.groups)
+    text +=
+        fmt::format(" Groups by {}: {}", groups.field,
+                    groups.verdict.empty() ? fmt::format("{}.", groups_in_words(groups)) : groups.verdict);
+  return text;
+}
+
+std::string order_text(const SessionOrder& order) {
+  return "Order was looked at by least squares with participants and stimuli as fixed effects, intervals by "
+         "leaving "
+         "out each participant in turn. " +
+         trend_sentence(order);
+}
+
+/// Why there are so many participants, as it was frozen.
+std::string why_so_many_text(const Analysis& analysis) {
+  if (!analysis.frozen)
+    return "Why so many participants were asked was not preregistered with this analysis.";
+  return fmt::format("The study was preregistered (SHA-256 {}) for {} participants. Why so many: {}",
+                     analysis.frozen->sha256.substr(0, 12), analysis.frozen->participants,
+                     analysis.frozen->why_so_many);
+}
+
 std::string means_text(const LevelWords& words) {
   return fmt::format(
-      "Answers were averaged over the objects of an artifact within each participant and then over "
+      "Beside them stands the paper's own way. Answers were averaged over the objects of an artifact within "
+      "each "
+      "participant and then over "
       "participants; error bars are standard errors of the mean over participants. The perceptual threshold "
-      "(PT) and the {level} at which an artifact becomes slightly noticeable (SN) are {sought} at which the "
+      "(PT) and the {level} at which an artifact becomes slightly noticeable (SN) are then {sought} at which "
+      "the "
       "{monotone} isotonic regression of mean noticeability, linear in {axis}, equals {pt:.1f} and {sn:.1f} "
       "(Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter logistic fitted by "
       "least squares in {axis}. A threshold is given where its interval is closed; where the answers leave a "
@@ -92,8 +188,8 @@ std::string means_text(const LevelWords& words) {
 
 /// What each way to make an interval does, of the thresholds that are made so.
 std::string intervals_text(const Analysis& analysis, const LevelWords& words) {
-  std::string text =
-      fmt::format("Intervals are {:g} % confidence intervals over participants.", 100 * confidence);
+  std::string text = fmt::format(
+      "Intervals of the paper's way are {:g} % confidence intervals over participants.", 100 * confidence);
   if (const std::string names = names_with(IntervalMethod::score_test); !names.empty())
     text += fmt::format(
         " For {} they hold every {} at which a score test does not tell the curve from that mean (Student's "
@@ -181,7 +277,8 @@ std::string differences_text(const Analysis& analysis) {
 
 std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& numbers) {
   return fmt::format(
-      "Artifacts were compared by a cumulative link mixed model (Agresti, 2010) of noticeability with {} "
+      "Beside these comparisons stands a cumulative link mixed model (Agresti, 2010) of noticeability with "
+      "{} "
       "link, a {} and a slope over {} for each artifact{}, objects nested in artifacts{} and a normal "
       "random intercept for each participant, integrated by adaptive Gauss-Hermite quadrature with {} nodes. "
       "Standard errors {}. Contrasts were adjusted within each question: {}.",
@@ -281,6 +378,11 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
   if (analysis.adaptive) {
     paragraphs.push_back(adaptive_text(numbers));
   } else {
+    paragraphs.push_back(curves_text(analysis));
+    paragraphs.push_back(why_so_many_text(analysis));
+    if (analysis.joint) paragraphs.push_back(joint_text(analysis, words));
+    if (analysis.joint && analysis.joint->fit.estimated())
+      paragraphs.push_back(joint_comparisons_text(numbers));
     paragraphs.push_back(means_text(words));
     if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))
       paragraphs.emplace_back(
@@ -297,6 +399,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
       paragraphs.push_back(comparisons_text(*numbers.comparisons, numbers));
     if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
     paragraphs.push_back(checks_method_text(words));
+    if (numbers.order.missing.empty()) paragraphs.push_back(order_text(numbers.order));
   }
   paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);

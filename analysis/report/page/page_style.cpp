@@ -35,6 +35,9 @@ tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr.group { border-top: 1px solid var(--soft); }
 td.number, th.number { text-align: right; }
 td.number { white-space: normal; max-width: 11rem; }
+table.tight { font-size: .88rem; } .tight th, .tight td { padding-right: .7rem; }
+table.tight td.number, table.tight td:last-child { white-space: nowrap; min-width: 0; }
+td.verdict { white-space: normal; color: var(--soft); font-style: italic; max-width: 24rem; }
 tbody .sentence { white-space: normal; font-weight: normal; max-width: 56rem; }
 td:last-child:not(.number) { white-space: normal; min-width: 12rem; }
 figure { margin: 1.2rem 0 2rem; }

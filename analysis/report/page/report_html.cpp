@@ -7,6 +7,7 @@
 #include "analysis/report/page/comparisons_section.h"
 #include "analysis/report/page/differences_section.h"
 #include "analysis/report/page/html_parts.h"
+#include "analysis/report/page/joint_section.h"
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/order_section.h"
 #include "analysis/report/page/origins_section.h"
@@ -61,20 +62,24 @@ std::string header(const Analysis& analysis) {
   return html + "</header>\n";
 }
 
+std::string paper_way_legend(const Analysis& analysis) {
+  return "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. "
+         "IP: "
+         "inflection point. " +
+         (of_depth_widths(analysis.data.axis)
+              ? std::string("Width × height of the equirectangular depth map in px. ")
+              : html_escape("Levels: " + axis_title(analysis.data.axis) + ". ")) +
+         (beside_the_paper(analysis) ? "“–” under paper: the paper gives no value. " : "") +
+         (of_depth_widths(analysis.data.axis)
+              ? "Above or below at every width: the curve does not cross the level within the widths tested."
+              : "Above or below at every level: mean noticeability is, and does not cross within the levels "
+                "tested.") +
+         "</p>\n";
+}
+
 std::string thresholds_section(const Analysis& analysis) {
   std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
-  html +=
-      "<p class=\"soft\">PT: perceptual threshold, mean noticeability 0.5. SN: slightly noticeable, 1.0. IP: "
-      "inflection point. " +
-      (of_depth_widths(analysis.data.axis)
-           ? std::string("Width × height of the equirectangular depth map in px. ")
-           : html_escape("Levels: " + axis_title(analysis.data.axis) + ". ")) +
-      (beside_the_paper(analysis) ? "“–” under paper: the paper gives no value. " : "") +
-      (of_depth_widths(analysis.data.axis)
-           ? "Above or below at every width: the curve does not cross the level within the widths tested."
-           : "Above or below at every level: mean noticeability is, and does not cross within the levels "
-             "tested.") +
-      "</p>\n";
+  if (!analysis.joint) html += paper_way_legend(analysis);
   if (!analysis.planted.empty())
     html +=
         "<p>Planted values are PT, SN and IP of the expected answers that the simulated observers were "
@@ -107,7 +112,8 @@ std::string methods_section(const Analysis& analysis, const ReportNumbers& numbe
 }
 
 constexpr const char* contents =
-    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#noticeability\">Noticeability</a> <a "
+    "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#model\">Model</a> <a "
+    "href=\"#noticeability\">Noticeability</a> <a "
     "href=\"#psychometric\">Psychometric functions</a> <a href=\"#comparisons\">Comparisons</a> <a "
     "href=\"#checks\">Checks</a> <a href=\"#order\">Order</a> <a href=\"#times\">Response times</a> <a "
     "href=\"#participants\">Participants</a> <a href=\"#stimuli\">Stimuli</a> <a "
@@ -129,11 +135,14 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
       "{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n",
       html_escape(analysis.log.study_name), page_style());
-  html += header(analysis) + contents + preregistration_html(analysis) + thresholds_section(analysis) +
-          differences_html(analysis) + origins_html(analysis) +
+  std::string links = contents;
+  if (!analysis.joint)
+    links.erase(links.find(" <a href=\"#model\">"), std::string(" <a href=\"#model\">Model</a>").size());
+  html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
+          differences_html(analysis) + origins_html(analysis) + joint_model_html(analysis, figures) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
-          psychometric_html(numbers, figures) + comparisons_html(numbers) + checks_html(analysis, figures) +
-          order_html(numbers, figures) + times_html(numbers, figures);
+          psychometric_html(numbers, figures) + comparisons_html(analysis, numbers) +
+          checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
           methods_section(analysis, numbers) + data_section;

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
+#include "analysis/log_analysis/headline_rows.h"
+#include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/angular_resolution.h"
 #include "support/text/html.h"
@@ -36,9 +41,81 @@ std::string threshold_line(const ThresholdRow& row, bool planted, bool beside) {
   return line + "</tr>\n";
 }
 
+/// A line of the table of record.
+std::string headline_line(const HeadlineRow& row, bool first, bool planted, bool paper) {
+  const bool widths = of_depth_widths(row.tested.axis);
+  const auto cell = [](const std::string& text, bool number = true) {
+    return fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html_escape(text));
+  };
+  std::string line = fmt::format("<tr{}><th scope=\"row\">{}</th>", first ? " class=\"group\"" : "",
+                                 first ? html_escape(artifact_title(row.artifact, row.condition)) : "") +
+                     cell(row.rule->name, false);
+  if (row.here.level_x)
+    line += cell(size_text(row.here, row.tested.axis)) +
+            cell(interval_text(row.here.ci95, row.tested), false) +
+            cell(interval_text(row.simultaneous, row.tested), false);
+  else
+    line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}</td>", html_escape(row.here.reason));
+  if (widths) line += cell(texels_text(row.here));
+  line += cell(row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
+                                                       : row.paper_way->reason)
+                             : "–",
+               false);
+  if (paper) line += cell(row.paper_px ? fmt::format("{} × {}", *row.paper_px, *row.paper_px / 2) : "–");
+  if (planted) line += cell(row.planted ? size_text(*row.planted, row.tested.axis) : "");
+  return line + "</tr>\n";
+}
+
+std::string headline_table(const Analysis& analysis) {
+  const bool planted = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const bool widths = of_depth_widths(analysis.data.axis);
+  std::string table = fmt::format(
+      "<div class=\"scroll\"><table class=\"tight\">\n<thead><tr><th>artifact</th><th></th><th "
+      "class=\"number\">{}</th><th>95 "
+      "% interval{}</th><th>simultaneous</th>{}<th>paper’s way</th>{}{}</tr></thead>\n<tbody>\n",
+      analysis.counts.simulated > 0 ? "simulated<br>observers" : "this study", widths ? "<br>of W" : "",
+      widths ? "<th class=\"number\">texels per<br>degree</th>" : "",
+      paper ? "<th class=\"number\">paper,<br>Table 1</th>" : "",
+      planted ? "<th class=\"number\">planted</th>" : "");
+  const std::vector<HeadlineRow> rows = headline_rows(analysis);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool first =
+        i == 0 || rows[i - 1].artifact != rows[i].artifact || rows[i - 1].condition != rows[i].condition;
+    table += headline_line(rows[i], first, planted, paper);
+  }
+  return table + "</tbody></table></div>\n" +
+         html_paragraph(
+             "This study’s numbers are of one joint model of seeing, guessing and rating, fitted to all "
+             "answers. "
+             "PT: perceptual threshold, mean noticeability 0.5; SN: slightly noticeable, 1.0; corrected: the "
+             "same "
+             "without lucky guesses; IP: where noticeability is steepest; detection: half is seen. "
+             "Simultaneous: "
+             "holds together with those of all curves. Paper’s way: straight lines between the tested levels "
+             "(PT, SN) and the centre of a logistic (IP), each with its own 95 % interval; for "
+             "replications.") +
+         html_paragraph(fixed_effects_text(analysis));
+}
+
 }  // namespace
 
+std::string fixed_effects_text(const Analysis& analysis) {
+  std::map<std::pair<Artifact, std::string>, std::set<std::string>> scenes;
+  for (const ObjectCurve& object : analysis.data.objects)
+    scenes[{object.artifact, object.condition}].insert(object.scene);
+  const bool several =
+      std::any_of(scenes.begin(), scenes.end(), [](const auto& one) { return one.second.size() > 1; });
+  return std::string(
+             "Objects and scenes are fixed: intervals are over participants, and say nothing of other "
+             "objects or scenes than those shown.") +
+         (several ? " Where an artifact was shown in several scenes, each participant’s objects weigh the "
+                    "same, in "
+                    "whichever scene they stand."
+                  : "");
+}
+
 std::string threshold_table_html(const Analysis& analysis) {
+  if (analysis.joint) return headline_table(analysis);
   const bool planted = !analysis.planted.empty(), beside = beside_the_paper(analysis);
   const bool widths = of_depth_widths(analysis.data.axis);
   std::string table = fmt::format(

@@ -2,6 +2,7 @@
 
 #include "analysis/report/tables/checks_tables.h"
 #include "analysis/report/tables/comparisons_tables.h"
+#include "analysis/report/tables/joint_tables.h"
 #include "analysis/report/tables/noticeability_tables.h"
 #include "analysis/report/tables/order_tables.h"
 #include "analysis/report/tables/people_tables.h"
@@ -18,6 +19,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
            order_table(analysis, numbers), residuals_table(numbers), response_times_table(numbers),
            participants_table(numbers), tracks_table(numbers)})
     tables.push_back(std::move(table));
+  for (CsvTable& table : joint_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
   if (analysis.frozen) tables.push_back(deviations_table(*analysis.frozen));
   return tables;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/scores/level_words.h"
+#include "analysis/thresholds/threshold_rules.h"
 
 namespace seamline::analysis {
 
@@ -157,6 +158,35 @@ void add_artifacts(std::vector<Field>& fields, const LevelNames& names, bool con
   add_artifact_checks(fields, names, artifact);
 }
 
+void add_joint(std::vector<Field>& fields, const LevelNames& names) {
+  fields.push_back({"headline", "word",
+                    "joint: thresholds of record are under artifacts[].joint; paper_way: there is none"});
+  fields.push_back({"joint.verdict", "word", "estimated, or why the joint model has no numbers"});
+  fields.push_back({"joint.explanation", "text", "the same as a sentence; null when it has numbers"});
+  fields.push_back({"joint.participants", "count", "participants it was fitted to"});
+  fields.push_back({"joint.answers", "count", "answers it was fitted to"});
+  fields.push_back({"joint.log_likelihood", "", "at its maximum"});
+  fields.push_back(
+      {"joint.people_sd", length_unit(names.of), "how participants' thresholds differ, standard deviation"});
+  fields.push_back(
+      {"joint.people_by_curve_sd", length_unit(names.of), "and from curve to curve beside that"});
+  fields.push_back(
+      {"joint.choices_p", "0 to 1", "of right and wrong choices, parametric bootstrap; null: not tested"});
+  fields.push_back({"joint.ratings_p", "0 to 1", "of ratings of right choices, the same"});
+  fields.push_back({"joint.replicates", "count", "simulated data sets behind both"});
+  for (const ThresholdRule& rule : threshold_rules) {
+    const std::string path = std::string("artifacts[].joint.") + rule.key + names.suffix;
+    add_estimate(fields, path, names.unit, std::string(rule.name) + ", where " + rule.meaning);
+    fields.push_back({path + ".ci95_text", "text", "the interval in words"});
+    fields.push_back({path + ".simultaneous_ci95[]", names.unit,
+                      "holds together with those of all curves; null when open"});
+    fields.push_back(
+        {path + ".beyond_levels", "true or false", "whether the estimate is outside the levels tested"});
+    fields.push_back(
+        {path + ".differs", "text", "why the paper's way lies outside the interval; null when it does not"});
+  }
+}
+
 void add_screening(std::vector<Field>& fields, const LevelNames& names) {
   for (const char* screen : {"attention", "kurtosis", "correlation"}) {
     const std::string path = std::string("screening.") + screen;
@@ -219,6 +249,7 @@ std::vector<Field> thresholds_fields(const LevelNames& names, bool conditions) {
   fields.push_back({"bootstrap.replicates", "count", "bootstrap samples of participants"});
   fields.push_back({"bootstrap.seed", "count", "their seed"});
   fields.push_back({"intervals", "text", "how intervals were computed"});
+  add_joint(fields, names);
   add_artifacts(fields, names, conditions);
   fields.push_back({"guessing.position_probability[]", "probability", "a guess falls left, middle, right"});
   fields.push_back({"guessing.position_estimated", "true or false", "false: equal positions are assumed"});

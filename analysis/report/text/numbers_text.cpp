@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
@@ -36,13 +37,13 @@ std::string choices_text(const ReportNumbers& numbers) {
   return (lines.size() > 1 ? aligned(lines) : "") + missing;
 }
 
-std::string comparisons_text(const ReportNumbers& numbers) {
-  if (!numbers.comparisons) return numbers.comparisons_missing + "\n";
-  std::string text = "Comparisons (ordinal mixed model, adjusted p):\n";
-  for (const std::string& note : numbers.comparisons->notes) text += "  " + note + "\n";
-  for (const ContrastTable& contrasts : numbers.comparisons->contrasts)
-    for (const ContrastRow& row : contrasts.rows) text += "  " + row.conclusion + "\n";
-  return text;
+std::string comparisons_text(const Analysis& analysis, const ReportNumbers& numbers) {
+  if (!analysis.joint) return numbers.comparisons_missing + "\n";
+  std::string text = "Comparisons (joint model, adjusted p):\n";
+  for (const std::string& sentence : joint_conclusions(analysis, numbers)) text += "  " + sentence + "\n";
+  text += "\n";
+  for (const std::string& sentence : joint_check_sentences(analysis)) text += sentence + "\n";
+  return text + trend_sentence(numbers.order) + "\n";
 }
 
 std::string times_text(const ReportNumbers& numbers) {
@@ -58,10 +59,10 @@ std::string times_text(const ReportNumbers& numbers) {
 
 }  // namespace
 
-std::string numbers_text(const ReportNumbers& numbers) {
+std::string numbers_text(const Analysis& analysis, const ReportNumbers& numbers) {
   std::string text = choices_text(numbers);
   if (!numbers.tracks.empty()) text += "\n" + study::tracks_text(numbers.tracks);
-  return text + "\n" + comparisons_text(numbers) + "\n" + times_text(numbers);
+  return text + "\n" + comparisons_text(analysis, numbers) + "\n" + times_text(numbers);
 }
 
 }  // namespace seamline::analysis

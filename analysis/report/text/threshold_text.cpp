@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "analysis/log_analysis/headline_rows.h"
 #include "analysis/thresholds/paper_values.h"
 
 namespace seamline::analysis {
@@ -63,23 +64,61 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   return text;
 }
 
-std::string table_text(const Analysis& analysis) {
-  const bool simulated = !analysis.planted.empty(), paper = beside_the_paper(analysis);
-  const LevelAxis& axis = analysis.data.axis;
-  const std::string of_width = of_depth_widths(axis) ? " (W)" : "";
+namespace {
+
+/// Titles of columns, and cells of a line each.
+std::vector<std::vector<std::string>> headline_lines(const Analysis& analysis, bool simulated, bool paper) {
+  const std::string of_width = of_depth_widths(analysis.data.axis) ? " (W)" : "";
+  std::vector<std::vector<std::string>> lines = {
+      {"artifact", "", "joint model", "95 % interval" + of_width, "paper's way"}};
+  if (paper) lines.front().push_back("paper" + of_width);
+  if (simulated) lines.front().push_back("planted" + of_width);
+  const HeadlineRow* last = nullptr;
+  const std::vector<HeadlineRow> rows = headline_rows(analysis);
+  for (const HeadlineRow& row : rows) {
+    const bool first = last == nullptr || last->artifact != row.artifact || last->condition != row.condition;
+    lines.push_back({first ? artifact_title(row.artifact, row.condition) : "", row.rule->name,
+                     size_text(row.here, row.tested.axis, "x"),
+                     row.here.level_x ? interval_text(row.here.ci95, row.tested) : "",
+                     row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
+                                                             : row.paper_way->reason)
+                                   : ""});
+    if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
+    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, row.tested.axis) : "");
+    last = &row;
+  }
+  return lines;
+}
+
+std::vector<std::vector<std::string>> paper_way_lines(const Analysis& analysis, bool simulated, bool paper) {
+  const std::string of_width = of_depth_widths(analysis.data.axis) ? " (W)" : "";
   std::vector<std::vector<std::string>> lines = {{"artifact", "", "here", "95 % interval" + of_width}};
   if (paper) lines.front().push_back("paper" + of_width);
   if (simulated) lines.front().push_back("planted" + of_width);
   for (const ThresholdRow& row : threshold_rows(analysis)) {
     lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "", row.quantity,
-                     size_text(row.here, axis, "x"), interval_text(row.here.ci95, row.tested)});
+                     size_text(row.here, analysis.data.axis, "x"), interval_text(row.here.ci95, row.tested)});
     if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
-    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, axis) : "");
+    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, analysis.data.axis) : "");
   }
+  return lines;
+}
+
+}  // namespace
+
+std::string table_text(const Analysis& analysis) {
+  const bool simulated = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const LevelAxis& axis = analysis.data.axis;
   std::string text =
       (of_depth_widths(axis) ? std::string("Depth map width W x height in px") : axis_title(axis)) + "; " +
-      source_text(analysis) + "\n" + aligned(lines);
+      source_text(analysis) + "\n" +
+      aligned(analysis.joint ? headline_lines(analysis, simulated, paper)
+                             : paper_way_lines(analysis, simulated, paper));
   text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point.";
+  if (analysis.joint)
+    text +=
+        " Corrected: of what is seen, without lucky guesses. Detection: half is seen.\nPaper's way: straight "
+        "lines between the tested levels, and the centre of a logistic.";
   text += paper ? " -: the paper gives no value.\n" : "\n";
   if (simulated)
     text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";

@@ -1,0 +1,154 @@
+#include "analysis/report/figures/joint_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr int band_points = 60;
+
+bool has_numbers(const Analysis& analysis) {
+  return analysis.joint && analysis.joint->fit.estimated();
+}
+
+/// Whether a curve of a fit with numbers has its own.
+bool has_curve(const JointAnalysis& joint, std::size_t curve) {
+  return joint.fit.curves[curve] == CurveVerdict::estimated;
+}
+
+std::string model_block(const JointAnalysis& joint, std::size_t index) {
+  std::string block = fmt::format("$model{} << EOD\n", index);
+  const std::vector<double> levels = levels_of_curve(joint.data, static_cast<int>(index));
+  if (has_curve(joint, index) && levels.size() > 1) {
+    const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
+    for (int i = 0; i <= band_points; ++i) {
+      const double x = *low + (*high - *low) * i / band_points;
+      const MeanBand counted =
+          mean_band(joint.fit, joint.left_out, static_cast<int>(index), JointMean::as_counted, x);
+      const MeanBand seen = mean_band(joint.fit, joint.left_out, static_cast<int>(index), JointMean::seen, x);
+      block += fmt::format("{:.8g} {:.6g} {:.6g} {:.6g} {:.6g}\n", level_at(joint.axis, x), counted.mean,
+                           counted.low, counted.high, seen.mean);
+    }
+  }
+  return block + "EOD\n";
+}
+
+std::string points_block(const ArtifactScores& scores, const LevelsDrawn& drawn, std::size_t index) {
+  std::string block = fmt::format("$points{} << EOD\n", index);
+  for (const CellMean& cell : scores.cells)
+    block += fmt::format("{:.6g} {:.6g} {:.6g}\n", place_of(drawn, cell.level), cell.mean,
+                         std::isnan(cell.sem) ? 0.0 : cell.sem);
+  return block + "EOD\n";
+}
+
+std::string curve_plots(const Analysis& analysis, const LevelsDrawn& drawn, std::size_t index) {
+  const JointAnalysis& joint = *analysis.joint;
+  const PlotStyle style = plot_style(index);
+  std::string plots = threshold_lines();
+  if (has_curve(joint, index))
+    plots += fmt::format(
+        ", \\\n     $model{0} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{1}' "
+        "notitle"
+        ", \\\n     $model{0} using 1:2 with lines lc rgb '{1}' lw 1.4 title 'model'"
+        ", \\\n     $model{0} using 1:5 with lines lc rgb '{1}' lw 1.2 dt (6,4) title 'seen'",
+        index, style.colour);
+  plots += fmt::format(
+      ", \\\n     $points{0} using 1:($2-$3):(0):(2*$3) with vectors nohead lc rgb '{1}' lw 1.2 notitle"
+      ", \\\n     $points{0} using 1:2 with points lc rgb '{1}' pt {2} ps 0.5 title 'answers'\n",
+      index, style.colour, style.point);
+  return model_block(joint, index) + points_block(analysis.data.artifacts[index], drawn, index) + plots;
+}
+
+/// Rows `level observed expected` of one score.
+std::string score_block(const JointAnalysis& joint, const LevelsDrawn& drawn, std::size_t index, int score) {
+  std::map<double, double> answers;
+  for (const ScoreCell& cell : joint.goodness->cells)
+    if (cell.curve == static_cast<int>(index)) answers[cell.x] += cell.observed;
+  std::string block = fmt::format("$score{}x{} << EOD\n", index, score);
+  for (const ScoreCell& cell : joint.goodness->cells) {
+    if (cell.curve != static_cast<int>(index) || cell.score != score || !(answers[cell.x] > 0)) continue;
+    const double level = std::isfinite(cell.x) ? level_at(joint.axis, cell.x) : 0;
+    block += gap_before(drawn, level) + fmt::format("{:.6g} {:.6g} {:.6g}\n", place_of(drawn, level),
+                                                    cell.observed / answers[cell.x],
+                                                    cell.expected / answers[cell.x]);
+  }
+  return block + "EOD\n";
+}
+
+std::string score_plots(const JointAnalysis& joint, const LevelsDrawn& drawn, std::size_t index) {
+  constexpr std::array<const char*, 5> names = {"0", "1", "2", "3", "4"};
+  std::string blocks, plots;
+  for (int score = 0; score <= joint.data.ratings; ++score) {
+    const PlotStyle style = plot_style(static_cast<std::size_t>(score));
+    blocks += score_block(joint, drawn, index, score);
+    plots += fmt::format(
+        "{0}$score{1}x{2} using 1:3 with lines lc rgb '{3}' lw 1.4 notitle, \\\n"
+        "     $score{1}x{2} using 1:2 with points lc rgb '{3}' pt {4} ps 0.5 {5}",
+        plots.empty() ? "plot " : ", \\\n     ", index, score, style.colour, style.point,
+        index == 0 ? fmt::format("title '{}'", names[static_cast<std::size_t>(score)]) : "notitle");
+  }
+  return blocks + plots + "\n";
+}
+
+}  // namespace
+
+std::optional<Figure> joint_curves_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  if (!has_numbers(analysis)) return std::nullopt;
+  Figure figure{
+      .name = "joint_curves",
+      .title = "Noticeability by the joint model",
+      .caption = fmt::format(
+          "Mean noticeability over objects against {}: answers (points; bars: one standard error over "
+          "participants) and the joint model (line, with a pointwise 95 % band over participants). Dashed: "
+          "of what is seen, without lucky guesses. Dotted: 0.5 (PT) and 1.0 (SN). Data: {}",
+          level_words(analysis.data.axis).quantity, source_sentence(analysis)),
+      .svg = folder / "joint_curves.svg"};
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), keyed_panel_px);
+  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
+  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
+    const ArtifactScores& scores = analysis.data.artifacts[i];
+    script += panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition),
+                          "mean noticeability") +
+              curve_plots(analysis, drawn, i);
+  }
+  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  return figure;
+}
+
+std::optional<Figure> joint_scores_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  if (!has_numbers(analysis) || !analysis.joint->goodness) return std::nullopt;
+  Figure figure{
+      .name = "joint_scores",
+      .title = "Scores observed and expected",
+      .caption = fmt::format(
+          "Share of each score against {}: observed (points) and expected by the joint model (lines). "
+          "0: the wrong object was chosen; 1 to 4: right with this rating. Data: {}.",
+          level_words(analysis.data.axis).quantity, source_text(analysis)),
+      .svg = folder / "joint_scores.svg"};
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), 165);
+  std::string script = level_axis_script(drawn) +
+                       "set ytics 0, 0.2, 1\nset yrange [0:1.3]\nset key maxrows 2 top right\n" +
+                       multiplot(analysis);
+  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
+    const ArtifactScores& scores = analysis.data.artifacts[i];
+    script += panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition),
+                          "share of answers") +
+              score_plots(*analysis.joint, drawn, i);
+  }
+  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  return figure;
+}
+
+}  // namespace seamline::analysis

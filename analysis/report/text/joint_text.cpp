@@ -1,0 +1,72 @@
+#include "analysis/report/text/joint_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seamline::analysis {
+
+namespace {
+
+constexpr double small_p = 0.05;
+
+std::string goodness_sentence(const char* what, double g2, double p, int replicates) {
+  if (replicates == 0)
+    return fmt::format("Whether the joint model describes {} was not tested (G2 = {:.1f}).", what, g2);
+  return fmt::format("The joint model {} {} (G2 = {:.1f}, {} among {} simulated data sets).",
+                     p < small_p ? "does not describe" : "is not shown to fail on", what, g2, p_text(p),
+                     replicates);
+}
+
+}  // namespace
+
+std::string as_sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
+  std::vector<std::string> sentences;
+  if (!analysis.joint || !analysis.joint->fit.estimated()) return sentences;
+  const JointAnalysis& joint = *analysis.joint;
+  if (joint.goodness) {
+    const JointGoodness& goodness = *joint.goodness;
+    sentences.push_back(goodness_sentence("right and wrong choices", goodness.choices_g2, goodness.choices_p,
+                                          goodness.replicates));
+    if (joint.data.ratings > 1)
+      sentences.push_back(goodness_sentence("the ratings of right choices", goodness.ratings_g2,
+                                            goodness.ratings_p, goodness.replicates));
+  }
+  std::string own;
+  for (const SharingTest& test : joint.sharing)
+    if (std::isfinite(test.p) && test.p < small_p)
+      own += fmt::format("{}{} ({})", own.empty() ? "" : ", ", test.shared, p_text(test.p));
+  if (!joint.sharing.empty())
+    sentences.push_back(
+        own.empty() ? "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own."
+                    : "Curves want their own: " + own +
+                          ". Thresholds rest on the shared ones; read the paper's way beside them.");
+  sentences.push_back(
+      fmt::format("Participants' thresholds differ with a standard deviation of {:.2f} {}, and beside that "
+                  "from curve to curve "
+                  "with one of {:.2f}.",
+                  std::abs(difference_at(joint.axis, joint.people.shift_sd)), length_unit(joint.axis),
+                  std::abs(difference_at(joint.axis, joint.people.curve_sd))));
+  return sentences;
+}
+
+std::vector<std::string> joint_conclusions(const Analysis& analysis, const ReportNumbers& numbers) {
+  std::vector<std::string> sentences;
+  if (!analysis.joint) return sentences;
+  sentences = analysis.joint->contrasts.notes;
+  for (const ContrastTable& contrasts : analysis.joint->contrasts.tables)
+    for (const ContrastRow& row : contrasts.rows) sentences.push_back(as_sentence(row.conclusion));
+  for (const GroupComparison& groups : numbers.groups) {
+    if (!groups.verdict.empty()) sentences.push_back(groups.field + ": " + groups.verdict);
+    for (const ContrastRow& row : groups.shifts.rows) sentences.push_back(as_sentence(row.conclusion));
+    sentences.insert(sentences.end(), groups.notes.begin(), groups.notes.end());
+  }
+  return sentences;
+}
+
+}  // namespace seamline::analysis
