@@ -11,11 +11,12 @@ namespace seamline::analysis {
 namespace {
 
 constexpr int most_climb_iterations = 100;
-constexpr std::array<double, 3> scale_factors = {0.5, 1, 2.5};  ///< of the penalty's scale
-constexpr std::array<double, 2> first_cuts = {-1, 1.5};         ///< t_2
-/// Thresholds tried, as shares of the range of levels, from a third below it to a third above.
+constexpr std::array<double, 4> scale_factors = {0.5, 1, 2.5, 8};  ///< of the penalty's scale
+constexpr std::array<double, 2> first_cuts = {-1, 1.5};            ///< t_2
+/// Thresholds tried, from a third of the range of levels below it to a third above, or two scales from its
+/// middle: a wide curve may have its threshold far outside.
 constexpr int thresholds_tried = 21;
-constexpr double beyond_range = 1.0 / 3;
+constexpr double beyond_range = 1.0 / 3, beyond_scales = 2;
 constexpr double smoothed_guess = 0.5;
 
 /// Ratings of wrong answers and references, which are guesses, as the guess ratings to begin with.
@@ -48,10 +49,10 @@ void place_thresholds(const JointModel& model, const JointCounts& counts, Eigen:
     std::size_t end = first;
     while (end < model.cells.size() && model.cells[end].curve == curve) ++end;
     JointCurve at = curve_at(model, theta, curve);
+    const double reach = std::max((0.5 + beyond_range) * model.range_x, beyond_scales * at.s);
     double best = -infinity;
     for (int i = 0; i < thresholds_tried; ++i) {
-      const double share = -beyond_range + (1 + 2 * beyond_range) * i / (thresholds_tried - 1);
-      at.m = model.centre_x + (share - 0.5) * model.range_x;
+      at.m = model.centre_x + reach * (2.0 * i / (thresholds_tried - 1) - 1);
       double value = 0;
       for (std::size_t cell = first; cell < end; ++cell)
         value += cell_log_likelihood(model, counts, at, cell);
