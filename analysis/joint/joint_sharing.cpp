@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <functional>
-#include <utility>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "analysis/joint/joint_jets.h"
+#include "analysis/joint/joint_thresholds.h"
 #include "analysis/statistics/distributions.h"
 #include "support/text/numbers.h"
 
@@ -92,10 +95,64 @@ SharingTest test_block(const std::string& name, const JointFit& fit, const Joint
   return test;
 }
 
+/// Derivative of P(R >= k | seen) by the logarithm of its own spread, k from 2.
+double by_own_spread(const JointCurve& curve, double x, int k) {
+  const double u = ((curve.m - x) / curve.s - curve.t[static_cast<std::size_t>(k) - 2]) / curve.rho;
+  return -u * std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+/// Scores of every outcome by log rho_k of k = 3..K, which are 0 but for right answers rated k - 1 and k.
+Eigen::MatrixXd spread_scores(const JointFit& fit, const Eigen::MatrixXd& probability) {
+  const int ratings = fit.model.ratings;
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(ratings - 2, probability.size());
+  for (std::size_t c = 0; c < fit.model.cells.size(); ++c) {
+    const JointCell& cell = fit.model.cells[c];
+    if (!std::isfinite(cell.x)) continue;
+    const JointCurve curve = curve_at(fit.model, fit.theta, cell.curve);
+    const double seen = seen_at(fit, cell.curve, cell.x);
+    for (int k = 3; k <= ratings; ++k) {
+      const double moved = seen * by_own_spread(curve, cell.x, k);
+      const Eigen::Index at = static_cast<Eigen::Index>(c) * 2 * ratings + k - 1;
+      scores(k - 3, at) += moved / std::max(least_probability, probability(at));
+      scores(k - 3, at - 1) -= moved / std::max(least_probability, probability(at - 1));
+    }
+  }
+  return scores;
+}
+
+/// Whether every rating's curve is as steep as the others' (proportional odds, here parallel normal curves).
+SharingTest test_parallel_ratings(const JointFit& fit, const JointData& data) {
+  const int ratings = fit.model.ratings;
+  SharingTest test{
+      .shared = "spread of every rating", .parameters = ratings - 2, .statistic = nan, .p = nan, .note = {}};
+  if (fit.people <= test.parameters) {
+    test.note = fmt::format("needs more than {} people", test.parameters);
+    return test;
+  }
+  const Eigen::Index width = data.cell_counts();
+  const Eigen::VectorXd counts = all_counts(data).cells;
+  Eigen::VectorXd probability(counts.size()), expected(counts.size());
+  for (std::size_t c = 0; c < data.cells.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(c) * width;
+    probability.segment(first, width) = outcome_probabilities(
+        curve_at(fit.model, fit.theta, data.cells[c].curve), data.cells[c].x, data.cells[c].chance);
+    expected.segment(first, width) = counts.segment(first, width).sum() * probability.segment(first, width);
+  }
+  const Eigen::MatrixXd own = spread_scores(fit, probability), shared = outcome_scores(fit.model, fit.theta);
+  // Expected information; what the shared coordinates explain of the scores is taken out.
+  const Eigen::MatrixXd information = shared * expected.asDiagonal() * shared.transpose();
+  const Eigen::MatrixXd mixed = shared * expected.asDiagonal() * own.transpose();
+  const Eigen::MatrixXd penalty = -joint_penalty(fit.model, fit.theta).hessian;
+  const Eigen::MatrixXd explained = (information + penalty).ldlt().solve(mixed);
+  write_hotelling(data.answers * (own - explained.transpose() * shared).transpose(), test);
+  return test;
+}
+
 }  // namespace
 
 std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data) {
   std::vector<SharingTest> tests;
+  if (fit.model.ratings > 2) tests.push_back(test_parallel_ratings(fit, data));
   if (fit.model.curves < 2) return tests;
   const auto add = [&](const char* name, bool JointSharing::*block) {
     if (!(fit.model.sharing.*block)) return;

@@ -204,9 +204,10 @@ TEST(JointSharing, IsRefusedWhereScalesDiffer) {
   people.people = 40;
   const Fitted same = fitted({.people_sd = 0.4, .people = 40}, 13);
   const std::vector<SharingTest> tests = test_sharing(same.fit, same.data);
-  ASSERT_EQ(tests.size(), 4U);
-  EXPECT_EQ(tests[0].parameters, 3);
-  EXPECT_EQ(tests[1].parameters, 12);
+  ASSERT_EQ(tests.size(), 5U);
+  EXPECT_EQ(tests[0].parameters, 2);
+  EXPECT_EQ(tests[1].parameters, 3);
+  EXPECT_EQ(tests[2].parameters, 12);
   for (const SharingTest& one : tests) EXPECT_GT(one.p, 0.001) << one.shared;
   // Two curves steep, two flat.
   JointData mixed = test::draw_answers(people, 14);
@@ -214,7 +215,20 @@ TEST(JointSharing, IsRefusedWhereScalesDiffer) {
   const JointData steep = test::draw_answers(people, 15);
   const Eigen::Index half = mixed.answers.cols() / 2;
   mixed.answers.leftCols(half) = steep.answers.leftCols(half);
-  EXPECT_LT(test_sharing(fit_joint(mixed), mixed)[0].p, 0.001);
+  EXPECT_LT(test_sharing(fit_joint(mixed), mixed)[1].p, 0.001);
+}
+
+TEST(JointSharing, SeesARatingThatDoesNotDependOnTheLevel) {
+  JointData data = test::draw_answers({.people_sd = 0.4, .people = 40}, 16);
+  EXPECT_GT(test_sharing(fit_joint(data), data)[0].p, 0.001);
+  // Half of all right answers are rated 4 at every level: the curve of 4 is flatter than that of 2.
+  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(data.cells.size()); ++c) {
+    const Eigen::Index first = c * data.cell_counts();
+    const Eigen::MatrixXd lower = data.answers.middleCols(first, 3) / 2;
+    data.answers.middleCols(first, 3) -= lower;
+    data.answers.col(first + 3) += lower.rowwise().sum();
+  }
+  EXPECT_LT(test_sharing(fit_joint(data), data)[0].p, 0.01);
 }
 
 }  // namespace
