@@ -10,7 +10,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int width_px = 512, height_px = width_px / 2;
+constexpr int hidden_sky_px = 512;
 
 /// Radiance times weight, and weight, of the texels of one level of the pyramid.
 struct SkyLevel {
@@ -46,6 +46,7 @@ SkyLevel halved(const SkyLevel& fine) {
 
 std::shared_ptr<const DirectionMap<Rgb>> fill_hidden_sky(const Geometry& local,
                                                          const EnvironmentMap& panorama, int threads) {
+  constexpr int width_px = hidden_sky_px, height_px = width_px / 2;
   DirectionMap<Rgb> hidden{
       .width_px = width_px, .height_px = height_px, .texels = {}, .known = {}, .elsewhere = Rgb::Zero()};
   hidden.texels.assign(static_cast<std::size_t>(width_px) * height_px, Rgb::Zero());

@@ -12,23 +12,23 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int width_px = 256, samples_a_texel = 64;
+constexpr int albedo_map_px = 256, samples_of_albedo = 64;
 constexpr std::uint64_t received_seed = 0x5e47;
 constexpr float least_albedo = 0.01F;
 constexpr float noise_of_albedo = 0.1F;  ///< relative; what is implied above 1 by no more is noise
 
-Eigen::Vector3f direction_at(double column, double row, int width, int height) {
+Eigen::Vector3f map_direction(double column, double row, int width, int height) {
   return panorama_direction(column, row, width, height).cast<float>();
 }
 
 /// The implied albedo in one texel; none where the depth map is a hole or no light arrives.
 std::optional<Rgb> implied_albedo(const Geometry& local, const Light& light, int column, int row) {
   Rgb sent = Rgb::Zero(), received = Rgb::Zero();  // both as radiance: received at albedo 1
-  for (int sample = 0; sample < samples_a_texel; ++sample) {
+  for (int sample = 0; sample < samples_of_albedo; ++sample) {
     const Sampler sampler(received_seed, column, row, sample);
     const Eigen::Array2f within = sampler.point(dimension::pixel);
     const Eigen::Vector3f direction =
-        direction_at(column + double{within[0]}, row + double{within[1]}, width_px, width_px / 2);
+        map_direction(column + double{within[0]}, row + double{within[1]}, albedo_map_px, albedo_map_px / 2);
     std::optional<SurfacePoint> point = local.nearest({Eigen::Vector3f::Zero(), direction});
     if (!point) continue;
     point->albedo = Rgb::Ones();
@@ -51,7 +51,7 @@ std::shared_ptr<const EnvironmentMap> dimmed(const EnvironmentMap& panorama, con
   Image out(panorama.width_px(), panorama.height_px(), 3);
   parallel_for(out.height_px, threads, [&](int row) {
     for (int column = 0; column < out.width_px; ++column) {
-      const Eigen::Vector3f direction = direction_at(column + 0.5, row + 0.5, out.width_px, out.height_px);
+      const Eigen::Vector3f direction = map_direction(column + 0.5, row + 0.5, out.width_px, out.height_px);
       const Rgb albedo = implied.at(direction), radiance = panorama.texel(column, row);
       const bool is_dimmed = (albedo > 1.0F + noise_of_albedo).any() && !is_source(radiance, albedo, white) &&
                              local.occluded({Eigen::Vector3f::Zero(), direction});
@@ -66,7 +66,7 @@ std::shared_ptr<const EnvironmentMap> dimmed(const EnvironmentMap& panorama, con
 SentLight follow_received_light(const std::shared_ptr<Geometry>& local, Light& light,
                                 const std::optional<float>& white, int threads) {
   light.photographed = local;
-  constexpr int height_px = width_px / 2;
+  constexpr int width_px = albedo_map_px, height_px = width_px / 2;
   AlbedoMap implied{.width_px = width_px,
                     .height_px = height_px,
                     .texels = {},
@@ -91,7 +91,7 @@ SentLight follow_received_light(const std::shared_ptr<Geometry>& local, Light& l
       known_sr += solid_angle_sr;
       const float most = implied.texels[i].maxCoeff();
       const Rgb shown =
-          light.environment->radiance(direction_at(column + 0.5, row + 0.5, width_px, height_px));
+          light.environment->radiance(map_direction(column + 0.5, row + 0.5, width_px, height_px));
       if (is_source(shown, implied.texels[i], white)) continue;
       if (most > 1.0F + noise_of_albedo) above_sr += solid_angle_sr;
       said.most_albedo = std::max(said.most_albedo, double{most});
