@@ -17,6 +17,8 @@ std::string place_text(const ThresholdRule& rule) {
 
 std::string method_text(IntervalMethod method) {
   switch (method) {
+    case IntervalMethod::jackknife_test:
+      return "a test with the jackknife's variance";
     case IntervalMethod::jackknife:
       return "the jackknife";
     case IntervalMethod::score_test:
@@ -44,7 +46,7 @@ std::string names_with(IntervalMethod method) {
 std::string intervals_in_short() {
   std::string text =
       fmt::format("{:g} % over participants: joint model by {}; paper's way:", 100 * confidence,
-                  method_text(IntervalMethod::jackknife));
+                  method_text(IntervalMethod::jackknife_test));
   for (const IntervalMethod method : {IntervalMethod::score_test, IntervalMethod::expanded_percentile})
     if (const std::string names = names_with(method); !names.empty())
       text += fmt::format("{} {} by {}", text.ends_with(':') ? "" : ",", names, method_text(method));

@@ -18,7 +18,8 @@ enum class Estimator {
   logistic   ///< four parameters, least squares through the means
 };
 enum class IntervalMethod {
-  jackknife,           ///< over participants, with Student's t
+  jackknife_test,      ///< levels not told from the one sought, with the jackknife's variance (`level_pivot`)
+  jackknife,           ///< estimate -+ t standard errors over participants
   score_test,          ///< inverted (`level_interval`, `logistic_level_interval`)
   expanded_percentile  ///< bootstrap over participants (`percentile_interval` at `expanded_levels`)
 };
@@ -36,17 +37,17 @@ struct ThresholdRule {
 /// The thresholds of record. Those corrected for guessing are of what is seen alone.
 inline constexpr std::array<ThresholdRule, 6> threshold_rules = {
     {{"PT", "perceptual_threshold", "mean noticeability, lucky guesses included, is 0.5", perceptual_level,
-      Estimator::joint, IntervalMethod::jackknife, nullptr},
+      Estimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"SN", "slightly_noticeable", "mean noticeability, lucky guesses included, is 1.0", slight_level,
-      Estimator::joint, IntervalMethod::jackknife, nullptr},
+      Estimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"PT corrected", "perceptual_threshold_corrected", "mean noticeability of what is seen is 0.5",
-      perceptual_level, Estimator::joint, IntervalMethod::jackknife, nullptr},
+      perceptual_level, Estimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"SN corrected", "slightly_noticeable_corrected", "mean noticeability of what is seen is 1.0",
-      slight_level, Estimator::joint, IntervalMethod::jackknife, nullptr},
+      slight_level, Estimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"IP", "inflection", "mean noticeability is steepest", std::nullopt, Estimator::joint,
       IntervalMethod::jackknife, nullptr},
      {"detection", "detection", "half of all insertions are seen", std::nullopt, Estimator::joint,
-      IntervalMethod::jackknife, nullptr}}};
+      IntervalMethod::jackknife_test, nullptr}}};
 
 /// The paper's own way, for those who replicate it: it stands beside the thresholds of record.
 inline constexpr std::array<ThresholdRule, 3> paper_rules = {

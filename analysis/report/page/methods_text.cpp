@@ -128,12 +128,12 @@ std::string joint_text(const Analysis& analysis, const LevelWords& words) {
       words.axis, shared.empty() ? "nothing" : shared, own, sought);
   if (!joint.fit.estimated()) return text + joint.fit.explanation;
   text += fmt::format(
-      "Intervals of {:g} % are over participants (leaving out each in turn, Student's t with {} degrees of "
-      "freedom); "
-      "beside each stands one that holds together with those of the same threshold of all curves. There is "
-      "an "
-      "estimate where its interval is closed, and none where the level lies in the guess floor.",
-      100 * confidence, joint.fit.people - 1);
+      "Intervals of {:g} % are over participants: they hold the {} at which the logarithm of mean noticeability above "
+      "the guess floor is not told from that of the level sought, with the variance of leaving out each participant in "
+      "turn (Student's t with {} degrees of freedom); for IP they are the estimate and as many standard errors. Beside "
+      "each stands one that holds together with those of the same threshold of all curves. There is an estimate where "
+      "its interval is closed, and none where the level lies in the guess floor.",
+      100 * confidence, words.levels, joint.fit.people - 1);
   for (const std::string& sentence : joint_check_sentences(analysis)) text += " " + sentence;
   return text;
 }
