@@ -284,13 +284,12 @@ PlantedValues planted_values(const ObserverDefinition& observer, const Noticeabi
   PlantedValues planted;
   for (const ArtifactScores& scores : data.artifacts) {
     const std::optional<double> midpoint = planted_midpoint(observer, scores.artifact, scores.condition);
-    const std::vector<double> level_x = levels_on_axis(scores);
-    if (!midpoint || level_x.empty()) continue;
-    std::vector<double> expected;
+    std::vector<double> levels;
     for (const double level : scores.level)
-      if (!stands_apart(scores.axis, level))
-        expected.push_back(planted_noticeability(observer, scores.axis, *midpoint, level));
-    planted[{scores.artifact, scores.condition}] = thresholds_of_means(level_x, expected, scores.axis);
+      if (!stands_apart(scores.axis, level)) levels.push_back(level);
+    if (!midpoint || levels.empty()) continue;
+    planted[{scores.artifact, scores.condition}] =
+        planted_thresholds(observer, scores.axis, *midpoint, levels);
   }
   return planted;
 }

@@ -17,6 +17,7 @@
 #include "analysis/thresholds/condition_differences.h"
 #include "analysis/thresholds/guess_correction.h"
 #include "analysis/thresholds/object_influence.h"
+#include "analysis/thresholds/planted_noticeability.h"
 #include "analysis/thresholds/thresholds.h"
 #include "stimuli/definition/study_definition.h"
 #include "study/log/log.h"
@@ -24,10 +25,9 @@
 
 namespace seamline::analysis {
 
-/// What the threshold observers of a log were made of, as the same functionals of their expected means at the
-/// tested widths (floor from guessing included). Not the values of Table 1 of the paper.
-/// By artifact and condition.
-using PlantedValues = std::map<std::pair<Artifact, std::string>, CurveThresholds>;
+/// Where the expected means of a log's `threshold` observers truly cross (floor from guessing included), by
+/// artifact and condition. Not the values of Table 1 of the paper.
+using PlantedValues = std::map<std::pair<Artifact, std::string>, PlantedThresholds>;
 
 /// What may be asked of an analysis besides.
 struct AnalysisOptions {
@@ -86,7 +86,7 @@ void compare_with_archive(Analysis& analysis, const Archive& archive);
 /// `source_text` and `answered_text` as sentences, for captions of curves.
 [[nodiscard]] std::string source_sentence(const Analysis& analysis);
 
-/// The planted values of `threshold` observers at the levels in `data`.
+/// The planted values of `threshold` observers on the curves of `data`.
 [[nodiscard]] PlantedValues planted_values(const ObserverDefinition& observer, const NoticeabilityData& data);
 
 /// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.

@@ -69,7 +69,8 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
     if (const ThresholdRow* beside = row_of(paper_way, row.artifact, row.condition, rule.name)) {
       row.paper_way = beside->here;
       row.paper_px = beside->paper_px;
-      row.planted = beside->planted;
+      if (beside->planted_x)
+        row.planted = ThresholdEstimate{.level_x = beside->planted_x, .reason = {}, .ci95 = {}};
     }
     row.differs = why_different(row, scores);
     rows.push_back(std::move(row));

@@ -26,7 +26,7 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
   const std::optional<PaperThresholds> paper =
       beside_the_paper(analysis) ? paper_thresholds(thresholds.artifact) : std::nullopt;
   const auto found = planted.find({thresholds.artifact, thresholds.condition});
-  const CurveThresholds* known = found == planted.end() ? nullptr : &found->second;
+  const PlantedThresholds* known = found == planted.end() ? nullptr : &found->second;
   const auto row = [&](const char* quantity, const char* key, const ThresholdEstimate& here) {
     return ThresholdRow{.artifact = thresholds.artifact,
                         .condition = thresholds.condition,
@@ -37,7 +37,8 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
                         .here = here,
                         .bootstrap = {},
                         .paper_px = {},
-                        .planted = {},
+                        .planted_x = {},
+                        .limit = {},
                         .logistic = {},
                         .object_range = {},
                         .corrected = {},
@@ -66,9 +67,12 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
     ip.paper_px = paper->inflection_px;
   }
   if (known != nullptr) {
-    pt.planted = known->perceptual;
-    sn.planted = known->slightly_noticeable;
-    ip.planted = known->inflection;
+    pt.planted_x = known->perceptual_x;
+    sn.planted_x = known->slightly_noticeable_x;
+    ip.planted_x = known->inflection_x;
+    pt.limit = known->limit.perceptual;
+    sn.limit = known->limit.slightly_noticeable;
+    ip.limit = known->limit.inflection;
   }
   rows.insert(rows.end(), {pt, sn, ip});
 }
@@ -99,6 +103,15 @@ bool beside_the_paper(const Analysis& analysis) {
 
 std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis) {
   return estimate.level_x ? std::optional(level_at(axis, *estimate.level_x)) : std::nullopt;
+}
+
+std::optional<double> planted_level(const ThresholdRow& row) {
+  return row.planted_x ? std::optional(level_at(row.tested.axis, *row.planted_x)) : std::nullopt;
+}
+
+std::optional<double> design_bias_x(const ThresholdRow& row) {
+  if (!row.planted_x || !row.limit || !row.limit->level_x) return std::nullopt;
+  return *row.limit->level_x - *row.planted_x;
 }
 
 std::optional<double> closed(double bound) {

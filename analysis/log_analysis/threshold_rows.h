@@ -26,7 +26,9 @@ struct ThresholdRow {
   ThresholdEstimate here;
   std::optional<LevelInterval> bootstrap;  ///< PT and SN: the expanded percentile interval, for comparison
   std::optional<int> paper_px;
-  std::optional<ThresholdEstimate> planted;  ///< present when all participants are `threshold` observers
+  std::optional<double>
+      planted_x;  ///< true crossing; present when all participants are `threshold` observers
+  std::optional<ThresholdEstimate> limit;  ///< PlantedThresholds::limit, likewise
   std::optional<ThresholdEstimate>
       logistic;  ///< PT and SN: read off the logistic instead of the isotonic fit
   std::optional<LevelInterval> object_range;  ///< range when each object is left out; none with one object
@@ -39,6 +41,12 @@ struct ThresholdRow {
 
 /// The estimated level; none where there is none.
 [[nodiscard]] std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis);
+
+/// The planted level; none where nothing is planted.
+[[nodiscard]] std::optional<double> planted_level(const ThresholdRow& row);
+
+/// The limit of a row's estimate less what was planted, in x; none where either is not known.
+[[nodiscard]] std::optional<double> design_bias_x(const ThresholdRow& row);
 
 /// A bound; none when it is open.
 [[nodiscard]] std::optional<double> closed(double bound);

@@ -57,11 +57,13 @@ TEST(ThresholdsJson, HasTheFieldsOfTheContract) {
   }
 }
 
-TEST(PlantedValues, AreTheFunctionalsOfTheExpectedMeans) {
+TEST(PlantedValues, AreTrueCrossingsWithTheFunctionalsOfTheExpectedMeansBeside) {
   const Analysis analysis = analysed_without_the_second(test::simulate_log(8, 1));
   const PlantedValues planted = planted_values({}, analysis.data);
   const CurveThresholds expected = test::planted_thresholds({}, Artifact::overlap);
-  EXPECT_DOUBLE_EQ(*planted.at({Artifact::overlap, ""}).perceptual.level_x, *expected.perceptual.level_x);
+  const PlantedThresholds& overlap = planted.at({Artifact::overlap, ""});
+  EXPECT_DOUBLE_EQ(*overlap.limit.perceptual.level_x, *expected.perceptual.level_x);
+  EXPECT_NEAR(std::exp2(overlap.perceptual_x), 1979.5, 0.5);
   EXPECT_TRUE(analysis.planted.empty());  // the log has no study text
   EXPECT_THAT(analysis.notes, ::testing::Contains(HasSubstr("planted values are not known")));
 }

@@ -133,17 +133,19 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
   json["participants_at_fewest"] = thresholds.fewest;
   const LevelAxis& axis = analysis.data.axis;
   const std::string unit = unit_suffix(axis);
-  Json planted, paper, bootstrap;
+  Json planted, limit, paper, bootstrap;
   for (const ThresholdRow& row : rows) {
     if (row.artifact != thresholds.artifact || row.condition != thresholds.condition) continue;
     json[row.key + unit] = estimate_json(row.here, row, 1);
     if (of_depth_widths(axis)) json[row.key + "_texels_per_degree"] = estimate_json(row.here, row, 360);
     paper[row.key + "_px"] = row.paper_px ? Json(*row.paper_px) : Json(nullptr);
-    if (row.planted) planted[row.key + unit] = json_number(level_of(*row.planted, axis));
+    if (row.planted_x) planted[row.key + unit] = json_number(planted_level(row));
+    if (row.limit) limit[row.key + unit] = json_number(level_of(*row.limit, axis));
     if (row.bootstrap) bootstrap[row.key + unit] = json_interval(*row.bootstrap, axis);
   }
   if (analysis.joint) json["joint"] = headline_json(analysis, thresholds, headline_rows(analysis));
   json["planted"] = planted;
+  json["planted_limit"] = limit;
   if (beside_the_paper(analysis)) json["paper"] = paper;
   json["expanded_percentile_ci95"] = bootstrap;
   json["logistic"] = logistic_json(thresholds.estimates.logistic, axis);

@@ -17,6 +17,7 @@
 #include "analysis/report/page/psychometric_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
 #include "support/files/assets.h"
 #include "support/text/html.h"
@@ -82,9 +83,12 @@ std::string thresholds_section(const Analysis& analysis) {
   if (!analysis.joint) html += paper_way_legend(analysis);
   if (!analysis.planted.empty())
     html +=
-        "<p>Planted values are PT, SN and IP of the expected answers that the simulated observers were "
-        "given. They check the analysis; they are <strong>not</strong> Table 1’s values and say nothing "
-        "about people.</p>\n";
+        "<p>Planted values are where the simulated observers’ expected mean noticeability truly crosses 0.5 "
+        "(PT) "
+        "and 1 (SN), and falls most steeply (IP), between the tested levels too. They check the analysis; "
+        "they "
+        "are <strong>not</strong> Table 1’s values and say nothing about people. " +
+        html_escape(design_bias_text(analysis)) + "</p>\n";
   return html;
 }
 

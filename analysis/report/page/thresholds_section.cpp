@@ -18,8 +18,8 @@ namespace seamline::analysis {
 namespace {
 
 std::string planted_text(const ThresholdRow& row) {
-  if (!row.planted) return "";
-  return size_text(*row.planted, row.tested.axis);
+  if (!row.planted_x) return "";
+  return size_text({.level_x = row.planted_x, .reason = {}, .ci95 = {}}, row.tested.axis);
 }
 
 std::string texels_text(const ThresholdEstimate& estimate) {

@@ -149,7 +149,10 @@ void add_artifacts(std::vector<Field>& fields, const LevelNames& names, bool con
     add_estimate(fields, artifact + key + "_texels_per_degree", "1/degree", meaning);
     fields.push_back({artifact + key + "_texels_per_degree.ci95_text", "text", "the interval in words"});
   }
-  add_numbers(fields, names, artifact + "planted.", "", ": what simulated observers were made of");
+  add_numbers(fields, names, artifact + "planted.", "",
+              ": where simulated observers' expected mean truly crosses");
+  add_numbers(fields, names, artifact + "planted_limit.", "",
+              ": what the estimate approaches with ever more simulated observers");
   if (of_depth_widths(names.of) && !conditions)
     add_numbers(fields, names, artifact + "paper.", "", ": Table 1 of the paper; null where it has a dash");
   add_numbers(fields, names, artifact + "expanded_percentile_ci95.", "[]",

@@ -116,7 +116,10 @@ CsvTable thresholds_table(const Analysis& analysis) {
            {"reason", "text", "why there is no estimate"},
            {per_degree, "1/degree", "W / 360"},
            {"paper_px", "px", "published value (Table 1 of the paper); empty where it has a dash"},
-           {"planted" + suffix, unit, "what simulated observers were made of; not the paper's"},
+           {"planted" + suffix, unit,
+            "where simulated observers' expected mean truly crosses; not the paper's"},
+           {"planted_limit" + suffix, unit,
+            "what the estimate approaches with ever more of them; less planted: the design's bias"},
            source_column},
       .rows = {}};
   for (const ThresholdRow& row : threshold_rows(analysis)) {
@@ -127,7 +130,7 @@ CsvTable thresholds_table(const Analysis& analysis) {
                           interval_text(row.here.ci95, row.tested), row.here.reason,
                           estimate ? number(texels_per_degree(*estimate)) : CsvValue(std::monostate{}),
                           row.paper_px ? CsvValue(whole(*row.paper_px)) : CsvValue(std::monostate{}),
-                          number(row.planted, axis), source_text(analysis)});
+                          number(planted_level(row)), number(row.limit, axis), source_text(analysis)});
     conditions.push_back(row.condition);
   }
   if (!of_depth_widths(axis)) drop_column(table, per_degree);

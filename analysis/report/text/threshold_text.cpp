@@ -99,7 +99,9 @@ std::vector<std::vector<std::string>> paper_way_lines(const Analysis& analysis, 
     lines.push_back({row.quantity == "PT" ? artifact_title(row.artifact, row.condition) : "", row.quantity,
                      size_text(row.here, analysis.data.axis, "x"), interval_text(row.here.ci95, row.tested)});
     if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
-    if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, analysis.data.axis) : "");
+    if (simulated)
+      lines.back().push_back(row.planted_x ? estimated_text(analysis.data.axis, *planted_level(row))
+                                           : std::string());
   }
   return lines;
 }
@@ -121,8 +123,29 @@ std::string table_text(const Analysis& analysis) {
         "lines between the tested levels, and the centre of a logistic.";
   text += paper ? " -: the paper gives no value.\n" : "\n";
   if (simulated)
-    text += "Planted values are what the simulated observers were made of; they are not the paper's.\n";
+    text += "Planted: where the simulated observers' expected mean truly crosses; not the paper's values.\n" +
+            design_bias_text(analysis);
   return text;
+}
+
+std::string design_bias_text(const Analysis& analysis) {
+  constexpr double worth_saying_x = 0.1;
+  std::vector<std::string> biased;
+  const LevelAxis& axis = analysis.data.axis;
+  for (const ThresholdRow& row : threshold_rows(analysis)) {
+    const std::optional<double> bias_x = design_bias_x(row);
+    if (!bias_x || std::abs(*bias_x) < worth_saying_x) continue;
+    biased.push_back(fmt::format("{} of {}{} {} ({:+.2f} {})", row.quantity, word(row.artifact),
+                                 in_condition(row.condition),
+                                 estimated_text(axis, level_at(axis, *row.limit->level_x)),
+                                 difference_at(axis, *bias_x), length_unit(axis)));
+  }
+  if (biased.empty()) return "";
+  return fmt::format(
+      "Bias of the design: with ever more people, straight lines (and the logistic) through these {}s "
+      "approach "
+      "other values than the planted ones: {}.\n",
+      level_word(axis), fmt::join(biased, ", "));
 }
 
 }  // namespace seamline::analysis

@@ -29,4 +29,8 @@ namespace seamline::analysis {
 /// one.
 [[nodiscard]] std::string table_text(const Analysis& analysis);
 
+/// Which planted values straight lines between the levels tested miss however many people there are, by more
+/// than a tenth of an octave; a sentence with its line break, or nothing.
+[[nodiscard]] std::string design_bias_text(const Analysis& analysis);
+
 }  // namespace seamline::analysis
