@@ -27,7 +27,7 @@ using testing::Not;
 
 /// The bedroom alone at two widths.
 std::string small_study() {
-  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
+  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 2048]", "[64, 512]"}});
   text.erase(text.find("# Types 2 and 4"));
   return text;
 }

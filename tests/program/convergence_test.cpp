@@ -26,7 +26,7 @@ int lines(const std::string& text) {
 
 TEST(Convergence, WritesEveryPart) {
   const fs::path folder = test::fresh_folder("convergence");
-  const std::string from = "depth_width_px = [64, 256, 512, 1024, 4096]";
+  const std::string from = "depth_width_px = [64, 256, 512, 1024, 2048]";
   test::write_text(folder / "study.toml", test::quick_study_with({{from, "depth_width_px = [64, 128]"}}));
   const test::Outcome outcome =
       run_seamline(convergence(folder / "study.toml", folder / "out",

@@ -28,7 +28,7 @@ fs::path program_with_a_smaller_study(const fs::path& folder) {
   fs::copy_file(SEAMLINE_PROGRAM, folder / "seamline");
   test::write_cube(folder / "stimuli");
   test::write_text(folder / "stimuli" / "quick.toml",
-                   test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[32, 128, 512, 1024]"}}));
+                   test::small_study_with({{"[64, 256, 512, 1024, 2048]", "[32, 128, 512, 1024]"}}));
   return folder / "seamline";
 }
 

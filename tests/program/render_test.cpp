@@ -60,7 +60,7 @@ TEST(Render, SameBytesForOneAndTwoThreads) {
 
 /// The bedroom alone at two widths, with conditions or without.
 std::string bedroom_study(const std::string& conditions) {
-  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}});
+  std::string text = test::small_study_with({{"[64, 256, 512, 1024, 2048]", "[64, 512]"}});
   text.erase(text.find("# Types 2 and 4"));
   return text + conditions;
 }
@@ -99,7 +99,7 @@ TEST(Render, ALevelOfNoneIsTheFullMesh) {
       folder, test::small_study_with(
                   {{"mesh = \"adaptive\"\n", ""},
                    {"mesh_tolerance = 1e-4\n", ""},
-                   {"depth_width_px = [64, 256, 512, 1024, 4096]",
+                   {"depth_width_px = [64, 256, 512, 1024, 2048]",
                     "depth_width_px = 256\n[level]\nquantity = \"mesh_tolerance\"\nvalues = [0, 0.1]"}}));
   ASSERT_EQ(run_seamline(render(folder, "set", "--only 'bedroom*statue*'")).status, 0);
   const nlohmann::json manifest = nlohmann::json::parse(read_text(folder / "set/manifest.json"));
