@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "analysis/commands/plan_options.h"
 #include "analysis/foresight/plan_text.h"
 #include "analysis/preregistration/freeze.h"
 #include "support/files/atomic_file.h"
@@ -21,9 +22,7 @@ struct FreezeOptions {
   std::vector<std::string> sets;
   FrozenAnalysis analysis = {.thresholds = {}, .rules = {}, .by_hand = {}};
   std::optional<int> participants;
-  double wanted_octaves = 1;
-  int studies = 200;
-  int threads = 0;
+  PlanOptions plan;
 };
 
 std::vector<std::string> pieces_of(const std::string& text, char between) {
@@ -35,28 +34,21 @@ std::vector<std::string> pieces_of(const std::string& text, char between) {
 
 /// How many people `seamline plan` asks for, and its own words why.
 void add_planned_number(Preregistration& content, const FreezeOptions& options) {
-  const StudyPlan plan = plan_study({.study_file = options.study,
-                                     .wanted_octaves = options.wanted_octaves,
-                                     .studies = options.studies,
-                                     .threads = options.threads});
-  std::optional<PlannedDesign> design;
-  for (const PlanRow& row : plan.rows)  // the study's own widths are the first set; people rise
-    if (!design && row.width_set == 0 && row.artifact == plan.rows.front().artifact)
-      if (const PlannedDesign tried{.width_set = 0, .participants = row.participants};
-          meets_wish(plan, tried))
-        design = tried;
+  PlanRequest request = plan_request(options.plan);
+  request.study_file = options.study;
+  const StudyPlan plan = plan_study(request);
+  const std::optional<DesignRow> design = fewest_participants(plan, 0);  // of the study's own levels
   if (!design)
     throw input_error(
         {.file = options.study,
-         .wanted = fmt::format("a number of participants that gives intervals of at most {:g} "
-                               "octaves with the study's levels, or --participants N --why TEXT",
-                               options.wanted_octaves),
+         .wanted = fmt::format("a number of participants with which, for the study's levels, {}; or "
+                               "--participants N --why TEXT",
+                               wish_text(plan)),
          .found = "none among those that seamline plan tries"});
   content.participants = design->participants;
   content.why_so_many = fmt::format(
-      "The fewest tried with which the median 95 % interval of PT and SN of {} simulated studies is at most "
-      "{:g} octaves wide, for every artifact whose thresholds lie within the study's levels.",
-      plan.studies, plan.wanted_octaves);
+      "The fewest tried with which {}, of every threshold that lies within the study's levels. {}",
+      wish_text(plan), plan.assumptions);
   content.plan = pieces_of(plan_text(plan), '\n');
 }
 
@@ -121,16 +113,7 @@ void add_freeze_command(CLI::App& app) {
   CLI::Option* participants = add_number(*command, "--participants", options->participants, {2, 1000000},
                                          "how many will be used (else as many as seamline plan asks for)");
   command->add_option("--why", options->why, "why so many, in words")->needs(participants);
-  add_number(*command, "--wanted-octaves", options->wanted_octaves, {0.01, 100},
-             "of the plan: width of the 95 % intervals of PT and SN")
-      ->capture_default_str()
-      ->excludes(participants);
-  add_number(*command, "--studies", options->studies, {1, 1000000}, "of the plan: simulated studies")
-      ->capture_default_str()
-      ->excludes(participants);
-  add_number(*command, "--threads", options->threads, {0, 1024}, "of the plan; 0: as many as there are")
-      ->capture_default_str()
-      ->excludes(participants);
+  for (CLI::Option* option : add_plan_options(*command, options->plan)) option->excludes(participants);
   command->callback([options] { freeze(*options); });
 }
 

@@ -4,16 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 
-#include "analysis/statistics/interval.h"
-#include "analysis/thresholds/thresholds.h"
+#include "analysis/foresight/plan_summary.h"
+#include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
-#include "study/placement/trial.h"
-#include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -22,212 +18,175 @@ namespace seamline::analysis {
 namespace {
 
 constexpr std::uint64_t plan_salt = 0x706c616e;  // "plan"
-constexpr int studies_a_step = 20;               // between two looks at progress and Ctrl-C
-
-/// Objects shown of each artifact, over all scenes.
-std::map<Artifact, int> objects_of_artifacts(const StudyDefinition& study) {
-  std::map<Artifact, int> objects;
-  for (const SceneDefinition& scene : study.scenes)
-    for (const Artifact artifact : scene.artifacts)
-      if (artifact != Artifact::none) objects[artifact] += static_cast<int>(scene.objects.size());
-  return objects;
-}
-
-CurveThresholds planted_thresholds(const ObserverDefinition& observer, Artifact artifact,
-                                   const std::vector<int>& width_px) {
-  std::vector<double> means;
-  for (const int width : width_px) means.push_back(study::expected_noticeability(observer, artifact, width));
-  return thresholds_of_means(log2_widths(width_px), means);
-}
-
-/// One person's mean noticeability of an artifact's objects at each width.
-Eigen::RowVectorXd answers_of(const study::Observer& person, Artifact artifact, int objects,
-                              const std::vector<int>& width_px, Random& random) {
-  Eigen::RowVectorXd means(static_cast<Eigen::Index>(width_px.size()));
-  Stimulus stimulus;
-  stimulus.artifact = artifact;
-  for (std::size_t w = 0; w < width_px.size(); ++w) {
-    stimulus.depth.width_px = width_px[w];
-    stimulus.level = width_px[w];
-    int sum = 0;
-    for (int object = 0; object < objects; ++object) {
-      stimulus.object_index = 1 + object % study::objects_per_stimulus;
-      const study::Response response = study::respond(person, stimulus, random);
-      if (response.chosen_index == stimulus.object_index) sum += response.rating;
-    }
-    means[static_cast<Eigen::Index>(w)] = static_cast<double>(sum) / objects;
-  }
-  return means;
-}
-
-/// Lengths of the intervals of PT and SN, octaves, one for each row of a plan, of one simulated study; none
-/// where an interval is open.
-struct IntervalLengths {
-  std::vector<std::optional<double>> perceptual, slightly_noticeable;
-};
-
-struct Task {
-  const PlanRequest& request;
-  const ObserverDefinition observer;
-  const std::map<Artifact, int> objects;
-  const std::vector<WidthSet> width_sets;
-};
-
-/// Everybody of the largest study, people x widths for each artifact; a smaller study is its first people.
-std::map<Artifact, Eigen::MatrixXd> simulate_people(const Task& task, int study, std::size_t set) {
-  const int people = task.request.participants.back();
-  const std::vector<int>& width_px = task.width_sets[set].width_px;
-  std::map<Artifact, Eigen::MatrixXd> scores;
-  for (const auto& [artifact, objects] : task.objects)
-    scores[artifact].resize(people, static_cast<Eigen::Index>(width_px.size()));
-  const std::uint64_t seed =
-      mix_bits(mix_bits(task.request.seed ^ plan_salt) + static_cast<std::uint64_t>(study));
-  for (int person = 0; person < people; ++person) {
-    Random random(seed, set * static_cast<std::uint64_t>(people) + static_cast<std::uint64_t>(person));
-    const study::Observer observer =
-        study::make_observer(study::ObserverKind::threshold, task.observer, random);
-    for (const auto& [artifact, objects] : task.objects)
-      scores[artifact].row(person) = answers_of(observer, artifact, objects, width_px, random);
-  }
-  return scores;
-}
-
-IntervalLengths simulate_study(const Task& task, int study) {
-  std::vector<std::map<Artifact, Eigen::MatrixXd>> scores;
-  for (std::size_t set = 0; set < task.width_sets.size(); ++set)
-    scores.push_back(simulate_people(task, study, set));
-  IntervalLengths lengths;
-  for (const auto& [artifact, objects] : task.objects)
-    for (std::size_t set = 0; set < task.width_sets.size(); ++set) {
-      const std::vector<double> level_x = log2_widths(task.width_sets[set].width_px);
-      for (const int people : task.request.participants) {
-        const MeanVector means = mean_and_covariance(scores[set].at(artifact).topRows(people));
-        lengths.perceptual.push_back(length_x(level_interval(perceptual_level, level_x, means, people)));
-        lengths.slightly_noticeable.push_back(length_x(level_interval(slight_level, level_x, means, people)));
-      }
-    }
-  return lengths;
-}
-
-std::vector<IntervalLengths> simulate_studies(const Task& task) {
-  std::vector<IntervalLengths> studies(static_cast<std::size_t>(task.request.studies));
-  Progress progress("simulated studies", task.request.studies);
-  for (int first = 0; first < task.request.studies; first += studies_a_step) {
-    if (interrupted()) throw Interrupted{};
-    const int count = std::min(studies_a_step, task.request.studies - first);
-    run_parallel(count, task.request.threads, [&](int index) {
-      studies[static_cast<std::size_t>(first + index)] = simulate_study(task, first + index);
-    });
-    progress.advance(count, "");
-  }
-  return studies;
-}
-
-PlannedInterval planned_interval(bool planted, const std::vector<std::optional<double>>& lengths) {
-  std::vector<double> octaves;
-  for (const std::optional<double>& length : lengths)
-    if (length) octaves.push_back(*length);
-  require_ordered(octaves);
-  std::sort(octaves.begin(), octaves.end());
-  const std::size_t all = lengths.size(), open = all - octaves.size();
-  PlannedInterval planned{.planted = planted,
-                          .open_share = static_cast<double>(open) / static_cast<double>(all)};
-  if (all / 2 < octaves.size()) planned.median_octaves = octaves[all / 2];
-  return planned;
-}
-
-std::vector<PlanRow> rows_of(const Task& task, const std::vector<IntervalLengths>& studies) {
-  std::vector<PlanRow> rows;
-  for (const auto& [artifact, objects] : task.objects)
-    for (std::size_t set = 0; set < task.width_sets.size(); ++set) {
-      const CurveThresholds planted =
-          planted_thresholds(task.observer, artifact, task.width_sets[set].width_px);
-      for (const int participants : task.request.participants) {
-        std::vector<std::optional<double>> perceptual, slight;
-        for (const IntervalLengths& study : studies) {
-          perceptual.push_back(study.perceptual[rows.size()]);
-          slight.push_back(study.slightly_noticeable[rows.size()]);
-        }
-        rows.push_back({.artifact = artifact,
-                        .width_set = set,
-                        .participants = participants,
-                        .perceptual = planned_interval(planted.perceptual.level_x.has_value(), perceptual),
-                        .slightly_noticeable =
-                            planned_interval(planted.slightly_noticeable.level_x.has_value(), slight)});
-      }
-    }
-  return rows;
-}
 
 void check_study(const PlanRequest& request, const StudyDefinition& study) {
   const std::string file = request.study_file.string();
-  if (study.level.quantity != Quantity::depth_width_px)
-    throw input_error({.file = file,
-                       .field = "level.quantity",
-                       .wanted = "\"depth_width_px\" (plan varies widths of depth maps only)",
-                       .found = "\"" + std::string(facts(study.level.quantity).key) + "\""});
-  if (study.conditions.size() > 1)
-    throw input_error({.file = file,
-                       .field = "condition",
-                       .wanted = "one condition (plan each condition as a study of its own)",
-                       .found = std::to_string(study.conditions.size())});
   if (!std::holds_alternative<ConstantDefinition>(study.procedure))
     throw input_error({.file = file,
                        .field = "procedure",
-                       .wanted = "\"constant\" (an adaptive session chooses its widths itself)",
+                       .wanted = "\"constant\" (an adaptive session chooses its levels itself)",
                        .found = "\"quest_plus\""});
-  if (study.observer.direction == Direction::increasing)
-    throw input_error({.file = file,
-                       .field = "observer.noticeability",
-                       .wanted = "\"falls\" (PT, SN and IP are of noticeability that falls with the width)",
-                       .found = "\"rises\""});
-  if (objects_of_artifacts(study).empty())
+  if (study.observer.direction != study.level.noticeability)
     throw input_error(
-        {.file = file, .field = "scene", .wanted = "an artifact with a seam", .found = "only none"});
-  if (depth_widths_px(study).size() < 2)
+        {.file = file,
+         .field = "observer.noticeability",
+         .wanted = study.level.noticeability == Direction::decreasing
+                       ? "\"falls\" (PT and SN are of noticeability that falls with the level)"
+                       : "\"rises\" (the study says that noticeability rises with the level)",
+         .found = study.observer.direction == Direction::decreasing ? "\"falls\"" : "\"rises\""});
+}
+
+/// Artifacts of all scenes, and of each its conditions. An artifact without a midpoint is wrong input.
+std::vector<PlannedCurve> curves_of(const PlanRequest& request, const StudyDefinition& study) {
+  std::vector<PlannedCurve> curves;
+  const std::vector<ConditionDefinition> conditions = list_conditions(study);
+  for (const Artifact artifact : every_artifact)
+    for (const ConditionDefinition& condition : conditions) {
+      int objects = 0;
+      for (const SceneDefinition& scene : study.scenes)
+        if (artifact != Artifact::none &&
+            std::find(scene.artifacts.begin(), scene.artifacts.end(), artifact) != scene.artifacts.end())
+          objects += static_cast<int>(scene.objects.size());
+      if (objects == 0) continue;
+      static_cast<void>(study::expected_noticeability(study.observer, {.artifact = artifact,
+                                                                       .condition = condition.name,
+                                                                       .quantity = study.level.quantity,
+                                                                       .level = study.level.values.back()}));
+      curves.push_back({.artifact = artifact,
+                        .condition = conditions.size() > 1 ? condition.name : "",
+                        .objects = objects,
+                        .midpoint = *planted_midpoint(study.observer, artifact, condition.name)});
+    }
+  if (curves.empty())
+    throw input_error({.file = request.study_file.string(),
+                       .field = "scene",
+                       .wanted = "an artifact with a seam",
+                       .found = "only none"});
+  return curves;
+}
+
+/// Levels that have a place on the axis, in the order of `comes_before`.
+std::vector<double> levels_of(const PlanRequest& request, const StudyDefinition& study, LevelAxis& axis) {
+  axis = {.quantity = study.level.quantity, .noticeability = study.level.noticeability, .unit = 1};
+  std::vector<double> levels;
+  for (const double level : study.level.values)
+    if (!stands_apart(axis, level)) levels.push_back(level);
+  if (levels.size() < 2)
     throw input_error(
-        {.file = file, .field = "depth_width_px", .wanted = "at least two widths", .found = "one"});
+        {.file = request.study_file.string(),
+         .field = of_depth_widths(axis) ? "depth_width_px" : "level.values",
+         .wanted = of_depth_widths(axis) ? "at least two widths" : "at least two levels on the axis",
+         .found = "one"});
+  constexpr double units_in_range = 6;  // as `level_axis` has it of a log
+  if (is_linear(axis)) axis.unit = (levels.back() - levels.front()) / units_in_range;
+  if (axis.noticeability == Direction::increasing) std::reverse(levels.begin(), levels.end());
+  return levels;
+}
+
+void check_claims(const PlanRequest& request, const std::vector<double>& levels, const LevelAxis& axis) {
+  if (request.no_seam && std::find(levels.begin(), levels.end(), request.no_seam->level) == levels.end())
+    throw input_error({.file = request.study_file.string(),
+                       .field = "--no-seam-at",
+                       .wanted = "one of the study's levels on the axis",
+                       .found = tested_text(axis, request.no_seam->level)});
+  const bool compares = !request.wanted.differences.empty();
+  if (request.equal_within && !compares)
+    throw input_error(
+        {.field = "--equal-within", .wanted = "--compare A:B beside it", .found = "no comparison"});
+  if (request.wanted.stated_difference && !compares)
+    throw input_error(
+        {.field = "--stated-difference", .wanted = "--compare A:B beside it", .found = "no comparison"});
+}
+
+SimulatedStudy simulate_study(const PlanRequest& request, const PlannedPopulation& population,
+                              const StudyPlan& plan, int study) {
+  SimulatedStudy simulated;
+  const int people = request.participants.back();
+  const std::uint64_t seed = mix_bits(mix_bits(request.seed ^ plan_salt) + static_cast<std::uint64_t>(study));
+  for (std::size_t set = 0; set < plan.level_sets.size(); ++set) {
+    const std::vector<double>& levels = plan.level_sets[set].levels;
+    const SimulatedAnswers answers = simulate_answers(population, plan.curves, levels, people, seed,
+                                                      set * static_cast<std::uint64_t>(people));
+    for (const int participants : request.participants) {
+      simulated.intervals.push_back(
+          planned_intervals(request.estimator, plan.curves, answers, participants, plan.targets, seed));
+      simulated.no_seam.push_back(claims_shown(request, plan, answers, participants));
+    }
+  }
+  return simulated;
+}
+
+std::vector<SimulatedStudy> simulate_studies(const PlanRequest& request, const PlannedPopulation& population,
+                                             const StudyPlan& plan) {
+  std::vector<SimulatedStudy> studies(static_cast<std::size_t>(request.studies));
+  Progress progress("simulated studies", request.studies);
+  int shown = 0;
+  run_parallel(request.studies, request.threads,
+               [&](int study) {
+                 studies[static_cast<std::size_t>(study)] = simulate_study(request, population, plan, study);
+               },
+               {.tick = [&](int finished) {
+                 if (finished > shown) progress.advance(finished - shown, "");
+                 shown = finished;
+               }});
+  return studies;
 }
 
 }  // namespace
 
-std::vector<WidthSet> width_sets_to_try(const StudyDefinition& study) {
-  const std::vector<int> all = depth_widths_px(study);
-  WidthSet second{.name = "every second", .width_px = {}};
-  for (std::size_t i = (all.size() + 1) % 2; i < all.size(); i += 2) second.width_px.push_back(all[i]);
+std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const LevelAxis& axis,
+                                        const std::vector<PlanTarget>& targets) {
+  LevelSet second{.name = "every second", .levels = {}};
+  for (std::size_t i = (levels.size() + 1) % 2; i < levels.size(); i += 2) second.levels.push_back(levels[i]);
+  std::vector<LevelSet> sets = {{.name = "all", .levels = levels}};
+  if (second.levels.size() >= 2) sets.push_back(second);
+  if (!of_depth_widths(axis) || axis.noticeability == Direction::increasing) return sets;
 
-  double low = std::log2(all.back()), high = std::log2(all.front());
-  for (const auto& [artifact, objects] : objects_of_artifacts(study)) {
-    const CurveThresholds planted = planted_thresholds(study.observer, artifact, all);
-    for (const ThresholdEstimate* estimate : {&planted.perceptual, &planted.slightly_noticeable}) {
-      if (!estimate->level_x) continue;
-      low = std::min(low, *estimate->level_x);
-      high = std::max(high, *estimate->level_x);
+  const double least_x = x_of(axis, levels.front()), most_x = x_of(axis, levels.back());
+  double low_x = most_x, high_x = least_x;
+  for (const PlanTarget& target : targets)
+    if (!target.against && target.truth_x > least_x && target.truth_x < most_x) {
+      low_x = std::min(low_x, target.truth_x);
+      high_x = std::max(high_x, target.truth_x);
     }
+  std::set<double> dense = {levels.front(), levels.back()};
+  const int steps = high_x < low_x ? 0 : static_cast<int>(std::floor(2 * (high_x - low_x) + 2.5)) + 1;
+  for (int step = 0; step < steps; ++step) {
+    const double width_px = 2 * std::round(std::exp2(low_x - 0.5 + 0.5 * step) / 2);
+    if (width_px > levels.front() && width_px < levels.back()) dense.insert(width_px);
   }
-  std::set<int> dense = {all.front(), all.back()};
-  for (double level_x = low - 0.5; level_x <= high + 0.75; level_x += 0.5) {
-    const int width_px = 2 * static_cast<int>(std::lround(std::exp2(level_x) / 2));
-    if (width_px > all.front() && width_px < all.back()) dense.insert(width_px);
-  }
-  std::vector<WidthSet> sets = {{.name = "all", .width_px = all}};
-  if (second.width_px.size() >= 2) sets.push_back(second);
-  sets.push_back({.name = "denser near threshold", .width_px = {dense.begin(), dense.end()}});
+  sets.push_back({.name = "denser near threshold", .levels = {dense.begin(), dense.end()}});
   return sets;
 }
 
 StudyPlan plan_study(const PlanRequest& request) {
   const StudyDefinition study = read_study(request.study_file, AssetCheck::not_needed);
   check_study(request, study);
-  const Task task{.request = request,
-                  .observer = study.observer,
-                  .objects = objects_of_artifacts(study),
-                  .width_sets = width_sets_to_try(study)};
-  StudyPlan plan{.width_sets = task.width_sets,
-                 .rows = rows_of(task, simulate_studies(task)),
-                 .wanted_octaves = request.wanted_octaves,
-                 .studies = request.studies};
-  for (const auto& [artifact, objects] : task.objects) plan.stimuli_a_width += objects;
+  StudyPlan plan;
+  plan.request = request;
+  plan.curves = curves_of(request, study);
+  const std::vector<double> levels = levels_of(request, study, plan.axis);
+  check_claims(request, levels, plan.axis);
+  const PlannedPopulation population{
+      .observer = study.observer, .assumed = request.assumed, .axis = plan.axis};
+  plan.targets = plan_targets(request.wanted, population, plan.curves);
+  plan.level_sets = level_sets_to_try(levels, plan.axis, plan.targets);
+  plan.assumptions = assumptions_text(population, plan.curves);
+  for (const PlannedCurve& curve : plan.curves) {
+    plan.stimuli_a_level += curve.objects;
+    if (request.no_seam)
+      plan.seam_truth.push_back(
+          mean_noticeability(population, curve, x_of(plan.axis, request.no_seam->level), true));
+  }
+  plan.bias_x.resize(plan.targets.size());
+  for (const LevelSet& set : plan.level_sets) {
+    const std::vector<std::optional<double>> limits = limits_of(
+        request.estimator, population, plan.curves, plan.targets, x_of_levels(plan.axis, set.levels));
+    for (std::size_t target = 0; target < limits.size(); ++target)
+      plan.bias_x[target].push_back(
+          limits[target] ? std::optional(*limits[target] - plan.targets[target].truth_x) : std::nullopt);
+  }
+  summarise(simulate_studies(request, population, plan), population, plan);
   return plan;
 }
 

@@ -28,7 +28,7 @@ struct FrozenComparison {
   std::string sha256;                   ///< of its content
   std::vector<std::string> thresholds;  ///< that are confirmatory
   int participants = 0;                 ///< whose answers were to be used
-  std::string why_so_many;              ///< in words
+  std::string why_so_many;              ///< in the words that were frozen, with what was assumed of people
   std::vector<Deviation> deviations;    ///< none: data and analysis are those that were frozen
   std::vector<std::string> remarks;     ///< what a reader has to judge, a sentence each
 };

@@ -226,10 +226,15 @@ TEST(NoNan, InAPrediction) {
 }
 
 TEST(NoNan, InAPlanOfOpenIntervals) {
-  StudyPlan plan{.width_sets = {{"all", {64, 128}}}, .rows = {}, .stimuli_a_width = 3, .studies = 1};
-  const PlannedInterval open{.planted = true, .open_share = 1};
-  plan.rows.push_back(
-      {.artifact = Artifact::receiver, .participants = 2, .perceptual = open, .slightly_noticeable = {}});
+  StudyPlan plan;
+  plan.request.participants = {2};
+  plan.curves = {{.artifact = Artifact::receiver, .condition = "", .objects = 3, .midpoint = 300}};
+  plan.targets = {{.quantity = every_planned_quantity[0], .truth_x = 9}};
+  plan.level_sets = {{"all", {64, 128}}};
+  plan.bias_x = {{std::nullopt}};
+  plan.rows = {{.participants = 2, .interval = {.within = true, .open_share = 1}}};
+  plan.designs = {{.participants = 2}};
+  plan.sequential = {{}};
   expect_numbers("plan", plan_text(plan));
 }
 

@@ -81,13 +81,16 @@ TEST(Freeze, WhatCannotBeFrozenIsSaidInOneSentence) {
   expect_refused("freeze " + study + " " + set + " " + set + out, "wanted each set once");
   expect_refused("freeze " + study + " --participants 5" + out, "--participants: wanted --why TEXT");
   expect_refused("freeze " + study + " --thresholds PT,P2" + out, "found P2");
-  const Outcome too_fine = run_seamline("freeze " + quick + " --wanted-octaves 0.01 --studies 5" + out);
+  const Outcome too_fine =
+      run_seamline("freeze " + quick + " --wanted-octaves 0.01 --studies 2 --estimator straight-lines" + out);
   EXPECT_EQ(too_fine.status, 1);
   EXPECT_THAT(too_fine.output, HasSubstr("or --participants N --why TEXT"));
   EXPECT_FALSE(std::filesystem::exists(folder / "frozen.json"));
-  const Outcome planned = run_seamline("freeze " + quick + " --studies 20" + out);
+  const Outcome planned =
+      run_seamline("freeze " + quick + " --studies 2 --wanted-octaves 3 --lapses 0.01" + out);
   EXPECT_EQ(planned.status, 0) << planned.output;
-  EXPECT_THAT(read_text(folder / "frozen.json"), HasSubstr("20 simulated studies for each set of widths"));
+  EXPECT_THAT(read_text(folder / "frozen.json"), HasSubstr("2 simulated studies for each set of widths"));
+  EXPECT_THAT(read_text(folder / "frozen.json"), HasSubstr("In 1 % of the trials a person does not look."));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class LostOutput : public testing::Test {
     folder() = test::fresh_folder("lost-output");
     const study::RenderedSet set = test::write_picture_set(folder() / "set", {});
     write_inputs(set);
-    test::write_small_study(folder(), test::small_study_with({{"[64, 256, 512, 1024, 4096]", "[64, 512]"}}));
+    test::write_small_study(folder(), test::small_study_with({{"[64, 256, 512, 1024, 2048]", "[64, 512]"}}));
     for (const char* made_by :
          {"study {set} --observer threshold --count 5 --log {log}",
           "study {set} --observer threshold --count 1 --log {in}/other.sqlite",
@@ -108,8 +108,8 @@ const std::map<std::string, std::string> short_ways = {
     {"analyze", "{log} --bootstrap 100 --out {out}"},
     {"fit", "{in}/counts.csv --alternatives 3 --json"},
     {"predict", "{set} --gain 1"},
-    {"plan", "{study} --studies 5"},
-    {"freeze", "{study} --studies 5 --out {out}.json"},
+    {"plan", "{study} --studies 1"},
+    {"freeze", "{study} --participants 5 --why enough --out {out}.json"},
     {"sense", "builtin:bedroom --sensor tof_160x120 --spp 1 --bounces 0 --out {out}"},
     {"register",
      "--depth {in}/sensed/depth.exr --colour {in}/sensed/colour.exr --camera {in}/sensed/camera.toml --out "

@@ -223,8 +223,9 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
     return {at.frame.string(), "--max-depth", "5",     "--fov", "60", "--zero-parallax", "2",
             "--views",         "8",           "--out", out};
   if (command == "flip") return {at.photograph.string(), at.photograph.string()};
-  if (command == "freeze") return {quick, "--studies", "1000000", "--out", out + ".json"};
-  if (command == "plan") return {quick, "--studies", "1000000"};
+  if (command == "freeze")
+    return {quick, "--studies", "1000000", "--estimator", "straight-lines", "--out", out + ".json"};
+  if (command == "plan") return {quick, "--studies", "1000000", "--estimator", "straight-lines"};
   return {};
 }
 
