@@ -326,10 +326,8 @@ constexpr const char* reaction_times_text =
 constexpr const char* paragraph_on_planted =
     "The answers come from simulated observers with known psychometric functions. Planted values are the "
     "levels at which their expected mean noticeability, the floor from guessing included, equals 0.5 (PT) "
-    "and "
-    "1 (SN) and falls most steeply (IP), computed on the continuous axis and not from the tested levels; "
-    "they "
-    "test the analysis and are not the values of Table 1 of the paper.";
+    "and 1 (SN) and falls most steeply (IP), computed on the continuous axis and not from the tested "
+    "levels; they test the analysis and are not the values of Table 1 of the paper.";
 
 /// Every work that a method names, by the words the text names it with.
 struct Reference {
