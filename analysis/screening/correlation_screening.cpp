@@ -43,7 +43,7 @@ Eigen::VectorXd condition_means(const Eigen::VectorXd& values, const Eigen::Vect
       sum[condition[static_cast<std::size_t>(i)]] += values[i];
       n[condition[static_cast<std::size_t>(i)]] += 1;
     }
-  return sum.array() / n.array();  // 0 / 0: no score, no number
+  return (n.array() > 0).select(sum.array() / n.array().max(1.0), nan);
 }
 
 int pairs(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -95,10 +95,12 @@ std::vector<CorrelationCheck> screen_by_correlation(const Eigen::MatrixXd& score
     check.conditions =
         pearson_correlation(condition_means(own, others, condition), condition_means(others, own, condition));
     check.critical = critical_correlation(pairs(own, others), escape_probability);
-    check.below_p913 =
-        check.stimuli < p913_stimulus_correlation && check.conditions < p913_condition_correlation;
+    // A correlation may be unknown, and is below nothing then.
+    check.below_p913 = std::isless(check.stimuli, p913_stimulus_correlation) &&
+                       std::isless(check.conditions, p913_condition_correlation);
     const bool same_everywhere = !varies(own) && varies(others);
-    check.rejected = score.rows() >= 3 && (check.stimuli <= check.critical || same_everywhere);
+    check.rejected =
+        score.rows() >= 3 && (std::islessequal(check.stimuli, check.critical) || same_everywhere);
     checks.push_back(check);
   }
   return checks;

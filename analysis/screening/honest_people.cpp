@@ -288,7 +288,7 @@ HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people, std::
       if (right) sum(answer.person, answer.stimulus) += draw_rating(stimuli[i].shares, random);
     }
     const Eigen::MatrixXd score =
-        (sum.array() / counts.answers.array()).matrix();  // 0 / 0: no answer, no number
+        (counts.answers.array() > 0).select(sum.array() / counts.answers.array().max(1.0), nan).matrix();
     for (const KurtosisCount& count : screen_by_kurtosis(score)) by_kurtosis += count.rejected ? 1 : 0;
     for (const CorrelationCheck& check : screen_by_correlation(score, scores.cell))
       by_correlation += check.rejected ? 1 : 0;

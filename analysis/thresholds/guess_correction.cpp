@@ -9,6 +9,7 @@
 #include "analysis/statistics/interval.h"
 #include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/curve_replicates.h"
+#include "support/text/numbers.h"
 
 namespace seamline::analysis {
 
@@ -61,7 +62,8 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
     for (std::size_t w = 0; w < range.level_x.size(); ++w) {
       const auto counts = trials.answers.row(p).segment(
           static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
-      row[static_cast<Eigen::Index>(w)] = counts.dot(value) / counts.sum();
+      const double answers = counts.sum();
+      row[static_cast<Eigen::Index>(w)] = answers > 0 ? counts.dot(value) / answers : nan;
     }
     if ((row.array() == row.array()).any()) rows.push_back(row);  // others are not on this artifact's curve
   }

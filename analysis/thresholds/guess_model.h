@@ -1,9 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "study/placement/trial.h"
+#include "support/text/numbers.h"
 
 namespace seamline::analysis {
 
@@ -39,7 +41,9 @@ struct SeeingCell {
   bool converged = false;
 
   /// NaN where nobody saw.
-  [[nodiscard]] double mean_rating_of_seen() const { return noticeability / saw; }
+  [[nodiscard]] double mean_rating_of_seen() const {
+    return std::isgreater(saw, 0) ? noticeability / saw : nan;
+  }
 };
 
 /// Fits s and q of one cell by EM for given guessers. In v(r) = s q(r) the log likelihood is concave, so what

@@ -98,7 +98,7 @@ void add_reversal(const PsychometricFit& fit, const std::vector<LevelGroup>& gro
 }
 
 void warn_of_misfit(const PsychometricFit& fit, const FitEvidence& evidence, Warnings& warnings) {
-  if (!(evidence.deviance_p < misfit_p)) return;
+  if (!std::isless(evidence.deviance_p, misfit_p)) return;  // p may be unknown
   const std::vector<LevelGroup>& groups = evidence.goodness.groups;
   const auto worst =
       std::max_element(groups.begin(), groups.end(), [](const LevelGroup& a, const LevelGroup& b) {

@@ -171,7 +171,9 @@ std::optional<Theta> theta_with(const FitProblem& problem, const Theta& coordina
 }
 
 double likeliest_eta(const FitProblem& problem, const Theta& theta) {
-  const auto cost = [&](double eta) { return -log_likelihood(problem, theta, eta); };
+  // Brent's parabola takes costs from each other, which infinite ones have no difference for.
+  constexpr double least_likely = -1e300;
+  const auto cost = [&](double eta) { return -std::max(log_likelihood(problem, theta, eta), least_likely); };
   constexpr std::array<double, 11> tried = {0, 0.01, 0.02, 0.04, 0.08, 0.14, 0.22, 0.34, 0.5, 0.7, 0.95};
   std::size_t best = 0;
   for (std::size_t i = 1; i < tried.size(); ++i)
@@ -194,7 +196,7 @@ Maximum maximise(const FitProblem& problem, const Held& held, const Theta& coord
     if (!held.fixed[0]) at[0] = place_of(problem, best.theta, held.level).value_or(at[0]);
     const Maximum next = Climb(problem, held, next_eta).from(at);
     if (next.value > best.value) best = next;
-    if (best.value - before < 1e-8) break;
+    if (best.value == before || best.value - before < 1e-8) break;  // both may be infinite
   }
   return best;
 }
