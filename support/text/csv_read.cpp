@@ -109,12 +109,10 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// What stands between the names of the header: a comma, or where there is none, a semicolon.
-char separator_of(const std::string& file, std::string_view text) {
+/// What stands between the names of the header: a comma, where there is none a semicolon, or else a tab.
+char separator_of(std::string_view text) {
   bool quoted = false, semicolon = false, tab = false, begun = false;
-  int line = 1;
   for (const char c : text) {
-    if (c == '\n' && !begun) ++line;
     if (c == '"') quoted = !quoted;
     if (quoted) continue;
     if (c == ',') return ',';
@@ -123,8 +121,7 @@ char separator_of(const std::string& file, std::string_view text) {
     tab = tab || (c == '\t' && begun);
     begun = begun || !is_blank({&c, 1});
   }
-  if (tab && !semicolon) throw complaint_at(file, line, "commas or semicolons between the columns", "tabs");
-  return semicolon ? ';' : ',';
+  return semicolon ? ';' : tab ? '\t' : ',';
 }
 
 /// Where the header names each of the columns.
@@ -161,7 +158,7 @@ class Table {
             .file = file, .columns = columns, .line = 0, .values = std::vector<std::string>(columns.size())} {
   }
 
-  void add(std::vector<std::string>& values, int line) {
+  void add(const std::vector<std::string>& values, int line) {
     if (!has_header()) {
       places_ = places_of(row_.file, line, values, row_.columns);
       width_ = values.size();
@@ -189,19 +186,23 @@ class Table {
   std::int64_t rows_ = 0;
 };
 
-}  // namespace
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return text;
+}
 
-void read_csv(const std::string& file, const std::string& text, std::span<const std::string> columns,
-              const std::function<void(const CsvRow&)>& take) {
-  std::string_view rest = text;
-  if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
-  Parser parser(file, separator_of(file, rest), text.size());
-  Table table(file, columns, take);
+/// Hands over the values of row after row, the header first, until `take` says that it has enough.
+void for_each_row(const std::string& file, const std::string& text,
+                  const std::function<bool(const std::vector<std::string>& values, int line)>& take) {
+  const std::string_view rest = without_mark(text);
+  const char separator = separator_of(rest);
+  Parser parser(file, separator, text.size());
   int line = 0, begun_in = 0;  // begun_in: line in which the row that is open began, or 0
-  const auto add = [&] {
-    table.add(parser.values(), begun_in);
+  const auto goes_on = [&] {
+    const bool more = take(parser.values(), begun_in);
     parser.values().clear();
     begun_in = 0;
+    return more;
   };
   for (std::size_t begin = 0; begin < rest.size();) {
     const std::string_view line_text = line_at(rest, begin);
@@ -209,10 +210,34 @@ void read_csv(const std::string& file, const std::string& text, std::span<const 
     ++line;
     if (line_text.find('\0') != std::string_view::npos)
       throw complaint_at(file, line, "text in UTF-8", "a byte of 0, as files of UTF-16 have them");
-    if (begun_in == 0 && !is_blank(line_text)) begun_in = line;
-    if (parser.feed(line_text, line)) add();
+    if (begun_in == 0 && (!is_blank(line_text) || line_text.find(separator) != std::string_view::npos))
+      begun_in = line;
+    if (parser.feed(line_text, line) && !goes_on()) return;
   }
-  if (parser.finish(begun_in)) add();
+  if (parser.finish(begun_in)) (void)goes_on();
+}
+
+}  // namespace
+
+CsvHeader read_csv_header(const std::string& file, const std::string& text) {
+  CsvHeader header;
+  for_each_row(file, text, [&](const std::vector<std::string>& values, int line) {
+    for (const std::string& name : values) header.names.push_back(trimmed(name));
+    header.line = line;
+    return false;
+  });
+  if (header.names.empty()) throw complaint_at(file, 1, "a header that names the columns", "an empty file");
+  header.separator = separator_of(without_mark(text));
+  return header;
+}
+
+void read_csv(const std::string& file, const std::string& text, std::span<const std::string> columns,
+              const std::function<void(const CsvRow&)>& take) {
+  Table table(file, columns, take);
+  for_each_row(file, text, [&](const std::vector<std::string>& values, int line) {
+    table.add(values, line);
+    return true;
+  });
   if (!table.has_header())
     throw complaint_at(file, 1, fmt::format("a header with the columns {}", fmt::join(columns, ",")),
                        "an empty file");

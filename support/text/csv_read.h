@@ -20,14 +20,24 @@ struct CsvRow {
   std::vector<std::string> values;       ///< one for each of `columns`, without blanks around it
 };
 
+/// What the header line says.
+struct CsvHeader {
+  std::vector<std::string> names;  ///< without blanks around them
+  char separator = ',';            ///< what stands between the values: a comma, a semicolon or a tab
+  int line = 0;                    ///< of the file, from 1
+};
+
+/// The header alone. Throws InputError as `read_csv` does for the lines up to its end, and for an empty file.
+[[nodiscard]] CsvHeader read_csv_header(const std::string& file, const std::string& text);
+
 /// Reads a table whose header line names each of `columns` once, in any order; other columns are ignored,
 /// also those without a name. Hands row after row to `take`. Values may be quoted, and quoted ones may hold
 /// commas, doubled quotes and line ends; lines end with "\n", "\r\n" or "\r"; a byte order mark and empty
-/// lines are skipped. Where the header has semicolons and no commas, semicolons stand between the values.
-/// Throws InputError with file and line when a name of the header is missing or there twice, a row has not as
-/// many values as the header, quotes are not closed or stand inside a value, tabs stand between the columns,
-/// the text holds a byte of 0, or there are more rows or columns than `limits` allows. `columns` must outlive
-/// the call. Time and memory are linear in the bytes; of the rows only one is held.
+/// lines are skipped. Where the header has semicolons and no commas, semicolons stand between the values;
+/// where it has neither but tabs, tabs. Throws InputError with file and line when a name of the header is
+/// missing or there twice, a row has not as many values as the header, quotes are not closed or stand inside
+/// a value, the text holds a byte of 0, or there are more rows or columns than `limits` allows. `columns`
+/// must outlive the call. Time and memory are linear in the bytes; of the rows only one is held.
 void read_csv(const std::string& file, const std::string& text, std::span<const std::string> columns,
               const std::function<void(const CsvRow&)>& take);
 
