@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "analysis/psychometric/likelihood/level_counts.h"
+#include "analysis/psychometric/report/fit_table.h"
 #include "fuzz/fuzz_target.h"
 #include "registration/files/pairs_file.h"
 #include "support/text/csv_read.h"
@@ -18,7 +18,7 @@ using namespace seamline::analysis;
 void require_same_again(const std::vector<LevelCounts>& counts) {
   std::string text = "level,correct,trials\n";
   for (const LevelCounts& row : counts) text += fmt::format("{},{},{}\n", row.level, row.correct, row.trials);
-  const auto again = read_level_counts(fuzz::file_of("again.csv", text));
+  const auto again = counts_of(read_fit_table(fuzz::file_of("again.csv", text), {}, Axis::linear));
   if (again.size() != counts.size()) abort();
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (again[i].level != counts[i].level || again[i].correct != counts[i].correct ||
@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(fuzz::text_of(data, size));
   const std::filesystem::path file = fuzz::file_of("counts.csv", text);
   fuzz::only_input_errors([&] {
-    const std::vector<LevelCounts> counts = read_level_counts(file, Axis::log2);
+    const std::vector<LevelCounts> counts = counts_of(read_fit_table(file, {}, Axis::log2));
     require_valid(counts, Axis::log2);
   });
   fuzz::only_input_errors([&] { read_any_table(text); });
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (!(pair.confidence >= 0.5) || !pair.point_m.allFinite() || !pair.position_px.allFinite()) abort();
   });
   return fuzz::only_input_errors([&] {
-    const std::vector<LevelCounts> counts = read_level_counts(file);
+    const std::vector<LevelCounts> counts = counts_of(read_fit_table(file, {}, Axis::linear));
     require_valid(counts, Axis::linear);
     for (const LevelCounts& level : pooled_by_level(counts))
       if (level.correct > level.trials || level.trials <= 0) abort();

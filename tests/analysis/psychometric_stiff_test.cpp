@@ -247,7 +247,7 @@ TEST(PsychometricStiff, AThresholdBeyondTheLevelsIsABoundOrAWarning) {
 }
 
 TEST(PsychometricStiff, WrongInputIsASentence) {
-  EXPECT_THROW((void)fit_psychometric({{.level = 0, .correct = 1, .trials = 2}}, falling_choice_of_three()),
+  EXPECT_THROW((void)fit_psychometric({{.level = -1, .correct = 1, .trials = 2}}, falling_choice_of_three()),
                InputError);
   EXPECT_THROW((void)fit_psychometric({{.level = 1, .correct = 3, .trials = 2}}, falling_choice_of_three()),
                InputError);

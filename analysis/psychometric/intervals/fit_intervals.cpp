@@ -29,7 +29,8 @@ void open_to_constants(const PsychometricFit& fit, double share, double cut, Int
   const double least_lapse = problem.lower[parameter::lapse], most_lapse = problem.upper[parameter::lapse];
   const auto is_within = [&](double low, double high) {
     const double p = std::clamp(k / n, low, std::max(low, high));
-    return binomial_term(k, n, p, 1 - p).value >= fit.search.best.value - cut / 2;
+    return binomial_term(k, n, p, 1 - p).value + best_without_stimulus(problem) >=
+           fit.search.best.value - cut / 2;
   };
   // Everywhere easier than the level sought, or everywhere harder.
   const bool easy = is_within(least_guess + (1 - least_guess - most_lapse) * share, 1 - least_lapse);
@@ -77,7 +78,8 @@ Interval lapse_interval(const PsychometricFit& fit, double cut) {
 }
 
 Interval guess_interval(const PsychometricFit& fit, double cut) {
-  return rate_interval(fit, parameter::guess, fit.options.guess, cut);
+  return rate_interval(fit, fit.options.equal_rates ? parameter::lapse : parameter::guess, fit.options.guess,
+                       cut);
 }
 
 LevelEstimate level_of_correct(const PsychometricFit& fit, double correct, double cut) {

@@ -19,7 +19,8 @@ double saturated(const UnitCounts& level) {
 }
 
 UnitCounts unit_counts(const FitProblem& problem, const LevelCounts& level) {
-  return {.t = problem.to_unit(axis_value(problem.axis, level.level)),
+  const double a = axis_value(problem.axis, level.level);
+  return {.t = std::isfinite(a) ? problem.to_unit(a) : no_stimulus_t,
           .k = static_cast<double>(level.correct),
           .n = static_cast<double>(level.trials)};
 }
@@ -49,9 +50,21 @@ std::vector<std::size_t> group_begins(const std::vector<UnitCounts>& levels) {
   return begins;
 }
 
+LevelGroup group_without_stimulus(const UnitCounts& none, const ResponseProbability& p) {
+  const double size = std::sqrt(std::max(0.0, deviance_part(none, p)));
+  return {.low = 0,
+          .high = 0,
+          .correct = none.k,
+          .trials = none.n,
+          .expected = none.n * p.right,
+          .deviance_residual = none.k < none.n * p.right ? -size : size};
+}
+
 /// The groups of `problem` beside what a function expects of them.
 std::vector<LevelGroup> groups_of(const FitProblem& problem, const Theta& theta) {
   std::vector<LevelGroup> groups;
+  if (const UnitCounts& none = problem.no_stimulus; none.n > 0)
+    groups.push_back(group_without_stimulus(none, probability_at(problem, theta, none.t)));
   const std::vector<std::size_t> begins = group_begins(problem.levels);
   for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
     UnitCounts sum;
@@ -98,7 +111,9 @@ Goodness goodness_of_fit(const PsychometricFit& fit) {
   goodness.degrees_of_freedom = static_cast<int>(goodness.groups.size()) - fit.free_parameters;
   goodness.aic = 2 * fit.free_parameters - 2 * fit.log_likelihood;
   goodness.residuals.reserve(fit.levels.size());
-  for (const LevelCounts& counts : fit.levels) {
+  std::vector<LevelCounts> all = fit.levels;
+  if (fit.no_stimulus.trials > 0) all.insert(all.begin(), fit.no_stimulus);
+  for (const LevelCounts& counts : all) {
     const UnitCounts level = unit_counts(problem, counts);
     const ResponseProbability p = probability_at(problem, theta, level.t);
     const double part = deviance_part(level, p), size = std::sqrt(std::max(0.0, part));
@@ -117,11 +132,16 @@ FitProblem simulated_problem(const PsychometricFit& fit, const Theta& theta, std
                              std::uint64_t replicate) {
   FitProblem problem = fit.search.problem;
   Random random(seed ^ simulation_domain, replicate);
-  for (UnitCounts& level : problem.levels) {
+  const auto draw = [&](UnitCounts& level) {
     const double p = probability_at(problem, theta, level.t).right;
     level.k = static_cast<double>(sample_binomial(static_cast<std::int64_t>(level.n), p, random));
-  }
+  };
+  std::for_each(problem.levels.begin(), problem.levels.end(), draw);
   problem.rows = problem.levels;
+  if (problem.no_stimulus.n > 0) {
+    draw(problem.no_stimulus);
+    problem.rows.push_back(problem.no_stimulus);
+  }
   problem.overdispersed = false;
   return problem;
 }

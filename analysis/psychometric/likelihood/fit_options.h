@@ -43,6 +43,9 @@ struct FitOptions {
   std::optional<study::Direction> direction = std::nullopt;  ///< none: the likelier of the two
   Rate guess = fixed_rate(0);
   Rate lapse = free_rate(0.1);
+  /// True: guess and lapse rate are one number, within the bounds of `lapse`; `guess` says nothing. For tasks
+  /// whose two answers mirror each other, as of a point of subjective equality.
+  bool equal_rates = false;
   Priors priors = {};
   /// True: the answers at a level (a row) are beta-binomial with an estimated overdispersion, and so are the
   /// intervals. False: binomial.

@@ -84,8 +84,12 @@ void add_level(Objective& objective, const FitProblem& problem, const Theta& the
   objective.observed += term.observed * outer - term.score * second;
 }
 
-const std::vector<UnitCounts>& counted(const FitProblem& problem, double eta) {
-  return eta > 0 ? problem.rows : problem.levels;
+/// Calls `add` for all counts: rows of a beta-binomial, or levels and what has no stimulus.
+template <class Add>
+void for_each_counts(const FitProblem& problem, double eta, const Add& add) {
+  const std::vector<UnitCounts>& counted = eta > 0 ? problem.rows : problem.levels;
+  std::for_each(counted.begin(), counted.end(), add);
+  if (eta <= 0 && problem.no_stimulus.n > 0) add(problem.no_stimulus);
 }
 
 }  // namespace
@@ -111,19 +115,23 @@ FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions
                      .lower = {},
                      .upper = {},
                      .priors = {},
-                     .overdispersed = options.overdispersed};
-  const std::vector<LevelCounts> pooled = pooled_by_level(counts);
+                     .overdispersed = options.overdispersed,
+                     .equal_rates = options.equal_rates};
+  std::vector<LevelCounts> pooled = pooled_by_level(counts);
+  const LevelCounts none = take_no_stimulus(pooled, options.axis);
   assert(!pooled.empty());
   const double first = axis_value(options.axis, pooled.front().level),
                last = axis_value(options.axis, pooled.back().level);
   problem.centre = first + (last - first) / 2;
   if (last > first) problem.range = last - first;
   const auto unit = [&](const LevelCounts& row) {
-    return UnitCounts{.t = problem.to_unit(axis_value(options.axis, row.level)),
+    const double a = axis_value(options.axis, row.level);
+    return UnitCounts{.t = std::isfinite(a) ? problem.to_unit(a) : no_stimulus_t,
                       .k = static_cast<double>(row.correct),
                       .n = static_cast<double>(row.trials)};
   };
   for (const LevelCounts& level : pooled) problem.levels.push_back(unit(level));
+  if (none.trials > 0) problem.no_stimulus = unit(none);
   for (const LevelCounts& row : counts)
     if (row.trials > 0) problem.rows.push_back(unit(row));
   problem.priors = unit_priors(options.priors, problem);
@@ -133,6 +141,8 @@ FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions
                    options.guess.low};
   set_gaps(problem);
   problem.upper = {0.5 + ranges_beyond, std::log(largest_scale), options.lapse.high, options.guess.high};
+  problem.lower = with_tied_rates(problem, problem.lower);
+  problem.upper = with_tied_rates(problem, problem.upper);
   return problem;
 }
 
@@ -143,11 +153,22 @@ ResponseProbability probability_at(const FitProblem& problem, const Theta& theta
   return {.right = g + (1 - g - l) * F.below, .wrong = l + (1 - g - l) * F.above};
 }
 
+double best_without_stimulus(const FitProblem& problem) {
+  const UnitCounts& none = problem.no_stimulus;
+  if (none.n <= 0) return 0;
+  const int rate = problem.sign > 0 ? parameter::guess : parameter::lapse;
+  const double share = problem.sign > 0 ? none.k / none.n : 1 - none.k / none.n;
+  const double p = std::clamp(share, problem.lower[rate], problem.upper[rate]);
+  return problem.sign > 0 ? binomial_term(none.k, none.n, p, 1 - p).value
+                          : binomial_term(none.k, none.n, 1 - p, p).value;
+}
+
 double log_likelihood(const FitProblem& problem, const Theta& theta, double eta) {
   stop_if_interrupted();  // every search, profile and replicate comes by here or in objective_at
   double sum = 0;
-  for (const UnitCounts& counts : counted(problem, eta))
+  for_each_counts(problem, eta, [&](const UnitCounts& counts) {
     sum += term_of(counts, probability_at(problem, theta, counts.t), eta).value;
+  });
   return sum;
 }
 
@@ -166,7 +187,8 @@ Objective objective_at(const FitProblem& problem, const Theta& theta, double eta
                       .gradient = Eigen::Vector4d::Zero(),
                       .observed = Eigen::Matrix4d::Zero(),
                       .expected = Eigen::Matrix4d::Zero()};
-  for (const UnitCounts& counts : counted(problem, eta)) add_level(objective, problem, theta, counts, eta);
+  for_each_counts(problem, eta,
+                  [&](const UnitCounts& counts) { add_level(objective, problem, theta, counts, eta); });
   add_priors(objective, problem.priors, theta);
   return objective;
 }

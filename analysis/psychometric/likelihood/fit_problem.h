@@ -26,12 +26,16 @@ struct FitProblem {
   double sign = 1;                 ///< +1 increasing, -1 decreasing
   std::vector<UnitCounts> levels;  ///< pooled, rising; never empty; bins of very many (level_bins.h)
   std::vector<UnitCounts> rows;    ///< as given: the units that overdispersion is about
+  /// Answers without a stimulus (level 0 on a log2 axis), at `no_stimulus_t`; they are no part of `levels`,
+  /// but of `rows`.
+  UnitCounts no_stimulus = {};
   double centre = 0, range = 1;
   double smallest_gap = 1;  ///< between neighbouring levels, unit axis; 1 when there is one level
   double median_gap = 1;
   Theta lower, upper;  ///< the box
   Priors priors;       ///< already on the unit axis
   bool overdispersed = false;
+  bool equal_rates = false;  ///< guess = lapse, with the bounds of lapse
 
   [[nodiscard]] double to_unit(double axis_value) const { return (axis_value - centre) / range; }
   [[nodiscard]] double to_axis(double unit) const { return centre + range * unit; }
@@ -41,6 +45,18 @@ struct FitProblem {
 /// of the tested levels beyond them, scales up to `largest_scale` ranges.
 inline constexpr double ranges_beyond = 5;
 inline constexpr double largest_scale = 1000;
+
+/// So far below every level, threshold and scale of the box that F is exactly 0 there, or 1 when it falls.
+inline constexpr double no_stimulus_t = -1e8;
+
+/// The highest ln L that the answers without a stimulus can have on their own.
+[[nodiscard]] double best_without_stimulus(const FitProblem& problem);
+
+/// theta with guess = lapse where the problem wants that.
+[[nodiscard]] inline Theta with_tied_rates(const FitProblem& problem, Theta theta) {
+  if (problem.equal_rates) theta[parameter::guess] = theta[parameter::lapse];
+  return theta;
+}
 
 /// `counts` is validated, with at least one trial.
 [[nodiscard]] FitProblem make_problem(const std::vector<LevelCounts>& counts, const FitOptions& options,

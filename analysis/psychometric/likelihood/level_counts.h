@@ -1,13 +1,13 @@
 #pragma once
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "study/placement/psychometric_function.h"
 
 namespace seamline::analysis {
 
-/// Answers at one level of a stimulus.
+/// Answers at one level of a stimulus. Level 0 on a log2 axis is "no stimulus": infinitely far down the axis,
+/// where psi is the guess rate of a rising function and 1 - lapse of a falling one.
 struct LevelCounts {
   double level = 0;          ///< in the user's unit, e.g. px
   std::int64_t correct = 0;  ///< right choices; "yes" answers in a yes/no task; 0 to `trials`
@@ -16,19 +16,15 @@ struct LevelCounts {
   [[nodiscard]] double share() const { return static_cast<double>(correct) / static_cast<double>(trials); }
 };
 
-/// Reads a CSV file (support/text/csv_read.h) whose header line names the columns `level`, `correct` and
-/// `trials`, in any order; other columns are ignored. Throws InputError naming file and line when a value is
-/// missing, is not a number, is not positive on a log2 axis, is not whole or is more than 1e12 where it
-/// counts, or when more answers are correct than were given.
-[[nodiscard]] std::vector<LevelCounts> read_level_counts(const std::filesystem::path& file,
-                                                         study::Axis axis = study::Axis::linear);
-
 /// Equal levels added up, rising, levels without a trial left out.
 [[nodiscard]] std::vector<LevelCounts> pooled_by_level(const std::vector<LevelCounts>& counts);
 
-/// Throws InputError (field `level`, `correct` or `trials`) unless every level is finite, positive on a log2
-/// axis, and 0 <= correct <= trials.
+/// Throws InputError (field `level`, `correct` or `trials`) unless every level is finite, not negative on a
+/// log2 axis, and 0 <= correct <= trials.
 void require_valid(const std::vector<LevelCounts>& counts, study::Axis axis);
+
+/// Takes the answers without a stimulus (level 0 on a log2 axis) out of levels that are pooled and rising.
+[[nodiscard]] LevelCounts take_no_stimulus(std::vector<LevelCounts>& pooled, study::Axis axis);
 
 /// a(x) = x or log2 x, and back.
 [[nodiscard]] double axis_value(study::Axis axis, double level);

@@ -34,9 +34,14 @@ struct Chart {
   Eigen::Matrix4d jacobian;
 };
 
-std::optional<Chart> chart_at(const FitProblem& problem, const Theta& coordinates, const SoughtLevel& level) {
+bool is_threshold(const SoughtLevel& level) {
+  return level.of == SoughtLevel::Of::sigmoid && level.share == 0.5;
+}
+
+std::optional<Chart> chart_of_level(const FitProblem& problem, const Theta& coordinates,
+                                    const SoughtLevel& level) {
   Chart chart{.theta = coordinates, .jacobian = Eigen::Matrix4d::Identity()};
-  if (level.of == SoughtLevel::Of::sigmoid && level.share == 0.5) return chart;
+  if (is_threshold(level)) return chart;
   const double q = sigmoid_share(level, coordinates);
   if (!(q > 0 && q < 1)) return std::nullopt;
   const double z = study::sigmoid_quantile(problem.sigmoid, q);
@@ -48,6 +53,16 @@ std::optional<Chart> chart_at(const FitProblem& problem, const Theta& coordinate
     const double dz_dq = 1 / study::sigmoid_point(problem.sigmoid, z).density;
     chart.jacobian(0, 2) = -signed_scale * dz_dq * q / A;
     chart.jacobian(0, 3) = -signed_scale * dz_dq * (q - 1) / A;
+  }
+  return chart;
+}
+
+/// With equal rates the guess rate is no coordinate: it follows the lapse rate.
+std::optional<Chart> chart_at(const FitProblem& problem, const Theta& coordinates, const SoughtLevel& level) {
+  std::optional<Chart> chart = chart_of_level(problem, with_tied_rates(problem, coordinates), level);
+  if (chart && problem.equal_rates) {
+    chart->jacobian.col(parameter::lapse) += chart->jacobian.col(parameter::guess);
+    chart->jacobian.col(parameter::guess).setZero();
   }
   return chart;
 }
@@ -65,7 +80,8 @@ class Climb {
       : problem_(problem), held_(held), eta_(eta), lower_(problem.lower), upper_(problem.upper) {
     if (held.level.of == SoughtLevel::Of::response) {
       upper_[parameter::lapse] = std::min(upper_[parameter::lapse], 1 - held.level.share - share_margin);
-      upper_[parameter::guess] = std::min(upper_[parameter::guess], held.level.share - share_margin);
+      const int guess = problem.equal_rates ? parameter::lapse : parameter::guess;
+      upper_[guess] = std::min(upper_[guess], held.level.share - share_margin);
     }
   }
 
@@ -104,7 +120,7 @@ class Climb {
     const Objective objective = objective_at(problem_, chart->theta, eta_);
     if (!std::isfinite(objective.value)) return {};
     const Eigen::Matrix4d& J = chart->jacobian;
-    if (held_.level.of == SoughtLevel::Of::sigmoid && held_.level.share == 0.5)
+    if (is_threshold(held_.level) && !problem_.equal_rates)
       return {objective.value, objective.gradient, objective.observed, objective.expected};
     return {objective.value, J.transpose() * objective.gradient, J.transpose() * objective.observed * J,
             J.transpose() * objective.expected * J};
@@ -117,7 +133,8 @@ class Climb {
     for (int i = 0; i < 4; ++i) {
       bool& rest = rests[static_cast<std::size_t>(i)];
       rest = held_.fixed[static_cast<std::size_t>(i)] || lower_[i] >= upper_[i] ||
-             (at[i] <= lower_[i] && slope[i] <= 0) || (at[i] >= upper_[i] && slope[i] >= 0);
+             (problem_.equal_rates && i == parameter::guess) || (at[i] <= lower_[i] && slope[i] <= 0) ||
+             (at[i] >= upper_[i] && slope[i] >= 0);
       if (rest) slope[i] = 0;
     }
     const auto solve = [&](Eigen::Matrix4d curvature, double extra, Eigen::Vector4d& move) {

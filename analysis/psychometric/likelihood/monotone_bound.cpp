@@ -56,7 +56,7 @@ double MonotoneBound::above(const SoughtLevel& level, double low, double high) c
     std::for_each(problem_.levels.begin(), problem_.levels.end(), sort);
   else
     std::for_each(problem_.levels.rbegin(), problem_.levels.rend(), sort);
-  return likeliest_rising(hard, least_guess, best_at_level) +
+  return best_without_stimulus(problem_) + likeliest_rising(hard, least_guess, best_at_level) +
          likeliest_rising(about, least_guess, 1 - least_lapse) +
          likeliest_rising(easy, worst_at_level, 1 - least_lapse);  // priors only lower it: each is at most 0
 }

@@ -22,6 +22,7 @@ bool thin(FitProblem& problem) {
   std::vector<UnitCounts> kept;
   for (std::size_t i = 0; i < problem.rows.size(); i += stride) kept.push_back(problem.rows[i]);
   problem.levels = problem.rows = std::move(kept);
+  problem.no_stimulus = {};  // its rows are among them
   return true;
 }
 

@@ -242,9 +242,14 @@ double Profile::crossing(const ProfileCoordinate& coordinate, double cut, double
 double coordinate_variance(const FitProblem& problem, const Maximum& at, int coordinate) {
   const Objective objective = objective_at(problem, at.theta, at.eta);
   Eigen::Matrix4d information = objective.expected;
+  if (problem.equal_rates) {  // d/d(both) is the sum of d/d(lapse) and d/d(guess)
+    information.row(parameter::lapse) += information.row(parameter::guess);
+    information.col(parameter::lapse) += information.col(parameter::guess);
+  }
   for (int i = 0; i < 4; ++i) {
     const bool known =
-        i != coordinate && (at.theta[i] <= problem.lower[i] || at.theta[i] >= problem.upper[i]);
+        i != coordinate && (at.theta[i] <= problem.lower[i] || at.theta[i] >= problem.upper[i] ||
+                            (problem.equal_rates && i == parameter::guess));
     if (!known) continue;
     information.row(i).setZero();
     information.col(i).setZero();

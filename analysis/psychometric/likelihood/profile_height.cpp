@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/psychometric/likelihood/profile.h"
+#include "analysis/statistics/distributions.h"
 #include "study/placement/sigmoid_shape.h"
 
 namespace seamline::analysis {
@@ -81,6 +83,28 @@ std::vector<Theta> starts(const Search& search, const ProfileCoordinate& coordin
   return thetas;
 }
 
+/// What a beta-binomial profile may fall below its maximum beyond what a known eta would allow. Rows are few,
+/// so that the likeliest eta is too small and its uncertainty is felt: were all scatter overdispersion,
+/// answers would be normal with an unknown variance, whose likelihood ratio falls by N ln(1 + t^2 / (N - p))
+/// / 2 at the ends of a 95 % interval. That is allowed in the share of the scatter that is overdispersion at
+/// the held value's own eta.
+double overdispersion_allowance(const FitProblem& problem, double eta) {
+  if (!problem.overdispersed || !(eta > 0)) return 0;
+  double share = 0;
+  for (const UnitCounts& row : problem.rows) {
+    const double extra = (row.n - 1) * eta * eta;
+    share += extra / (1 + extra);
+  }
+  const auto rows = static_cast<double>(problem.rows.size());
+  double parameters = 2;
+  for (const int rate : {parameter::lapse, parameter::guess})
+    if (problem.upper[rate] > problem.lower[rate] && !(problem.equal_rates && rate == parameter::guess))
+      parameters += 1;
+  const double left = std::max(1.0, rows - parameters);
+  const double t = student_quantile(left, 0.975);
+  return share / rows * std::max(0.0, rows * std::log1p(t * t / left) - chi_squared_95) / 2;
+}
+
 }  // namespace
 
 Maximum climb_held(const Search& search, const ProfileCoordinate& coordinate, double x, const Maximum& warm) {
@@ -88,7 +112,9 @@ Maximum climb_held(const Search& search, const ProfileCoordinate& coordinate, do
   held.fixed[static_cast<std::size_t>(coordinate.index)] = true;
   Theta start = warm.theta;
   start[coordinate.index] = x;
-  return maximise(search.problem, held, start, warm.eta);
+  Maximum found = maximise(search.problem, held, start, warm.eta);
+  found.value += overdispersion_allowance(search.problem, found.eta);
+  return found;
 }
 
 Maximum highest_profile(const Search& search, const ProfileCoordinate& coordinate, double x,

@@ -13,7 +13,8 @@ struct ProfileCoordinate {
   double start = 0;             ///< at the maximum
 };
 
-/// The maximum with the coordinate held at x that a climb from `warm` finds.
+/// The maximum with the coordinate held at x that a climb from `warm` finds. Of beta-binomial rows its value
+/// is raised by what a 95 % interval must allow for an eta that few rows estimate.
 [[nodiscard]] Maximum climb_held(const Search& search, const ProfileCoordinate& coordinate, double x,
                                  const Maximum& warm);
 

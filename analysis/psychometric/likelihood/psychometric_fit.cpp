@@ -1,11 +1,14 @@
 #include "analysis/psychometric/likelihood/psychometric_fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/psychometric/likelihood/count_terms.h"
 #include "analysis/psychometric/likelihood/profile.h"
 #include "study/placement/sigmoid_shape.h"
+#include "support/text/error.h"
 
 namespace seamline::analysis {
 
@@ -19,7 +22,7 @@ double flat_log_likelihood(const FitProblem& problem) {
   }
   const double p =
       std::clamp(all.k / all.n, problem.lower[parameter::guess], 1 - problem.lower[parameter::lapse]);
-  return binomial_term(all.k, all.n, p, 1 - p).value;
+  return binomial_term(all.k, all.n, p, 1 - p).value + best_without_stimulus(problem);
 }
 
 /// A direction that was not given is the likelier one.
@@ -45,7 +48,9 @@ double log_likelihood_of(const PsychometricFit& fit) {
   const FitProblem& problem = fit.search.problem;
   if (fit.eta > 0 || problem.levels.size() == fit.levels.size())
     return log_likelihood(problem, fit.search.best.theta, fit.eta);
-  double sum = 0;
+  const UnitCounts& none = problem.no_stimulus;
+  const ResponseProbability blind = probability_at(problem, fit.search.best.theta, none.t);
+  double sum = none.n > 0 ? binomial_term(none.k, none.n, blind.right, blind.wrong).value : 0;
   for (const LevelCounts& level : fit.levels) {
     const ResponseProbability p = probability_at(problem, fit.search.best.theta,
                                                  problem.to_unit(axis_value(problem.axis, level.level)));
@@ -56,9 +61,21 @@ double log_likelihood_of(const PsychometricFit& fit) {
   return sum;
 }
 
+/// Right answers without a stimulus are guesses.
+void require_possible_without_stimulus(const PsychometricFit& fit) {
+  const LevelCounts& none = fit.no_stimulus;
+  if (none.trials == 0 || std::isfinite(best_without_stimulus(fit.search.problem))) return;
+  throw input_error(
+      {.field = "level 0",
+       .wanted = fmt::format("a {} rate that is not 0, as {} of {} answers without a stimulus are right "
+                             "or yes (--guess free, --lapse free)",
+                             fit.search.problem.sign > 0 ? "guess" : "lapse", none.correct, none.trials),
+       .found = "a fixed rate of 0"});
+}
+
 int free_parameters(const FitProblem& problem) {
   return 2 + (problem.upper[parameter::lapse] > problem.lower[parameter::lapse] ? 1 : 0) +
-         (problem.upper[parameter::guess] > problem.lower[parameter::guess] ? 1 : 0) +
+         (!problem.equal_rates && problem.upper[parameter::guess] > problem.lower[parameter::guess] ? 1 : 0) +
          (problem.overdispersed ? 1 : 0);
 }
 
@@ -69,12 +86,15 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
   require_valid(counts, options.axis);
   PsychometricFit fit;
   fit.options = options;
+  if (options.equal_rates) fit.options.guess = options.lapse;
   fit.levels = pooled_by_level(counts);
+  fit.no_stimulus = take_no_stimulus(fit.levels, options.axis);
   fit.levels_without_trials = static_cast<int>(
       std::count_if(counts.begin(), counts.end(), [](const LevelCounts& row) { return row.trials == 0; }));
   if (fit.levels.empty()) return fit;
 
   fit.search = search_direction(counts, options, fit);
+  require_possible_without_stimulus(fit);
   const FitProblem& problem = fit.search.problem;
   fit.is_step = fit.search.is_step;
   const Theta& theta = fit.is_step ? fit.search.step->middle : fit.search.best.theta;
@@ -96,7 +116,8 @@ PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts, const F
 
 double fitted_probability(const PsychometricFit& fit, double level) {
   const FitProblem& problem = fit.search.problem;
-  return probability_at(problem, fit.search.best.theta, problem.to_unit(axis_value(fit.options.axis, level)))
+  const double a = axis_value(fit.options.axis, level);
+  return probability_at(problem, fit.search.best.theta, std::isfinite(a) ? problem.to_unit(a) : no_stimulus_t)
       .right;
 }
 

@@ -15,6 +15,7 @@ struct PsychometricFit {
   /// The other direction is less likely by more than 1.92 log units; true when it was given.
   bool direction_known = false;
   std::vector<LevelCounts> levels;  ///< pooled, rising; those without a trial left out; may be empty
+  LevelCounts no_stimulus;          ///< answers at level 0 of a log2 axis; no part of `levels`
   int levels_without_trials = 0;
   bool is_step = false;  ///< no sigmoid is likelier than a step: threshold and width are then ranges
   study::PsychometricFunction function;  ///< the estimate; when `is_step` the middle of those as likely

@@ -61,18 +61,27 @@ void lay_grid(Search& search) {
     search.log_scales.push_back(std::log(smallest) + i * (std::log(3) - std::log(smallest)) / (scales - 1));
   search.log_scales.push_back(std::log(30));
   search.lapses = spread(problem.lower[parameter::lapse], problem.upper[parameter::lapse], {0, 0.2, 1});
-  search.guesses = spread(problem.lower[parameter::guess], problem.upper[parameter::guess], {0, 0.1, 0.4, 1});
+  search.guesses = problem.equal_rates ? search.lapses
+                                       : spread(problem.lower[parameter::guess],
+                                                problem.upper[parameter::guess], {0, 0.1, 0.4, 1});
 }
 
 double value_of_levels(const FitProblem& problem, const std::vector<study::SigmoidPoint>& F, double l,
                        double g) {
-  double sum = 0;
+  const UnitCounts& none = problem.no_stimulus;
+  const double blind = problem.sign > 0 ? g : 1 - l;
+  double sum = none.n > 0 ? binomial_term(none.k, none.n, blind, 1 - blind).value : 0;
   for (std::size_t i = 0; i < F.size(); ++i) {
     const double A = 1 - g - l;
     sum +=
         binomial_term(problem.levels[i].k, problem.levels[i].n, g + A * F[i].below, l + A * F[i].above).value;
   }
   return sum;
+}
+
+/// The guess rates that are tried beside a lapse rate.
+std::vector<double> guesses_beside(const Search& search, double lapse) {
+  return search.problem.equal_rates ? std::vector{lapse} : search.guesses;
 }
 
 Maximum likeliest_cell(const Search& search, double place, double log_scale,
@@ -84,7 +93,7 @@ Maximum likeliest_cell(const Search& search, double place, double log_scale,
   Maximum cell{.theta = {place, log_scale, search.lapses.front(), search.guesses.front()},
                .value = -infinity};
   for (double l : search.lapses)
-    for (double g : search.guesses)
+    for (double g : guesses_beside(search, l))
       if (const double value = value_of_levels(problem, F, l, g); value > cell.value) {
         cell.value = value;
         cell.theta[parameter::lapse] = l;
@@ -138,7 +147,7 @@ void climb_from_edges(const Search& search, const Consider& consider) {
     Maximum start{.value = -infinity};
     for (double scale : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0})
       for (double l : search.lapses)
-        for (double g : search.guesses) {
+        for (double g : guesses_beside(search, l)) {
           const Theta theta{edge, std::log(scale), l, g};
           if (const double value = objective_value(problem, theta, 0); value > start.value)
             start = {.theta = theta, .value = value};

@@ -48,6 +48,10 @@ Candidate candidate(const FitProblem& problem, Side guessing, Side seeing) {
   found.lapse =
       1 - share_within(seeing, 1 - problem.upper[parameter::lapse], 1 - problem.lower[parameter::lapse]);
   if (seeing.n == 0) found.lapse = problem.lower[parameter::lapse];
+  if (problem.equal_rates)
+    found.guess = found.lapse =
+        share_within({.k = guessing.k + seeing.n - seeing.k, .n = guessing.n + seeing.n},
+                     problem.lower[parameter::lapse], problem.upper[parameter::lapse]);
   found.value = term(guessing, found.guess) + term(seeing, 1 - found.lapse);
   return found;
 }
@@ -55,7 +59,7 @@ Candidate candidate(const FitProblem& problem, Side guessing, Side seeing) {
 /// Every step, in the order of levels: before the first, through it, between it and the second, ...
 template <class Consider>
 void for_each_candidate(const FitProblem& problem, const Consider& consider) {
-  Side all, before;
+  Side before{.k = problem.no_stimulus.k, .n = problem.no_stimulus.n}, all = before;
   for (const UnitCounts& level : problem.levels) all = {all.k + level.k, all.n + level.n};
   const bool rising = problem.sign > 0;
   const auto at = [&](const Side& low, const Side& high, std::size_t first, const UnitCounts* middle) {

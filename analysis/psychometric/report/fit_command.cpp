@@ -1,27 +1,35 @@
 #include "analysis/psychometric/report/fit_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "analysis/psychometric/report/fit_json.h"
 #include "analysis/psychometric/report/fit_quantities.h"
+#include "analysis/psychometric/report/fit_table.h"
 #include "analysis/psychometric/report/fit_text.h"
+#include "analysis/psychometric/report/grouped_fit.h"
+#include "analysis/psychometric/report/sigmoid_comparison.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
+#include "support/text/printable.h"
 
 namespace seamline::analysis {
 
 namespace {
 
 constexpr double largest_free_guess = 0.5, largest_free_lapse = 0.1;
-constexpr std::size_t rows_of_seconds = 20'000;  ///< more may take seconds, and say how far they are
+constexpr const char* all_sigmoids_word = "all";   ///< sigmoids
+constexpr const char* equal_rates_word = "equal";  ///< guess and lapse rate
+constexpr std::size_t rows_of_seconds = 20'000;    ///< more may take seconds, and say how far they are
 
 /// The words of the command line, before they are understood.
 struct FitArguments {
@@ -31,6 +39,7 @@ struct FitArguments {
               lapse = "free:0.1", guess;
   std::string threshold_prior, width_prior, lapse_prior;
   bool overdispersed = false, json = false;
+  FitColumns columns;
   FitRequest request;
 };
 
@@ -86,6 +95,7 @@ void require_lapse(const std::string& text) {
   (void)rate_of("--lapse", text, largest_free_lapse);
 }
 void require_guess(const std::string& text) {
+  if (text == equal_rates_word) return;
   (void)rate_of("--guess", text, largest_free_guess);
 }
 void require_pair(const std::string& option, const std::string& text) {
@@ -107,30 +117,110 @@ study::Axis axis_of(const FitArguments& arguments) {
 
 FitOptions options_of(const FitArguments& arguments) {
   FitOptions options = options_for_alternatives(arguments.alternatives);
-  options.sigmoid = sigmoid_from_word(arguments.sigmoid).value();
+  if (arguments.sigmoid != all_sigmoids_word) options.sigmoid = sigmoid_from_word(arguments.sigmoid).value();
   options.axis = axis_of(arguments);
   if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
   if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
   options.lapse = rate_of("--lapse", arguments.lapse, largest_free_lapse);
-  if (!arguments.guess.empty()) options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
+  if (arguments.guess == equal_rates_word && arguments.alternatives > 1)
+    throw input_error({.field = "--guess",
+                       .wanted = "a rate for a choice of several; equal rates at both ends are for yes/no "
+                                 "(--alternatives 1)",
+                       .found = "'equal'"});
+  if (arguments.guess == equal_rates_word)
+    options.equal_rates = true;
+  else if (!arguments.guess.empty())
+    options.guess = rate_of("--guess", arguments.guess, largest_free_guess);
+  else if (arguments.alternatives == 1)
+    options.guess = free_rate(std::min(largest_free_guess, 0.99 - options.lapse.high));
   options.priors = priors_of(arguments);
   options.overdispersed = arguments.overdispersed;
   return options;
 }
 
+/// What was ignored and understood of the file, behind the report.
+std::string with_remarks(const std::string& report, const FitTable& table, bool as_json) {
+  if (table.ignored.empty() && table.remarks.empty()) return report;
+  if (as_json) {
+    auto json = nlohmann::ordered_json::parse(report);
+    json["ignored_columns"] = table.ignored;
+    json["remarks"] = table.remarks;
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+  std::string text = report;
+  if (!table.ignored.empty())
+    text += fmt::format("Ignored column{}: {}.\n", table.ignored.size() == 1 ? "" : "s",
+                        fmt::join(table.ignored, ", "));
+  for (const std::string& remark : table.remarks) text += "Note: " + remark + ".\n";
+  return text;
+}
+
+/// Of yes/no answers whose rates nobody asked for: what the model would say whose ends mirror each other.
+std::string remark_on_rates(const JudgedFit* fit, const FitTable& table) {
+  std::string remark =
+      "yes/no: guess and lapse rate are fitted apart; --guess equal makes them one, as for a point of "
+      "subjective "
+      "equality";
+  if (fit == nullptr || !fit->threshold) return remark;
+  FitOptions options = fit->fit.options;
+  options.equal_rates = true;
+  const PsychometricFit equal = fit_psychometric(counts_of(table), options);
+  return remark + fmt::format(": its threshold is then {:.4g}, its AIC {:.2f}", equal.function.threshold,
+                              2 * equal.free_parameters - 2 * equal.log_likelihood);
+}
+
+std::string report_of(FitTable& table, const FitArguments& arguments, const FitRequest& request) {
+  const FitOptions options = options_of(arguments);
+  const bool unasked_rates = arguments.alternatives == 1 && arguments.guess.empty();
+  const bool several = !table.groups.empty() || !table.participants.empty();
+  if (several && arguments.sigmoid == all_sigmoids_word)
+    throw input_error({.field = "--sigmoid",
+                       .wanted = "one sigmoid where there are groups or participants",
+                       .found = "'all'"});
+  if (several) {
+    if (unasked_rates) table.remarks.push_back(remark_on_rates(nullptr, table));
+    const GroupedFit fits = fit_groups(table, options, request);
+    return arguments.json ? grouped_json(fits) : grouped_text(fits);
+  }
+  if (arguments.sigmoid == all_sigmoids_word) {
+    const SigmoidComparison comparison = compare_sigmoids(counts_of(table), options, request);
+    if (unasked_rates) table.remarks.push_back(remark_on_rates(&comparison.fits.front(), table));
+    return arguments.json ? comparison_json(comparison) : comparison_text(comparison);
+  }
+  const JudgedFit report = judge_fit(counts_of(table), options, request);
+  if (unasked_rates) table.remarks.push_back(remark_on_rates(&report, table));
+  return arguments.json ? fit_json(report) : fit_text(report);
+}
+
 void run_fit(const FitArguments& arguments) {
-  const std::vector<LevelCounts> counts = read_level_counts(arguments.file, axis_of(arguments));
+  FitTable table = read_fit_table(arguments.file, arguments.columns, axis_of(arguments));
   FitRequest request = arguments.request;
   std::optional<Progress> progress;
-  if (counts.size() > rows_of_seconds) progress.emplace("fit", 1);
+  if (table.rows.size() > rows_of_seconds && table.groups.empty() && arguments.sigmoid != all_sigmoids_word)
+    progress.emplace("fit", 1);
   double told = 0;
   request.progress = [&](double share, const std::string& now_doing) {
     if (progress) progress->advance(share - told, now_doing);
     told = share;
   };
-  const JudgedFit report = judge_fit(counts, options_of(arguments), request);
+  const std::string report = report_of(table, arguments, request);
   progress.reset();
-  std::fputs((arguments.json ? fit_json(report) : fit_text(report)).c_str(), stdout);
+  std::fputs(with_remarks(report, table, arguments.json).c_str(), stdout);
+}
+
+void add_column_options(CLI::App& command, FitColumns& columns) {
+  const auto add = [&](const char* name, std::string& target, const char* description) {
+    command.add_option(name, target, description)->type_name("COLUMN");
+  };
+  add("--level", columns.level, "column of the levels; by default level, x, intensity or stimulus");
+  add("--correct", columns.correct,
+      "column of right (or yes) answers; by default correct, k, right, yes, ...");
+  add("--trials", columns.trials,
+      "column of trials; by default trials, n, n_trials or total; without one a row is one answer");
+  add("--times", columns.times,
+      "column of how often the answer of a row (0 or 1) was given; instead of --trials");
+  add("--participant", columns.participant, "column of participants: a model of people who differ");
+  add("--group", columns.group, "column of groups or conditions: a fit to each, and their differences");
 }
 
 }  // namespace
@@ -140,15 +230,17 @@ void add_fit_command(CLI::App& app) {
       "fit", "a psychometric function from counts at levels: threshold, width, intervals, goodness of fit");
   const auto arguments = std::make_shared<FitArguments>();
   command->add_option("data", arguments->file, "CSV with the columns level,correct,trials")->required();
+  add_column_options(*command, arguments->columns);
   add_number(*command, "--alternatives", arguments->alternatives, {1, 1000},
              "of the forced choice; 1 is yes/no")
       ->required();
   const std::vector<std::string> sigmoids = sigmoid_words();
+  std::vector<std::string> allowed = sigmoids;
+  allowed.emplace_back(all_sigmoids_word);
   command
-      ->add_option(
-          "--sigmoid", arguments->sigmoid,
-          fmt::format("{} or {}", fmt::join(sigmoids.begin(), sigmoids.end() - 1, ", "), sigmoids.back()))
-      ->check(CLI::IsMember(sigmoids))
+      ->add_option("--sigmoid", arguments->sigmoid,
+                   fmt::format("{}, or all: compared by AIC", fmt::join(sigmoids, ", ")))
+      ->check(CLI::IsMember(allowed))
       ->capture_default_str();
   command->add_option("--axis", arguments->axis, "log2 or linear")
       ->check(CLI::IsMember({"log2", "linear"}))
@@ -158,8 +250,10 @@ void add_fit_command(CLI::App& app) {
       ->capture_default_str();
   add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", require_lapse)
       ->capture_default_str();
-  add_formed_text(*command, "--guess", arguments->guess, "RATE",
-                  "a fixed rate, free (to 0.5) or free:MAX; default 1/N, 0 for yes/no", require_guess);
+  add_formed_text(
+      *command, "--guess", arguments->guess, "RATE",
+      "a fixed rate, free (to 0.5), free:MAX or, for yes/no, equal to --lapse; default 1/N, free for yes/no",
+      require_guess);
   add_number(*command, "--percent", arguments->request.percents, {0, 100},
              "also the level of this percentage correct, between 0 and 100; repeat for more");
   command->add_flag("--overdispersed", arguments->overdispersed,
