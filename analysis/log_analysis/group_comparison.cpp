@@ -151,8 +151,8 @@ double degrees_of_freedom(const Eigen::VectorXd& weights, const JointJackknife& 
   return squares > 0 ? sum * sum / squares : 1;
 }
 
-void add_shifts(const Analysis& analysis, const Grouping& grouping, const std::vector<std::string>& names,
-                GroupComparison& comparison) {
+void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
+                      const std::vector<std::string>& names, GroupComparison& comparison) {
   const JointAnalysis& joint = *analysis.joint;
   const auto groups = static_cast<int>(names.size()), curves = static_cast<int>(joint.labels.size());
   const JointData data = split_by_group(joint.data, grouping.group_of, groups);
@@ -255,7 +255,7 @@ GroupComparison compare_by(const Analysis& analysis, const std::string& field) {
   if (!small.empty())
     comparison.notes.push_back(
         fmt::format("Left out, because fewer than {} people are in it: {}.", fewest_in_group, small));
-  add_shifts(analysis, grouping, kept, comparison);
+  add_group_shifts(analysis, grouping, kept, comparison);
   return comparison;
 }
 

@@ -24,7 +24,7 @@ Interval interval_at(double estimate, double variance, int people) {
 }
 
 /// Mean over people of one value each.
-MeanResidual mean_of(std::string name, const std::vector<double>& values) {
+MeanResidual mean_residual_of(std::string name, const std::vector<double>& values) {
   MeanResidual result;
   result.name = std::move(name);
   const CellMean mean = mean_over_participants(values);
@@ -125,7 +125,7 @@ std::vector<MeanResidual> residuals_of_people(const PlacedAnswers& placed) {
   }
   std::vector<MeanResidual> result;
   for (std::size_t person = 0; person < left.size(); ++person) {
-    result.push_back(mean_of(placed.people[person], left[person]));
+    result.push_back(mean_residual_of(placed.people[person], left[person]));
     result.back().answers = static_cast<int>(left[person].size());
   }
   return result;
@@ -162,7 +162,7 @@ std::vector<MeanResidual> residuals_of_objects(const Analysis& analysis, const P
       means.push_back(tally.first / tally.second);
       answers += tally.second;
     }
-    result.push_back(mean_of(object.object, means));
+    result.push_back(mean_residual_of(object.object, means));
     MeanResidual& residual = result.back();
     residual.artifact = object.artifact;
     residual.condition = object.condition;

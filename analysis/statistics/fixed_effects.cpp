@@ -7,7 +7,7 @@ namespace seamline::analysis {
 namespace {
 
 /// Subtracts each group's mean; the largest change.
-double centre(const std::vector<int>& group, int groups, Eigen::MatrixXd& columns) {
+double subtract_means(const std::vector<int>& group, int groups, Eigen::MatrixXd& columns) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(groups, columns.cols());
   Eigen::VectorXd count = Eigen::VectorXd::Zero(groups);
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
@@ -42,9 +42,9 @@ Eigen::MatrixXd without_effects(const TwoWayData& data, Eigen::MatrixXd columns)
   constexpr int most_turns = 200;
   constexpr double small = 1e-10;
   for (int turn = 0; turn < most_turns; ++turn) {
-    const double by_stimulus = centre(data.stimulus, data.stimuli, columns);
+    const double by_stimulus = subtract_means(data.stimulus, data.stimuli, columns);
     if (by_stimulus < small && turn > 0) break;
-    (void)centre(data.person, data.people, columns);
+    (void)subtract_means(data.person, data.people, columns);
   }
   return columns;
 }

@@ -15,7 +15,7 @@ namespace seamline::analysis {
 
 namespace {
 
-constexpr int band_points = 60;
+constexpr int model_points = 60;
 
 bool has_numbers(const Analysis& analysis) {
   return analysis.joint && analysis.joint->fit.estimated();
@@ -31,8 +31,8 @@ std::string model_block(const JointAnalysis& joint, std::size_t index) {
   const std::vector<double> levels = levels_of_curve(joint.data, static_cast<int>(index));
   if (has_curve(joint, index) && levels.size() > 1) {
     const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
-    for (int i = 0; i <= band_points; ++i) {
-      const double x = *low + (*high - *low) * i / band_points;
+    for (int i = 0; i <= model_points; ++i) {
+      const double x = *low + (*high - *low) * i / model_points;
       const MeanBand counted =
           mean_band(joint.fit, joint.left_out, static_cast<int>(index), JointMean::as_counted, x);
       const MeanBand seen = mean_band(joint.fit, joint.left_out, static_cast<int>(index), JointMean::seen, x);

@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-std::string with_interval(double value, const Interval& ci95) {
+std::string value_with_interval(double value, const Interval& ci95) {
   if (!std::isfinite(ci95.low) || !std::isfinite(ci95.high)) return decimal_text(value, 2) + " (no interval)";
   return fmt::format("{} ({} to {})", decimal_text(value, 2), decimal_text(ci95.low, 2),
                      decimal_text(ci95.high, 2));
@@ -24,11 +24,11 @@ std::string parts_html(const SessionOrder& order) {
   Lines lines;
   for (std::size_t i = 0; i < order.thirds.size(); ++i)
     lines.push_back({names[i], std::to_string(order.thirds[i].answers),
-                     with_interval(order.thirds[i].mean, order.thirds[i].ci95)});
-  lines.push_back(
-      {"last third − first third", "", with_interval(order.last_less_first, order.last_less_first_ci95)});
-  lines.push_back(
-      {"last trial − first trial, by a straight line", "", with_interval(order.trend, order.trend_ci95)});
+                     value_with_interval(order.thirds[i].mean, order.thirds[i].ci95)});
+  lines.push_back({"last third − first third", "",
+                   value_with_interval(order.last_less_first, order.last_less_first_ci95)});
+  lines.push_back({"last trial − first trial, by a straight line", "",
+                   value_with_interval(order.trend, order.trend_ci95)});
   return html_table({{"part of the session"}, {"answers", true}, {"mean noticeability, 95 %", true}}, lines);
 }
 
@@ -38,7 +38,7 @@ std::string apart_html(const SessionOrder& order) {
   const auto add = [&](const MeanResidual& residual, const std::string& what, const std::string& name) {
     if (residual.ci95.low > 0 || residual.ci95.high < 0)
       lines.push_back(
-          {what, name, std::to_string(residual.answers), with_interval(residual.mean, residual.ci95)});
+          {what, name, std::to_string(residual.answers), value_with_interval(residual.mean, residual.ci95)});
   };
   for (const MeanResidual& residual : order.people_residuals) add(residual, "participant", residual.name);
   for (const MeanResidual& residual : order.object_residuals)
