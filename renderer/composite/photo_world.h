@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "renderer/composite/composite_light.h"
+#include "renderer/composite/light/sent_light.h"
 #include "renderer/composite/photo_depth.h"
 #include "renderer/composite/photo_view.h"
-#include "renderer/composite/sent_light.h"
 
 namespace seamline::renderer {
 

@@ -1,4 +1,4 @@
-#include "renderer/composite/sent_light.h"
+#include "renderer/composite/light/sent_light.h"
 
 #include <algorithm>
 #include <memory>
