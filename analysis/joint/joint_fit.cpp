@@ -18,7 +18,7 @@ namespace {
 constexpr double above_chance_at = 0.01;
 constexpr std::size_t levels_of_a_scale = 3, levels_of_a_threshold = 2;
 /// A step fits as well where a scale so many times smaller loses less than this of the log likelihood.
-constexpr double much_smaller = 8, as_likely = 0.5;
+constexpr double much_smaller = 8, loses_little = 0.5;
 constexpr int most_step_iterations = 40;
 
 struct CurveTally {
@@ -90,7 +90,7 @@ bool excludes_step(const JointFit& fit, const JointCounts& counts, int curve) {
       },
       start, most_step_iterations);
   return value_without_pull(fit.model, counts, steep.at, at) <
-         value_without_pull(fit.model, counts, fit.theta, at) - as_likely;
+         value_without_pull(fit.model, counts, fit.theta, at) - loses_little;
 }
 
 void conclude(JointFit& fit, JointVerdict verdict, std::string explanation) {
