@@ -22,14 +22,15 @@ constexpr int scores = 5;  // 0 wrong, 1 to 4 the rating of a right choice
 constexpr double chance_of_two = 0.5;
 constexpr std::uint64_t splits = 5;  // 20 for the table
 
-/// Answers at a level: right rated 1 to 4, then wrong rated 1 to 4.
+/// AnswersByLevel at a level: right rated 1 to 4, then wrong rated 1 to 4.
 using LevelAnswers = std::array<double, 8>;
-using Answers = std::map<double, LevelAnswers>;  // by x = -log2 contrast: falling, as on every axis of curves
+using AnswersByLevel =
+    std::map<double, LevelAnswers>;  // by x = -log2 contrast: falling, as on every axis of curves
 using ScoreShares = std::array<double, scores>;
 
-std::map<std::string, Answers> read_people() {
+std::map<std::string, AnswersByLevel> read_people() {
   std::ifstream file(std::string(SEAMLINE_SOURCE_DIR) + "/tests/data/adler2018_task_a_ratings.csv");
-  std::map<std::string, Answers> people;
+  std::map<std::string, AnswersByLevel> people;
   std::string line;
   for (std::getline(file, line); std::getline(file, line);) {
     std::stringstream row(line);
@@ -53,8 +54,8 @@ std::size_t score_of(std::size_t place) {
 }
 
 /// Puts each answer into the first part with probability `share`.
-std::pair<Answers, Answers> split(const Answers& answers, double share, Random& random) {
-  std::pair<Answers, Answers> parts;
+std::pair<AnswersByLevel, AnswersByLevel> split(const AnswersByLevel& answers, double share, Random& random) {
+  std::pair<AnswersByLevel, AnswersByLevel> parts;
   for (const auto& [x, counts] : answers)
     for (std::size_t place = 0; place < counts.size(); ++place)
       for (int i = 0; i < static_cast<int>(counts[place]); ++i)
@@ -62,7 +63,7 @@ std::pair<Answers, Answers> split(const Answers& answers, double share, Random& 
   return parts;
 }
 
-ScoreShares by_joint_model(const Answers& fitted, double x) {
+ScoreShares by_joint_model(const AnswersByLevel& fitted, double x) {
   JointData data;
   data.curves = {"contrast"};
   data.people = {"one"};
@@ -83,7 +84,7 @@ ScoreShares by_joint_model(const Answers& fitted, double x) {
   return shares;
 }
 
-ScoreShares by_ordinal_model(const Answers& fitted, double x) {
+ScoreShares by_ordinal_model(const AnswersByLevel& fitted, double x) {
   OrdinalData data;
   data.predictor_names = {"level"};
   std::vector<double> levels;
@@ -110,7 +111,7 @@ ScoreShares by_ordinal_model(const Answers& fitted, double x) {
 }
 
 /// Shares of each score at the levels fitted, joined by straight lines.
-ScoreShares by_lines(const Answers& fitted, double x) {
+ScoreShares by_lines(const AnswersByLevel& fitted, double x) {
   const auto at = [](const LevelAnswers& counts) {
     ScoreShares shares{};
     for (std::size_t place = 0; place < 8; ++place) shares[score_of(place)] += counts[place] / sum(counts);
@@ -156,7 +157,7 @@ struct Judgement {
 struct Judgements {
   Judgement joint, lines, ordinal;
 
-  void add(const Answers& fitted, double x, const LevelAnswers& judged) {
+  void add(const AnswersByLevel& fitted, double x, const LevelAnswers& judged) {
     joint.add(by_joint_model(fitted, x), judged);
     lines.add(by_lines(fitted, x), judged);
     ordinal.add(by_ordinal_model(fitted, x), judged);
@@ -180,7 +181,7 @@ TEST(RealPeople, AnswerAsTheJointModelSaysOnAnswersItDidNotSee) {
     }
     for (const auto& [x, counts] : answers) {
       if (x == answers.begin()->first || x == answers.rbegin()->first) continue;
-      Answers others = answers;
+      AnswersByLevel others = answers;
       others.erase(x);
       level.add(others, x, counts);
     }
