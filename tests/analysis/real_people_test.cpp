@@ -22,7 +22,7 @@ constexpr int scores = 5;  // 0 wrong, 1 to 4 the rating of a right choice
 constexpr double chance_of_two = 0.5;
 constexpr std::uint64_t splits = 5;  // 20 for the table
 
-/// AnswersByLevel at a level: right rated 1 to 4, then wrong rated 1 to 4.
+/// Answers at a level: right rated 1 to 4, then wrong rated 1 to 4.
 using LevelAnswers = std::array<double, 8>;
 using AnswersByLevel =
     std::map<double, LevelAnswers>;  // by x = -log2 contrast: falling, as on every axis of curves
