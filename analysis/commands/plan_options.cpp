@@ -40,11 +40,11 @@ std::vector<CLI::Option*> add_wanted(CLI::App& command, WantedTargets& wanted) {
       command.add_option("--conditions", wanted.conditions, "in these conditions, with commas (all)")
           ->delimiter(','),
       command
-          .add_option("--compare", wanted.differences,
+          .add_option("--difference", wanted.differences,
                       "A:B, two artifacts or conditions: the difference of their thresholds, B less A")
           ->delimiter(','),
       command.add_flag("--differences-alone", wanted.differences_alone,
-                       "only the differences of --compare are wanted"),
+                       "only the differences of --difference are wanted"),
       add_number(command, "--stated-difference", wanted.stated_difference, {-1000, 1000},
                  "power for this difference, in octaves (or the level's unit), whatever [observer] says")};
 }

@@ -92,10 +92,10 @@ void check_claims(const PlanRequest& request, const std::vector<double>& levels,
   const bool compares = !request.wanted.differences.empty();
   if (request.equal_within && !compares)
     throw input_error(
-        {.field = "--equal-within", .wanted = "--compare A:B beside it", .found = "no comparison"});
+        {.field = "--equal-within", .wanted = "--difference A:B beside it", .found = "no comparison"});
   if (request.wanted.stated_difference && !compares)
     throw input_error(
-        {.field = "--stated-difference", .wanted = "--compare A:B beside it", .found = "no comparison"});
+        {.field = "--stated-difference", .wanted = "--difference A:B beside it", .found = "no comparison"});
 }
 
 SimulatedStudy simulate_study(const PlanRequest& request, const PlannedPopulation& population,

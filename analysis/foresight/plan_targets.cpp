@@ -62,7 +62,7 @@ CurvePairs pairs_of(const std::string& text, const WantedTargets& wanted,
     }
   if (pairs.empty())
     throw input_error(
-        {.field = "--compare",
+        {.field = "--difference",
          .wanted = fmt::format("A:B, two of the study's artifacts ({}) or conditions ({})",
                                fmt::join(artifacts_of(curves), ", "), fmt::join(conditions_of(curves), ", ")),
          .found = text});

@@ -11,7 +11,7 @@ namespace seamline::analysis {
 
 namespace {
 
-struct Distances {
+struct OutcomeDistances {
   double choices = 0, ratings = 0;
 };
 
@@ -20,8 +20,9 @@ double deviance(double observed, double expected) {
 }
 
 /// G^2 of choices and of ratings of right answers given that they are right.
-Distances distances(const JointModel& model, const Eigen::VectorXd& counts, const Eigen::VectorXd& theta) {
-  Distances sum;
+OutcomeDistances distances(const JointModel& model, const Eigen::VectorXd& counts,
+                           const Eigen::VectorXd& theta) {
+  OutcomeDistances sum;
   const Eigen::Index k = model.ratings, width = 2 * k;
   for (std::size_t c = 0; c < model.cells.size(); ++c) {
     const JointCell& cell = model.cells[c];
@@ -109,7 +110,7 @@ std::vector<ScoreCell> score_cells(const JointFit& fit, const Eigen::VectorXd& c
 JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const JointPeople& people,
                              const JointGoodnessRequest& request) {
   const JointCounts counts = all_counts(data);
-  const Distances here = distances(fit.model, counts.cells, fit.theta);
+  const OutcomeDistances here = distances(fit.model, counts.cells, fit.theta);
   JointGoodness goodness{.cells = score_cells(fit, counts.cells),
                          .choices_g2 = here.choices,
                          .ratings_g2 = here.ratings,
@@ -120,8 +121,8 @@ JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const J
   Eigen::VectorXi references(data.ratings);
   for (Eigen::Index r = 0; r < references.size(); ++r)
     references[r] = static_cast<int>(std::lround(counts.references[r]));
-  std::vector<Distances> replicates(static_cast<std::size_t>(std::max(0, request.replicates)),
-                                    {.choices = nan, .ratings = nan});
+  std::vector<OutcomeDistances> replicates(static_cast<std::size_t>(std::max(0, request.replicates)),
+                                           {.choices = nan, .ratings = nan});
   run_parallel(request.replicates, request.threads, [&](int replicate) {
     Random random(request.seed, static_cast<std::uint64_t>(replicate));
     const JointCounts drawn = simulate_answers(fit.model, people, answers, references, random);
@@ -129,7 +130,7 @@ JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const J
       replicates[static_cast<std::size_t>(replicate)] = distances(fit.model, drawn.cells, *top);
   });
   int further_choices = 0, further_ratings = 0;
-  for (const Distances& one : replicates) {
+  for (const OutcomeDistances& one : replicates) {
     if (std::isnan(one.choices)) continue;
     ++goodness.replicates;
     if (one.choices >= here.choices) ++further_choices;

@@ -102,7 +102,8 @@ struct Coverage {
 };
 
 /// The thresholds of what the planted people are expected to answer.
-inline CurveThresholds planted_thresholds(const PlantedStudy& people, const ArtifactScores& scores) {
+inline CurveThresholds thresholds_of_expected_means(const PlantedStudy& people,
+                                                    const ArtifactScores& scores) {
   const double midpoint = *planted_midpoint(people.observer, scores.artifact, scores.condition);
   std::vector<double> expected;
   for (const double level : scores.level)
@@ -128,7 +129,7 @@ inline Coverage coverage_of(const PlantedStudy& people, int count, int studies, 
     };
     const ResamplingRequest request{.replicates = replicates, .seed = 1, .threads = 1};
     for (const ArtifactScores& scores : data.artifacts) {
-      const CurveThresholds truth = planted_thresholds(people, scores);
+      const CurveThresholds truth = thresholds_of_expected_means(people, scores);
       const CurveThresholds found = estimate_thresholds(scores, request).estimates;
       count_in(scores, "PT", found.perceptual, truth.perceptual);
       count_in(scores, "SN", found.slightly_noticeable, truth.slightly_noticeable);
@@ -140,7 +141,7 @@ inline Coverage coverage_of(const PlantedStudy& people, int count, int studies, 
       std::optional<double> of_condition, of_first;
       for (const ArtifactScores& scores : data.artifacts) {
         if (scores.artifact != found.artifact) continue;
-        const CurveThresholds truth = planted_thresholds(people, scores);
+        const CurveThresholds truth = thresholds_of_expected_means(people, scores);
         const ThresholdEstimate& at = found.quantity == "PT" ? truth.perceptual : truth.slightly_noticeable;
         if (scores.condition == found.condition) of_condition = at.level_x;
         if (scores.condition == found.to) of_first = at.level_x;

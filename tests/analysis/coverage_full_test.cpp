@@ -16,9 +16,9 @@ namespace seamline::analysis {
 namespace {
 
 using test::CoverageTally;
-using test::planted_thresholds;
 using test::Population;
 using test::simulate_scores;
+using test::thresholds_of_expected_means;
 
 constexpr int studies = 1000;
 constexpr int people = 20;
@@ -37,7 +37,7 @@ void expect_within(const CoverageTally& tally, double low, double high, const ch
 
 void measure(const char* name, const Population& population) {
   for (Artifact artifact : paper_artifacts) {
-    const CurveThresholds planted = planted_thresholds(population, artifact);
+    const CurveThresholds planted = thresholds_of_expected_means(population, artifact);
     CoverageTally pt, sn, ip, pt_logistic, sn_logistic, pt_bootstrap, sn_bootstrap, pt_logistic_bootstrap,
         sn_logistic_bootstrap;
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
@@ -68,7 +68,7 @@ void measure(const char* name, const Population& population) {
 /// The inverted tests alone, which need no bootstrap, on more studies of other seeds.
 void measure_tests(const char* name, const Population& population) {
   for (Artifact artifact : paper_artifacts) {
-    const CurveThresholds planted = planted_thresholds(population, artifact);
+    const CurveThresholds planted = thresholds_of_expected_means(population, artifact);
     CoverageTally pt, sn, pt_logistic, sn_logistic;
     for (std::uint64_t study = 1; study <= more_studies; ++study) {
       const ArtifactThresholds found = estimate_thresholds(
@@ -124,7 +124,7 @@ TEST(Coverage, OfFewPeople) {
     for (const int few : {2, 3, 4, 5, 7, 10}) {
       double lowest = 100, highest = 0;
       for (const Artifact artifact : paper_artifacts) {
-        const CurveThresholds planted = planted_thresholds(population, artifact);
+        const CurveThresholds planted = thresholds_of_expected_means(population, artifact);
         CoverageTally pt, sn;
         for (std::uint64_t seed = 1; seed <= studies; ++seed) {
           const CurveThresholds found =
@@ -148,7 +148,7 @@ TEST(Coverage, OfFewPeople) {
 
 TEST(Coverage, BiasWith2000Observers) {
   for (Artifact artifact : paper_artifacts) {
-    const CurveThresholds planted = planted_thresholds({}, artifact);
+    const CurveThresholds planted = thresholds_of_expected_means({}, artifact);
     constexpr int large_studies = 100;
     double pt = 0, sn = 0, ip = 0, pt_square = 0, sn_square = 0;
     for (std::uint64_t seed = 1; seed <= large_studies; ++seed) {

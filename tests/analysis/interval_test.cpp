@@ -13,9 +13,9 @@
 namespace seamline::analysis {
 namespace {
 
-using test::planted_thresholds;
 using test::Population;
 using test::simulate_scores;
+using test::thresholds_of_expected_means;
 
 bool holds(const LevelInterval& interval, double level_x) {
   return interval.low_x <= level_x && level_x <= interval.high_x;
@@ -24,7 +24,7 @@ bool holds(const LevelInterval& interval, double level_x) {
 TEST(Interval, HoldsThePlantedValueIn88To100PercentOf50Seeds) {
   const Population population;
   for (Artifact artifact : paper_artifacts) {
-    const CurveThresholds planted = planted_thresholds(population, artifact);
+    const CurveThresholds planted = thresholds_of_expected_means(population, artifact);
     int pt = 0, sn = 0, ip = 0;
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
       const ArtifactThresholds found = estimate_thresholds(simulate_scores(population, artifact, 20, seed),
@@ -42,7 +42,7 @@ TEST(Interval, HoldsThePlantedValueIn88To100PercentOf50Seeds) {
 TEST(Interval, BiasWith2000ObserversIsUnderAFiftiethOfAnOctave) {
   const Population population;
   for (Artifact artifact : paper_artifacts) {
-    const CurveThresholds planted = planted_thresholds(population, artifact);
+    const CurveThresholds planted = thresholds_of_expected_means(population, artifact);
     double pt = 0, sn = 0;
     constexpr int studies = 20;
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {

@@ -60,7 +60,7 @@ TEST(ThresholdsJson, HasTheFieldsOfTheContract) {
 TEST(PlantedValues, AreTrueCrossingsWithTheFunctionalsOfTheExpectedMeansBeside) {
   const Analysis analysis = analysed_without_the_second(test::simulate_log(8, 1));
   const PlantedValues planted = planted_values({}, analysis.data);
-  const CurveThresholds expected = test::planted_thresholds({}, Artifact::overlap);
+  const CurveThresholds expected = test::thresholds_of_expected_means({}, Artifact::overlap);
   const PlantedThresholds& overlap = planted.at({Artifact::overlap, ""});
   EXPECT_DOUBLE_EQ(*overlap.limit.perceptual.level_x, *expected.perceptual.level_x);
   EXPECT_NEAR(std::exp2(overlap.perceptual_x), 1979.5, 0.5);

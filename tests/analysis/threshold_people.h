@@ -85,7 +85,7 @@ inline ArtifactScores simulate_scores(const Population& population, Artifact art
 }
 
 /// The thresholds of the expected means.
-inline CurveThresholds planted_thresholds(const Population& population, Artifact artifact) {
+inline CurveThresholds thresholds_of_expected_means(const Population& population, Artifact artifact) {
   std::vector<double> means;
   for (int width_px : paper_widths_px) means.push_back(detail::expected(population, artifact, width_px));
   return thresholds_of_means(log2_widths({paper_widths_px.begin(), paper_widths_px.end()}), means);

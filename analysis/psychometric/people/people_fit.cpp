@@ -37,7 +37,9 @@ struct PeoplePlace {
 };
 
 PeoplePlace place_at(const PeopleProblem& people, const PeopleTheta& theta) {
-  PeoplePlace place{.theta = theta, .value = 0};
+  PeoplePlace place;
+  place.theta = theta;
+  place.value = 0;
   for (const FitProblem& person : people.each) {
     stop_if_interrupted();
     place.parts.push_back(person_part(person, theta, people_quadrature_nodes));

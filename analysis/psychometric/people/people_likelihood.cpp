@@ -145,7 +145,6 @@ PersonPart person_part(const FitProblem& person, const PeopleTheta& theta, int n
   }
   for (const EffectsNode& node : all) sum += std::exp(node.log_weight - largest);
   part.value = std::log(peak.root.determinant()) - std::log(std::numbers::pi) + largest + std::log(sum);
-  const Effects sd = effect_sds(theta);
   PeopleMatrix second = PeopleMatrix::Zero();
   double mean_square = 0, log_scale_square = 0;
   for (const EffectsNode& node : all) {
