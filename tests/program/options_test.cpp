@@ -47,9 +47,11 @@ std::vector<ListedOption> every_option() {
   return options;
 }
 
-/// Flags, and texts that are names of files and the like. Whatever else there is, is made of numbers.
+/// Flags, and texts that are names of files, of columns and the like. Whatever else there is, is made of
+/// numbers.
 bool holds_numbers(const ListedOption& option) {
-  return option.values > 0 && !option.kind.starts_with("TEXT") && option.kind != "NAME";
+  return option.values > 0 && !option.kind.starts_with("TEXT") && option.kind != "NAME" &&
+         option.kind != "COLUMN";
 }
 
 /// What a command line says to its arguments before it does anything.

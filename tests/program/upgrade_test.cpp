@@ -28,9 +28,9 @@ class Upgrade : public testing::Test {
                                  testing::UnitTest::GetInstance()->current_test_info()->name()),
            today = folder / "today.sqlite", old = folder / "old.sqlite", upgraded = folder / "new.sqlite";
 
-  /// 20 people, simulated as the last program of schema 2 simulated them.
+  /// 20 people, simulated as the last program of schema 2 simulated them, at the widths that it had.
   void SetUp() override {
-    (void)study::write_set_of_text(folder / "set", test::quick_study_with({}));
+    (void)study::write_set_of_text(folder / "set", test::quick_study_with({{"1024, 2048]", "1024, 4096]"}}));
     (void)study::run_simulated_study({.set_folder = folder / "set", .log = today, .count = 20, .seed = 7});
     study::write_schema_2(today, old);
   }
