@@ -18,7 +18,8 @@ void require_same_again(const Message& message) {
   const std::string line = message_line(message);
   if (line.find('\n') != std::string::npos || !(read_message(line) == message)) abort();
   if (content_sha256(read_message(line)) != content_sha256(message)) abort();
-  if (!is_uuid4(message.id) || (!message.participant.empty() && !is_code(message.participant))) abort();
+  if (!is_uuid4(message.id) || (!message.participant.empty() && !study::is_code(message.participant)))
+    abort();
 }
 
 /// Method and path on the first line, then `name: value`.

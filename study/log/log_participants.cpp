@@ -25,19 +25,6 @@ std::string kind_text(const Enrolment& enrolment) {
 
 }  // namespace
 
-bool is_code(std::string_view text) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-  return !text.empty() && text.size() <= 64 && text.find_first_not_of(letters) == std::string_view::npos;
-}
-
-void check_participant_code(const std::string& code) {
-  if (is_code(code)) return;
-  throw input_error(
-      {.field = "participant",
-       .wanted = "a code of 1 to 64 letters A-Z a-z, digits, dots, dashes and underscores (never a name)",
-       .found = "\"" + code + "\""});
-}
-
 std::optional<OpenSession> LogWriter::Tables::find_participant(const Enrolment& enrolment) {
   SQLite::Statement row(database, R"sql(
       SELECT participant, slot, pilot, excluded, completed, observer, seed, image_gain,

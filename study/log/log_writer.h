@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stimuli/definition/form_definition.h"
+#include "study/log/participant_code.h"
 #include "study/observers/observer.h"
 #include "study/placement/trial.h"
 #include "study/trials/rendered_set.h"
@@ -80,12 +81,6 @@ struct RawEvent {
   std::string detail = {};
   std::optional<std::int64_t> swap = {};  ///< number of the buffer swap that showed it, from 0 at the start
 };
-
-/// Whether a text is a participant's code: 1 to 64 of A-Z a-z 0-9 . _ -
-[[nodiscard]] bool is_code(std::string_view text);
-
-/// Throws InputError unless the code is one that the log takes (see Enrolment).
-void check_participant_code(const std::string& code);
 
 /// The log, open for a session. Every call is a transaction of its own, on the disk (synchronous=FULL) when
 /// the call returns, unless it is made inside `transaction`. Throws InputError when the disk or the file
