@@ -12,19 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json interval(const Interval& ci95) {
-  return Json::array({number_or_null(ci95.low), number_or_null(ci95.high)});
-}
-
 Json quantity_json(const FitQuantity& quantity) {
   Json json;
   json["estimate"] = quantity.estimate ? number_or_null(*quantity.estimate) : Json(nullptr);
-  json["ci95"] = interval(quantity.ci95);
-  if (quantity.bootstrap_ci95) json["bootstrap_ci95"] = interval(*quantity.bootstrap_ci95);
+  json["ci95"] = ends_json(quantity.ci95);
+  if (quantity.bootstrap_ci95) json["bootstrap_ci95"] = ends_json(*quantity.bootstrap_ci95);
   if (!quantity.unit.empty()) json["unit"] = quantity.unit;
   json["reason"] = quantity.reason.empty() ? Json(nullptr) : Json(quantity.reason);
   return json;
@@ -89,6 +81,14 @@ Json groups_json(const Goodness& goodness) {
 
 }  // namespace
 
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json ends_json(const Interval& ci95) {
+  return Json::array({number_or_null(ci95.low), number_or_null(ci95.high)});
+}
+
 std::string fit_json(const JudgedFit& report) {
   Json json;
   json["format"] = "seamline psychometric fit";
@@ -97,7 +97,7 @@ std::string fit_json(const JudgedFit& report) {
   json["model"] = model_json(report);
   json["verdict"] = report.verdict.text;
   json["verdict_kind"] = kind_word(report.verdict.kind);
-  json["threshold_range"] = interval(report.verdict.range);
+  json["threshold_range"] = ends_json(report.verdict.range);
   for (const FitQuantity& quantity : quantities(report)) json[quantity.name] = quantity_json(quantity);
   if (!report.percents.empty()) {
     json["percent_correct"] = Json::array();

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/report/fit_json.h"
@@ -11,14 +10,6 @@ namespace seamline::analysis {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-OrderedJson finite_or_null(double value) {
-  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-}
-
-OrderedJson ends_json(const Interval& ci95) {
-  return OrderedJson::array({finite_or_null(ci95.low), finite_or_null(ci95.high)});
-}
 
 OrderedJson people_json(const FittedGroup& group, const std::vector<std::string>& names) {
   const PeopleFit& mixed = *group.mixed;
@@ -52,10 +43,10 @@ OrderedJson people_json(const FittedGroup& group, const std::vector<std::string>
 }
 
 OrderedJson difference_json(const GroupDifference& difference) {
-  return {{"estimate", difference.estimate ? finite_or_null(*difference.estimate) : OrderedJson(nullptr)},
+  return {{"estimate", difference.estimate ? number_or_null(*difference.estimate) : OrderedJson(nullptr)},
           {"ci95", ends_json(difference.ci95)},
-          {"p", finite_or_null(difference.p)},
-          {"p_adjusted", finite_or_null(difference.adjusted_p)}};
+          {"p", number_or_null(difference.p)},
+          {"p_adjusted", number_or_null(difference.adjusted_p)}};
 }
 
 }  // namespace

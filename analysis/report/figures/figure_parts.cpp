@@ -177,4 +177,18 @@ std::string multiplot(const Analysis& analysis) {
                      gnuplot_text(source_text(analysis)), smallest_letters_px, plot_ink);
 }
 
+void draw_curve_panels(const Analysis& analysis, const std::filesystem::path& svg, const CurvePanels& panels,
+                       const std::function<std::string(const LevelsDrawn&, std::size_t i)>& plots) {
+  const LevelsDrawn drawn = levels_drawn(analysis.data);
+  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), panels.height_px);
+  std::string script = level_axis_script(drawn) + panels.axis + multiplot(analysis);
+  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
+    const ArtifactScores& scores = analysis.data.artifacts[i];
+    script +=
+        panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition), panels.y) +
+        plots(drawn, i);
+  }
+  draw_figure(svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+}
+
 }  // namespace seamline::analysis

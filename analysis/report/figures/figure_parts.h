@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -83,5 +86,15 @@ inline constexpr int keyed_panel_px = 190;  ///< height of such a panel
 
 /// The title above a whole figure: who answered.
 [[nodiscard]] std::string multiplot(const Analysis& analysis);
+
+/// How the panels of a figure of all curves look.
+struct CurvePanels {
+  int height_px = 0;
+  std::string axis;  ///< gnuplot's lines for the vertical axis
+  std::string y;     ///< what stands beside it
+};
+/// Draws a panel for each curve of the data, in which `plots` draws curve `i`.
+void draw_curve_panels(const Analysis& analysis, const std::filesystem::path& svg, const CurvePanels& panels,
+                       const std::function<std::string(const LevelsDrawn&, std::size_t i)>& plots);
 
 }  // namespace seamline::analysis

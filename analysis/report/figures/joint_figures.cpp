@@ -113,16 +113,9 @@ std::optional<Figure> joint_curves_figure(const Analysis& analysis, const std::f
           "of what is seen, without lucky guesses. Dotted: 0.5 (PT) and 1.0 (SN). Data: {}",
           level_words(analysis.data.axis).quantity, source_sentence(analysis)),
       .svg = folder / "joint_curves.svg"};
-  const LevelsDrawn drawn = levels_drawn(analysis.data);
-  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), keyed_panel_px);
-  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
-  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
-    const ArtifactScores& scores = analysis.data.artifacts[i];
-    script += panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition),
-                          "mean noticeability") +
-              curve_plots(analysis, drawn, i);
-  }
-  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  draw_curve_panels(analysis, figure.svg,
+                    {keyed_panel_px, noticeability_axis_below_key, "mean noticeability"},
+                    [&](const LevelsDrawn& drawn, std::size_t i) { return curve_plots(analysis, drawn, i); });
   return figure;
 }
 
@@ -136,18 +129,10 @@ std::optional<Figure> joint_scores_figure(const Analysis& analysis, const std::f
           "0: the wrong object was chosen; 1 to 4: right with this rating. Data: {}.",
           level_words(analysis.data.axis).quantity, source_text(analysis)),
       .svg = folder / "joint_scores.svg"};
-  const LevelsDrawn drawn = levels_drawn(analysis.data);
-  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), 165);
-  std::string script = level_axis_script(drawn) +
-                       "set ytics 0, 0.2, 1\nset yrange [0:1.3]\nset key maxrows 2 top right\n" +
-                       multiplot(analysis);
-  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
-    const ArtifactScores& scores = analysis.data.artifacts[i];
-    script += panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition),
-                          "share of answers") +
-              score_plots(*analysis.joint, drawn, i);
-  }
-  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  draw_curve_panels(
+      analysis, figure.svg,
+      {165, "set ytics 0, 0.2, 1\nset yrange [0:1.3]\nset key maxrows 2 top right\n", "share of answers"},
+      [&](const LevelsDrawn& drawn, std::size_t i) { return score_plots(*analysis.joint, drawn, i); });
   return figure;
 }
 

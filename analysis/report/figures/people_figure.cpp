@@ -70,16 +70,10 @@ std::optional<Figure> people_figure(const Analysis& analysis, const std::filesys
                 .title = "Noticeability of every participant",
                 .caption = caption_of(analysis),
                 .svg = folder / "participants.svg"};
-  const LevelsDrawn drawn = levels_drawn(analysis.data);
-  const PanelGrid grid = panel_grid(analysis.data.artifacts.size(), 165);
-  std::string script = level_axis_script(drawn) + noticeability_axis + multiplot(analysis);
-  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
-    const ArtifactScores& scores = analysis.data.artifacts[i];
-    script += panel_frame(grid.panels[i], drawn, artifact_title(scores.artifact, scores.condition),
-                          "mean noticeability") +
-              people_plots(scores, drawn, i);
-  }
-  draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
+  draw_curve_panels(analysis, figure.svg, {165, noticeability_axis, "mean noticeability"},
+                    [&](const LevelsDrawn& drawn, std::size_t i) {
+                      return people_plots(analysis.data.artifacts[i], drawn, i);
+                    });
   return figure;
 }
 
