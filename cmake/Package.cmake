@@ -1,4 +1,4 @@
-# What `cmake --install build/release` copies, and the Debian package that `cpack` makes of it (documentation/install.md).
+# What `cmake --install build/release` copies, and the Debian package that `cpack` makes of it (documentation/how-to/install.md).
 # The program looks for its files in ../share/seamline, and in ../lib/seamline, so bin, lib and share stay side by side (support/files/assets.cpp).
 install(TARGETS seamline RUNTIME DESTINATION bin)
 install(TARGETS seamline_pictures LIBRARY DESTINATION lib/seamline)

@@ -119,7 +119,7 @@ The studies that come with Seamline.
 .TP
 .I ../share/doc/seamline/documentation
 The documentation; begin with
-.IR tutorial.md .
+.IR tutorials/tutorial.md .
 )";
 
 }  // namespace

@@ -29,7 +29,7 @@ struct CaseOutcome {
 [[nodiscard]] std::string outcome_line(const CaseOutcome& outcome);
 /// `seamline stability --json`: format, version, and an entry a case.
 [[nodiscard]] std::string outcomes_json(const std::vector<CaseOutcome>& outcomes);
-/// The table of documentation/stability.md: a Markdown table a group.
+/// The table of documentation/evidence/stability.md: a Markdown table a group.
 [[nodiscard]] std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes);
 
 }  // namespace seamline::stability

@@ -11,7 +11,7 @@ namespace seamline::analysis {
 
 /// Which analysis a plan foresees.
 enum class PlanEstimator {
-  joint,          ///< one model of seeing, guessing and rating (documentation/joint_model.md)
+  joint,          ///< one model of seeing, guessing and rating (documentation/explanation/joint_model.md)
   straight_lines  ///< the paper's: isotonic means joined by straight lines, inverted score tests
 };
 [[nodiscard]] std::string_view word(PlanEstimator estimator);

@@ -22,7 +22,7 @@ struct JointSharing {
 /// The largest lapse rate that the model knows.
 inline constexpr double most_lapse = 0.1;
 
-/// One curve in the letters of documentation/joint_model.md. With z = (m - x) / s and F the
+/// One curve in the letters of documentation/explanation/joint_model.md. With z = (m - x) / s and F the
 /// normal distribution function, because the spread of people's thresholds is part of a group's curve:
 ///
 ///     psi(x) = (1 - lapse) F(z)                      seen

@@ -28,7 +28,7 @@ struct JointThreshold {
 ///
 /// Intervals are the x with |t| at most its critical value (as Fieller's). Logarithms, because what a level
 /// near the floor asks for is how many times E exceeds it; with E itself intervals held the truth too seldom
-/// (documentation/joint_model.md).
+/// (documentation/explanation/joint_model.md).
 [[nodiscard]] double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve,
                                  const SoughtMean& sought, double x);
 

@@ -18,7 +18,7 @@ namespace seamline::analysis {
 
 namespace {
 
-/// Under this many people intervals over participants were seen to fail (documentation/coverage.md).
+/// Under this many people intervals over participants were seen to fail (documentation/evidence/coverage.md).
 constexpr int fewest_for_intervals = 5;
 
 std::vector<std::string> notes_on_people(const Analysis& analysis) {

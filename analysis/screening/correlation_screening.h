@@ -6,7 +6,7 @@ namespace seamline::analysis {
 
 /// Below both of these ITU-T P.913, in use for video quality, discards a participant. Single forced choices
 /// are noisier than ratings of video: at these values some of the good participants of a study like ours are
-/// discarded (documentation/screening.md), so they are reported only.
+/// discarded (documentation/explanation/screening.md), so they are reported only.
 inline constexpr double p913_stimulus_correlation = 0.75;
 inline constexpr double p913_condition_correlation = 0.80;
 

@@ -11,7 +11,7 @@ namespace seamline::analysis {
 
 /// The 95 % interval of the largest width where the isotonic curve of mean noticeability equals a level, by
 /// inverting a score test at each width w (the idea of Wilson's interval for a proportion). With the letters
-/// of documentation/coverage.md:
+/// of documentation/evidence/coverage.md:
 ///
 ///     T(w) = (g(w) - level) / s0(w)   against Student's t with n - 1 degrees of freedom
 ///

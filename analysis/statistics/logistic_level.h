@@ -31,7 +31,7 @@ namespace seamline::analysis {
 /// unconstrained curve at w lies above the level, to first order. s0(w)^2 = h' S0 h, S0 the covariance of the
 /// means with each variance read (`VarianceFunction`) at f. Everything is taken where the test supposes the
 /// truth to be: taken at the unconstrained fit instead, the interval covers 91 to 98 %
-/// (documentation/coverage.md). Open under four widths. `people` is at least 2.
+/// (documentation/evidence/coverage.md). Open under four widths. `people` is at least 2.
 [[nodiscard]] LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
                                                     const std::vector<double>& level_x,
                                                     const MeanVector& means, int people);

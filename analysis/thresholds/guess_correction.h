@@ -16,8 +16,8 @@ struct CorrectedCurve {
   std::vector<double> level;      ///< as on the curve: widths rise
   std::vector<SeeingCell> cells;  ///< one a level
   /// PT, SN and IP of the corrected curve. PT and SN have score-test intervals on formula scores
-  /// (documentation/guess_correction.md), what is read off the logistic the expanded percentile bootstrap
-  /// over people, the whole model being fitted again to each replicate.
+  /// (documentation/explanation/guess_correction.md), what is read off the logistic the expanded percentile
+  /// bootstrap over people, the whole model being fitted again to each replicate.
   CurveThresholds estimates;
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison.
   LevelInterval perceptual_bootstrap, slightly_noticeable_bootstrap;

@@ -9,8 +9,8 @@
 
 namespace seamline::analysis {
 
-/// What guessers do, with the letters of documentation/guess_correction.md: b(c), the probability that a
-/// guess falls on position c, and g(r), the probability that a guesser then rates r.
+/// What guessers do, with the letters of documentation/explanation/guess_correction.md: b(c), the probability
+/// that a guess falls on position c, and g(r), the probability that a guesser then rates r.
 struct Guessers {
   std::array<double, study::objects_per_stimulus> position = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< b
   std::array<double, study::highest_rating> rating = {1, 0, 0, 0};                         ///< g

@@ -13,7 +13,7 @@ namespace seamline::analysis {
 // these tables, so that what was promised is what is computed.
 
 enum class Estimator {
-  joint,     ///< the joint model of seeing, guessing and rating (documentation/joint_model.md)
+  joint,     ///< the joint model of seeing, guessing and rating (documentation/explanation/joint_model.md)
   isotonic,  ///< straight lines between the means of the tested levels, non-increasing
   logistic   ///< four parameters, least squares through the means
 };

@@ -35,7 +35,7 @@ struct ArtifactThresholds {
   int fewest = 0;         ///< of them at the level where the fewest answered; degrees of freedom are of these
   CurveThresholds estimates;
   /// Expanded percentile bootstrap intervals of PT and SN, for comparison: they cover less often
-  /// (documentation/coverage.md).
+  /// (documentation/evidence/coverage.md).
   LevelInterval perceptual_bootstrap, slightly_noticeable_bootstrap;
   LevelInterval perceptual_logistic_bootstrap, slightly_noticeable_logistic_bootstrap;
 };

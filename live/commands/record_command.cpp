@@ -78,7 +78,8 @@ void add_record_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "record", "a sequence of depth and colour of a scene, as a rig of cameras would record it");
   command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME")->required();
-  command->add_option("--preset", options->preset, "preset of a rig (documentation/sensors.md)")->required();
+  command->add_option("--preset", options->preset, "preset of a rig (documentation/how-to/sensors.md)")
+      ->required();
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
   add_number(*command, "--frames", options->make.frames, {1, static_cast<double>(most_recorded_frames)},
              "how many moments")

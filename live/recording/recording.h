@@ -11,7 +11,7 @@
 
 namespace seamline::live {
 
-// How much a recording may ask for (documentation/limits.md).
+// How much a recording may ask for (documentation/reference/limits.md).
 inline constexpr std::size_t most_recorded_frames = 100'000;
 inline constexpr std::int64_t largest_loaded_recording_bytes = std::int64_t{4} << 30;  ///< frames in memory
 
@@ -23,7 +23,7 @@ struct RecordedFrame {
   std::optional<Eigen::Isometry3d> world_from_colour = {};
 };
 
-/// What the index of a recording says: a folder of RGB-D frames by one rig (documentation/live.md).
+/// What the index of a recording says: a folder of RGB-D frames by one rig (documentation/how-to/live.md).
 struct Recording {
   std::filesystem::path folder;
   std::string camera_file = "camera.toml";        ///< of the rig, below the folder

@@ -58,7 +58,7 @@ std::int64_t wrong_of(const ErrorMap& map) {
 
 CsvTable errors_table(const ErrorMap& map) {
   CsvTable table{.name = "errors",
-                 .columns = {{"class", "", "why the depth is wrong (documentation/registration.md)"},
+                 .columns = {{"class", "", "why the depth is wrong (documentation/how-to/registration.md)"},
                              {"colour", "", "in errors.png, red, green and blue in hexadecimal; right: none"},
                              {"pixels", "", "of the photograph"},
                              {"share", "", "of all pixels"},

@@ -8,8 +8,9 @@
 
 namespace seamline::registration {
 
-/// What is known of a depth camera and a colour camera: a small TOML file (documentation/registration.md),
-/// which `seamline calibrate` writes and `seamline register` reads. Whatever is not known is absent.
+/// What is known of a depth camera and a colour camera: a small TOML file
+/// (documentation/how-to/registration.md), which `seamline calibrate` writes and `seamline register` reads.
+/// Whatever is not known is absent.
 struct CameraFile {
   std::optional<sensors::PinholeCamera> depth, colour;
   std::optional<Eigen::Isometry3d> colour_from_depth;

@@ -335,7 +335,7 @@ void add_marker_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "marker", "how far a marker is, by vision and by time of flight (needs OpenCV's ArUco)");
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
-  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/sensors.md)")
+  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/how-to/sensors.md)")
       ->capture_default_str();
   add_number(*command, "--side", options->side_m, {0.01, 1, "m"}, "of the marker")->capture_default_str();
   add_number(*command, "--noise", options->noise_scale, {0, 1e6},

@@ -100,7 +100,7 @@ void add_person_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "person", "a stand-in for a tracked person: a jointed figure in a room, its joints over depth");
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
-  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/sensors.md)")
+  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/how-to/sensors.md)")
       ->capture_default_str();
   add_number(*command, "--noise", options->noise_scale, {0, 1e6},
              "scale of the sensor's noise; 0: none, its holes stay")

@@ -136,7 +136,8 @@ void add_sense_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("sense", "what a depth camera and its colour camera deliver of a scene");
   command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME")->required();
-  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/sensors.md)")->required();
+  command->add_option("--sensor", options->sensor, "preset of a rig (documentation/how-to/sensors.md)")
+      ->required();
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
   CLI::Option* at = add_number(*command, "--at", options->at_m, any_place_m,
                                "the colour camera's place (default: the scene's camera)");

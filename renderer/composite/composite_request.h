@@ -25,7 +25,7 @@ struct PhotoLightRequest {
   bool splits_sun = true;        ///< of a panorama that is the light
 };
 
-/// Everything that a composite is made from. documentation/composite.md says what each means.
+/// Everything that a composite is made from. documentation/how-to/composite.md says what each means.
 struct CompositeRequest {
   std::string photograph;
   std::optional<Projection> projection;  ///< none: by its shape

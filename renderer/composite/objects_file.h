@@ -14,9 +14,9 @@ struct ObjectsFile {
   SceneDefinition light;  ///< suns, lamps and environment, where `has_light`
 };
 
-/// Reads a TOML file of objects (documentation/composite.md). Files are looked for beside it, and below
-/// `asset_root`. Throws InputError naming file and key: an unknown key, a key that makes another void, no
-/// object, a file that is not there.
+/// Reads a TOML file of objects (documentation/how-to/composite.md). Files are looked for beside it, and
+/// below `asset_root`. Throws InputError naming file and key: an unknown key, a key that makes another void,
+/// no object, a file that is not there.
 [[nodiscard]] ObjectsFile read_objects_file(const std::filesystem::path& path,
                                             const std::filesystem::path& asset_root);
 

@@ -33,7 +33,7 @@ struct PhotoScene {
 /// Adds samples `first` to `options.spp` of every pixel, each path traced to its end: everything is answered
 /// by the local scene, but who is in front and where the sun is blocked by `occlusion` and `shadow_matte`
 /// where these say it. A photograph has no sub-pixels, so its share of a pixel is (1 - alpha) B ratio
-/// (documentation/design.md, section 2).
+/// (documentation/developers/design.md, section 2).
 void add_photo_samples(const PhotoScene& scene, int first, const PassOptions& options, StimulusSums& sums);
 
 /// Sums, and the error of the picture that they make, in display units.

@@ -42,7 +42,8 @@ struct EstimatedStimulus {
 using ReportProgress = std::function<void(double share_done)>;
 
 /// Computes the light of one scene's reference and stimuli. `path` is unbiased, the reference; `fast` shares
-/// and filters (documentation/design.md). The same input gives the same bytes for any number of threads.
+/// and filters (documentation/developers/design.md). The same input gives the same bytes for any number of
+/// threads.
 class SceneEstimator {
  public:
   SceneEstimator() = default;

@@ -13,7 +13,7 @@ struct Composite {
   TinyDenominators tiny_denominators;
 };
 
-/// The pixel formula of documentation/design.md, section 2:
+/// The pixel formula of documentation/developers/design.md, section 2:
 ///   I = (1/N) [ sum_unc B_s * (sum_unc L_with / sum_unc L_no) + sum_cov L_obj ]
 /// The ratio is of pixel sums, written 1 + (S_with - S_no) / S_no, clamped to 0..4, and 1 where S_no is under
 /// 1e-6 of the frame's median. Where the depth mesh decides the light (questions 2 and 5) and S_no is poorly

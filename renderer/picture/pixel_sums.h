@@ -52,8 +52,8 @@ struct TruthSums {
 [[nodiscard]] Image half_reference_image(const TruthSums& truth, std::size_t half);
 [[nodiscard]] Image matte_image(const TruthSums& truth);
 
-/// Sums of one pixel of a stimulus: the pixel formula of documentation/design.md, section 2, with what `mask`
-/// takes from the reference.
+/// Sums of one pixel of a stimulus: the pixel formula of documentation/developers/design.md, section 2, with
+/// what `mask` takes from the reference.
 struct StimulusPixel {
   Rgb sky = Rgb::Zero();             ///< background where truth or depth mesh shows sky: its ratio is 1
   Rgb background = Rgb::Zero();      ///< sum_unc B_s elsewhere

@@ -55,7 +55,7 @@ struct TriangleSpan {
 /// centre that a triangle covers, edges included, so that meshes have no holes. What lies nearer to a point
 /// of view than 1 mm is cut off. The picture is cut into bands for threads; the same bytes for any number of
 /// them. (Rays of Embree give the same picture in more time where the mesh changes each frame:
-/// documentation/realtime.md.)
+/// documentation/how-to/realtime.md.)
 void draw_depth(const DrawView& view, std::span<const TriangleSpan> meshes, int threads,
                 DepthPicture& picture);
 

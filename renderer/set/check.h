@@ -14,8 +14,8 @@ struct RuleResult {
   bool met = false;
 };
 
-/// Every rule that there is, in the order in which they are asked; documentation/fair_scenes.md explains
-/// them.
+/// Every rule that there is, in the order in which they are asked; documentation/how-to/fair_scenes.md
+/// explains them.
 [[nodiscard]] std::vector<std::string> scene_rules();
 
 /// The rules that a scene's artifacts ask for. `receiver`: distances, areas, shadows on several surfaces.

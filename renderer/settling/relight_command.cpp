@@ -141,7 +141,7 @@ void add_relight_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("relight", "a virtual light on the mesh of measured depth, which flickers");
   command->add_option("scene", options->sensed.scene, ".glb, .gltf or builtin:NAME")->required();
-  command->add_option("--sensor", options->sensed.sensor, "preset of a rig (documentation/sensors.md)")
+  command->add_option("--sensor", options->sensed.sensor, "preset of a rig (documentation/how-to/sensors.md)")
       ->required();
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
   CLI::Option* at = add_number(*command, "--at", options->sensed.at_m, any_place_m,

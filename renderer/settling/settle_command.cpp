@@ -225,7 +225,7 @@ void add_settle_command(CLI::App& app) {
       app.add_subcommand("settle", "let a body fall on depth, and see how much it shakes (needs Bullet)");
   command->add_option("scene", options->sensed.scene, ".glb, .gltf or builtin:NAME; or --depth");
   command->add_option("--sensor", options->sensed.sensor,
-                      "what sees the scene: preset of a rig (documentation/sensors.md)");
+                      "what sees the scene: preset of a rig (documentation/how-to/sensors.md)");
   CLI::Option* at = add_number(*command, "--at", options->sensed.at_m, any_place_m,
                                "the colour camera's place (default: the scene's camera)");
   CLI::Option* look_at =
@@ -238,7 +238,7 @@ void add_settle_command(CLI::App& app) {
   command->add_option("--depth", options->depth,
                       "in place of a scene: depth maps, one a frame, as register reads them");
   command->add_option("--camera", options->camera,
-                      "of --depth: the camera file (documentation/registration.md) or preset");
+                      "of --depth: the camera file (documentation/how-to/registration.md) or preset");
   command
       ->add_option("--filter", options->filter,
                    "what is done to measured depth first: none, or the median of 3 x 3")

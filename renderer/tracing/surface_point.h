@@ -42,7 +42,7 @@ struct SurfacePoint {
 }
 
 /// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera
-/// (documentation/ design.md, section 6), on the side that `direction` goes to.
+/// (documentation/developers/design.md, section 6), on the side that `direction` goes to.
 [[nodiscard]] Eigen::Vector3f ray_start(const SurfacePoint& point, const Eigen::Vector3f& direction);
 
 /// Whether a direction leaves the surface on the side it is seen from.

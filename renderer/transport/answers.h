@@ -8,8 +8,8 @@ namespace seamline::renderer {
 /// Who answers a question that light asks of the real world.
 enum class Who { truth, depth };
 
-/// The table of documentation/design.md, section 1: an artifact is a choice of who answers each of six
-/// questions.
+/// The table of documentation/developers/design.md, section 1: an artifact is a choice of who answers each of
+/// six questions.
 struct Answers {
   Who receiver = Who::truth;    ///< 1: on which surface does the virtual shadow land
   Who real_lit = Who::truth;    ///< 2: is the real surface lit by sun and sky

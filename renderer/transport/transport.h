@@ -35,7 +35,7 @@ struct Split {
 
 /// The same without and with the virtual object, from one coupled computation on the same path: they differ
 /// only by what the object does, so their ratio has far less noise than that of two renderings
-/// (documentation/ design.md, section 2).
+/// (documentation/developers/design.md, section 2).
 struct RadiancePair {
   Split without_object;
   Split with_object;
@@ -48,7 +48,8 @@ struct RealQuestion {
 };
 
 /// What the depth mesh is asked about a point of the object: from there, but from the mesh's own point on its
-/// view ray where that is nearer, or the object would be sealed in (documentation/design.md, section 1).
+/// view ray where that is nearer, or the object would be sealed in (documentation/developers/design.md,
+/// section 1).
 [[nodiscard]] inline RealQuestion asked_of_mesh(const Geometry* mesh,
                                                 const std::optional<SurfacePoint>& on_mesh,
                                                 const SurfacePoint& object) {

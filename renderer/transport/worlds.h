@@ -17,8 +17,8 @@ using WorldSet = std::uint8_t;
 
 /// The worlds that differ by which virtual object is there: world 0 has all objects, world k (1 to 3) lacks
 /// object k. One computation serves all of them, because most paths meet no object and are the same in each;
-/// they part only where one does (documentation/design.md, section 3: three backgrounds and the reference of
-/// a scene rendered jointly).
+/// they part only where one does (documentation/developers/design.md, section 3: three backgrounds and the
+/// reference of a scene rendered jointly).
 struct Worlds {
   const Geometry* room = nullptr;              ///< what is in every world
   const Geometry* objects = nullptr;           ///< all objects together

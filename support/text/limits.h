@@ -3,7 +3,7 @@
 #include <cstdint>
 
 /// How much a file from outside may ask for. Everything here is checked before memory is taken for it;
-/// documentation/limits.md says why each is what it is.
+/// documentation/reference/limits.md says why each is what it is.
 namespace seamline::limits {
 
 /// A fuzzing build has smaller limits, so that small inputs reach them and each takes little time.

@@ -1,5 +1,5 @@
 // Whether the intervals of the repository's studies of conditions and of other levels hold what their people
-// were planted with: the table of documentation/coverage.md.
+// were planted with: the table of documentation/evidence/coverage.md.
 #include <gtest/gtest.h>
 
 #include <cstdio>

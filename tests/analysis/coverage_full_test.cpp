@@ -1,5 +1,5 @@
-// The table of documentation/coverage.md: run `analysis_full_tests --gtest_filter=Coverage.*` to make it
-// again.
+// The table of documentation/evidence/coverage.md: run `analysis_full_tests --gtest_filter=Coverage.*` to
+// make it again.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Eight people of Adler and Ma (2018): the joint model, the means of the same answers joined by straight
 // lines, and the ordinal model, fitted to one part of each person's answers and judged on the rest
-// (documentation/coverage.md).
+// (documentation/evidence/coverage.md).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The table of documentation/screening.md: run `analysis_full_tests --gtest_filter=ScreeningRates.*` to make
-// it again.
+// The table of documentation/explanation/screening.md: run `analysis_full_tests
+// --gtest_filter=ScreeningRates.*` to make it again.
 #include <gtest/gtest.h>
 
 #include <algorithm>

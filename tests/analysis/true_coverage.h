@@ -15,7 +15,7 @@
 
 namespace seamline::test {
 
-/// The designs of documentation/coverage.md.
+/// The designs of documentation/evidence/coverage.md.
 struct TrueWidths {
   std::string name;
   std::vector<int> width_px;

@@ -1,4 +1,4 @@
-// The tables of documentation/coverage.md on the true crossing: writes true_coverage.csv and
+// The tables of documentation/evidence/coverage.md on the true crossing: writes true_coverage.csv and
 // true_sentences.csv into the tests' output folder, and goes on there where a run was stopped. Hours of
 // processor time; SEAMLINE_TRUE_STUDIES says how many studies a row (2000 unless given).
 #include <gtest/gtest.h>

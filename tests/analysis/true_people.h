@@ -238,7 +238,7 @@ inline std::vector<std::vector<TrueTrial>> answer_as_people(const TruePeople& pe
   return all;
 }
 
-/// The populations of documentation/coverage.md.
+/// The populations of documentation/evidence/coverage.md.
 inline std::vector<TruePeople> true_populations() {
   return {
       {.name = "default"},

@@ -1,6 +1,6 @@
 // The people of whom true thresholds are known are as their truth says: a large sample of their answers has
-// the means that integration gives, and the crossings of documentation/coverage.md are where those means
-// cross.
+// the means that integration gives, and the crossings of documentation/evidence/coverage.md are where those
+// means cross.
 #include "tests/analysis/true_people.h"
 
 #include <gtest/gtest.h>

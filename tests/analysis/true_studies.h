@@ -110,7 +110,7 @@ inline TrueReading read_level(double level, const std::vector<double>& level_x,
 }
 
 /// The paper's way: thresholds read off straight lines between the widths tested, intervals by the score
-/// tests of documentation/coverage.md.
+/// tests of documentation/evidence/coverage.md.
 inline TrueReadings read_by_lines(const TrueStudy& study) {
   const std::vector<double> level_x = log2_widths(study.width_px);
   const NoticeabilityData data = noticeability_of(study);

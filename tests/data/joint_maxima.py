@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes joint_maxima.json: hard sets of answers, and the greatest value of the joint model's likelihood with its
-penalty (documentation/joint_model.md) found independently of the program: written anew from the equations, in
+penalty (documentation/explanation/joint_model.md) found independently of the program: written anew from the equations, in
 logarithms, derivatives by complex steps, BFGS of SciPy from many starts. usage: joint_maxima.py [PROCESSES]"""
 import json, sys
 import numpy as np
@@ -272,7 +272,7 @@ if __name__ == "__main__":
         for one in pool.imap(solved, range(300)):
             sets.append(one)
             print(one["number"], one["kind"], one["maximum"], one["found_by"], flush=True)
-    meta = dict(made_by="joint_maxima.py", model="documentation/joint_model.md", numpy=np.__version__,
+    meta = dict(made_by="joint_maxima.py", model="documentation/explanation/joint_model.md", numpy=np.__version__,
                 objective="log likelihood without multinomial coefficients, plus penalty",
                 counts="a row a cell: right rated 1..K, wrong rated 1..K", cells="curve, x (null: nothing to see), chance",
                 shared="scale, criteria, lapse, guess ratings")

@@ -9,13 +9,13 @@
 #include "run_program.h"
 #include "tests/app/picture_set.h"
 
-/// The examples of documentation/exchange.md, and tables to run them on.
+/// The examples of documentation/how-to/exchange.md, and tables to run them on.
 namespace seamline::test {
 
 /// The `number`th block of the page in a language, from 0.
 inline std::string example(const std::string& language, int number) {
   const std::string page =
-      read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/exchange.md");
+      read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/how-to/exchange.md");
   const std::string fence = "```" + language + "\n";
   std::size_t at = page.find(fence);
   for (int i = 0; i < number; ++i) at = page.find(fence, at + 1);

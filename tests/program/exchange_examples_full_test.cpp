@@ -1,4 +1,4 @@
-// What documentation/exchange.md tells readers to type in R gives what `analyze` gives; other people's
+// What documentation/how-to/exchange.md tells readers to type in R gives what `analyze` gives; other people's
 // programs read what `export` writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What documentation/exchange.md says of files and tells readers to type in Python is so.
+// What documentation/how-to/exchange.md says of files and tells readers to type in Python is so.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,8 @@ TEST_F(ExchangeExamples, PythonSaysWhatLiesBeyondTheWidthsAndKeepsCodesApart) {
 }
 
 TEST_F(ExchangeExamples, FilesOfEachLayoutAreThoseOfThePage) {
-  const std::vector<std::string> spans = test::code_spans(test::pages().at("documentation/exchange.md"));
+  const std::vector<std::string> spans =
+      test::code_spans(test::pages().at("documentation/how-to/exchange.md"));
   const std::set<std::string> named(spans.begin(), spans.end());
   const auto expect_named = [&](const std::string& layout) {
     ASSERT_EQ(

@@ -1,5 +1,5 @@
-// Folders look in one direction, and every one of them is on its page: documentation/folders.md, kept by
-// reading every include.
+// Folders look in one direction, and every one of them is on its page: documentation/developers/folders.md,
+// kept by reading every include.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Page {
 
 Page read_page() {
   Page page;
-  std::ifstream in(fs::path(SEAMLINE_SOURCE_DIR) / "documentation/folders.md");
+  std::ifstream in(fs::path(SEAMLINE_SOURCE_DIR) / "documentation/developers/folders.md");
   const std::regex top(R"(^\| `([a-z_]+)/` \|.*\|(.*)\|$)"), room(R"(^\| `([a-z0-9_/]+[a-z0-9_])` \|)"),
       name(R"(`([a-z_]+)/`)");
   for (std::string line; std::getline(in, line);) {

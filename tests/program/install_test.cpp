@@ -44,7 +44,7 @@ TEST(Install, EveryPartIsWhereOtherSoftwareHasIt) {
        {"bin/seamline", "lib/seamline/seamline_pictures.so", "share/seamline/scenes/builtin/bedroom.glb",
         "share/seamline/stimuli/quick.toml", "share/seamline/stimuli/depth_resolution.toml",
         "share/doc/seamline/README.md", "share/doc/seamline/LICENSE", "share/doc/seamline/CHANGELOG.md",
-        "share/doc/seamline/documentation/study_file.md",
+        "share/doc/seamline/documentation/reference/study_file.md",
         "share/doc/seamline/documentation/pictures/readme.png", "share/man/man1/seamline.1",
         "share/man/man1/seamline-render.1", "share/bash-completion/completions/seamline"})
     EXPECT_TRUE(fs::is_regular_file(prefix / part)) << part;

@@ -41,16 +41,22 @@ inline ManualPage read_manual_page(const std::filesystem::path& file) {
   return page;
 }
 
-/// Every page of the repository for people: documentation/, README and CONTRIBUTING, by path from its root.
+/// Every page of the repository for people: documentation/ and its folders by kind of page, README and
+/// CONTRIBUTING, by path from its root. What lies deeper is data of a page.
 inline const std::map<std::string, ManualPage>& pages() {
   static const std::map<std::string, ManualPage> read = [] {
     const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
     std::map<std::string, ManualPage> found;
     for (const char* name : {"README.md", "CONTRIBUTING.md", "tests/data/README.md"})
       found[name] = read_manual_page(root / name);
+    const auto read_folder = [&](const std::filesystem::path& folder) {
+      for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".md")
+          found[entry.path().lexically_relative(root).generic_string()] = read_manual_page(entry.path());
+    };
+    read_folder(root / "documentation");
     for (const auto& entry : std::filesystem::directory_iterator(root / "documentation"))
-      if (entry.path().extension() == ".md")
-        found["documentation/" + entry.path().filename().string()] = read_manual_page(entry.path());
+      if (entry.is_directory()) read_folder(entry.path());
     return found;
   }();
   return read;

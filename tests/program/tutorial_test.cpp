@@ -1,5 +1,5 @@
-// documentation/tutorial.md does what it says: its study, in smaller pictures, and its commands, as they
-// stand on the page, in a folder that holds nothing but the scene.
+// documentation/tutorials/tutorial.md does what it says: its study, in smaller pictures, and its commands, as
+// they stand on the page, in a folder that holds nothing but the scene.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const fs::path documentation = fs::path(SEAMLINE_SOURCE_DIR) / "documentation";
+const fs::path documentation = fs::path(SEAMLINE_SOURCE_DIR) / "documentation/tutorials";
 
 /// The page's study in smaller pictures, of fewer samples: what its commands do does not depend on them.
 std::string smaller(const std::string& study) {

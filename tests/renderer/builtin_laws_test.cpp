@@ -1,5 +1,5 @@
-// Three laws of the pixel (documentation/design.md, section 2) on the built-in scenes, small pictures, both
-// isolations.
+// Three laws of the pixel (documentation/developers/design.md, section 2) on the built-in scenes, small
+// pictures, both isolations.
 #include <gtest/gtest.h>
 
 #include <map>

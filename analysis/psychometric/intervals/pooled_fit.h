@@ -42,8 +42,8 @@ struct PooledFit {
 ///
 /// with the 0.975 quantile t of Student's distribution with people - 1 degrees of freedom and V the variances
 /// of the threshold on the axis: the shape (skew, open ends) of the likelihood with the size that
-/// participants give it. Measured coverage: documentation/psychometric_fit.md. Throws InputError with fewer
-/// than two people, and as `fit_psychometric` does.
+/// participants give it. Measured coverage: documentation/reference/psychometric_fit.md. Throws InputError
+/// with fewer than two people, and as `fit_psychometric` does.
 [[nodiscard]] PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options,
                                            const std::string& unit = "px");
 

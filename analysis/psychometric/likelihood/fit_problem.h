@@ -41,8 +41,8 @@ struct FitProblem {
   [[nodiscard]] double to_axis(double unit) const { return centre + range * unit; }
 };
 
-/// The box of the search, as stated in documentation/psychometric_fit.md: thresholds up to this many ranges
-/// of the tested levels beyond them, scales up to `largest_scale` ranges.
+/// The box of the search, as stated in documentation/reference/psychometric_fit.md: thresholds up to this
+/// many ranges of the tested levels beyond them, scales up to `largest_scale` ranges.
 inline constexpr double ranges_beyond = 5;
 inline constexpr double largest_scale = 1000;
 

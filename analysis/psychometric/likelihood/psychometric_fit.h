@@ -29,9 +29,9 @@ struct PsychometricFit {
 };
 
 /// Fits by maximum likelihood (or the posterior's maximum, with priors), the global maximum within the box of
-/// documentation/psychometric_fit.md. `counts` may be in any order, repeat levels (their sums count; with
-/// overdispersion each row counts by itself), and hold rows without trials. Throws InputError when counts or
-/// options are not valid. What the data do not identify is told by `verdict_on` (verdict.h).
+/// documentation/reference/psychometric_fit.md. `counts` may be in any order, repeat levels (their sums
+/// count; with overdispersion each row counts by itself), and hold rows without trials. Throws InputError
+/// when counts or options are not valid. What the data do not identify is told by `verdict_on` (verdict.h).
 [[nodiscard]] PsychometricFit fit_psychometric(const std::vector<LevelCounts>& counts,
                                                const FitOptions& options);
 

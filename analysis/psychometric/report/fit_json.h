@@ -6,8 +6,8 @@
 
 namespace seamline::analysis {
 
-/// The contract of `seamline fit --json` (documentation/psychometric_fit.md): an open end and a value that is
-/// not identified are null, with the reason beside it.
+/// The contract of `seamline fit --json` (documentation/reference/psychometric_fit.md): an open end and a
+/// value that is not identified are null, with the reason beside it.
 [[nodiscard]] std::string fit_json(const JudgedFit& report);
 
 /// Null where there is no finite number.

@@ -163,7 +163,7 @@ CsvTable joint_parameters_table(const Analysis& analysis) {
       .name = "joint_parameters",
       .columns = {{"parameter", "text",
                    "m: threshold on the axis; log s: scale; l: lapse; t, rho: rating criteria; h: guess "
-                   "ratings (documentation/joint_model.md)"},
+                   "ratings (documentation/explanation/joint_model.md)"},
                   {"estimate", "", "unbounded coordinate"},
                   {"standard_error", "", "over participants, by the jackknife"}},
       .rows = {}};

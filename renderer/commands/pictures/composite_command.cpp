@@ -233,7 +233,7 @@ void add_place_command(CLI::App& app, PlaceInWindow in_window) {
   command->get_option("--objects")
       ->required()
       ->description(
-          "the file that is changed (TOML, documentation/composite.md); it need not be there beside --add");
+          "the file that is changed (TOML, documentation/how-to/composite.md); it need not be there beside --add");
   command->add_option("--add", *added,
                       "an object to put there besides: .glb, .gltf or builtin:NAME; may be given again");
   command->callback(

@@ -103,8 +103,9 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
 
 void add_object_options(CLI::App& command, CompositeOptions& options) {
   command.add_option("--object", options.object, "one object: .glb, .gltf or builtin:NAME");
-  command.add_option("--objects", options.objects,
-                     "several objects, and perhaps their light: a TOML file (documentation/composite.md)");
+  command.add_option(
+      "--objects", options.objects,
+      "several objects, and perhaps their light: a TOML file (documentation/how-to/composite.md)");
   add_number(
       command, "--position", options.position_m, any_place_m,
       "where the object's origin is (with --height: the middle of its lowest level), from the panorama's "

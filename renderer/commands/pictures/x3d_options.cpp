@@ -155,7 +155,7 @@ X3dExport add_x3d_options(CLI::App& command) {
                      "folder whose scene files the set's study may name besides those below its own folder");
   add_scene_options(command, *options);
   command.add_option("--user", options->request.user,
-                     "a recorded person in the scene: a TOML file of joints (documentation/x3d.md)");
+                     "a recorded person in the scene: a TOML file of joints (documentation/how-to/x3d.md)");
   add_number(command, "--spp", options->request.spp, {1, 65536}, "samples per pixel of the photograph (64)");
   add_number(command, "--seed", options->request.seed, any_seed, "seed of the samples (1)");
   for (const auto& names : {of_scenes, of_sets, of_both})

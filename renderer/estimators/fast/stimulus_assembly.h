@@ -25,8 +25,8 @@ struct DepthFilters {
 };
 
 /// Puts a stimulus together from the truth's sums and the depth mesh's answers, pixel by pixel: the
-/// formula of documentation/design.md, section 2, with sums of samples that truth and depth mesh sort alike.
-/// With `only_half` (0 or 1) the other half stays empty.
+/// formula of documentation/developers/design.md, section 2, with sums of samples that truth and depth mesh
+/// sort alike. With `only_half` (0 or 1) the other half stays empty.
 [[nodiscard]] StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilters& filters,
                                              int threads, std::optional<std::size_t> only_half = {});
 

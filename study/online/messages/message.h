@@ -14,7 +14,7 @@
 namespace seamline::study::online {
 
 // What a page of a study in a browser says, as values. One message is one line of JSON (`message_reader.h`,
-// `message_writer.h`); documentation/online.md describes it. Times are whole numbers; those in ns are
+// `message_writer.h`); documentation/how-to/online.md describes it. Times are whole numbers; those in ns are
 // monotonic.
 
 inline constexpr std::string_view message_format = "seamline-online-1";

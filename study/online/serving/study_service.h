@@ -25,8 +25,8 @@ struct ServiceLimits {
 };
 
 /// What the server answers: the page's files, and the four requests of a participant
-/// (documentation/online.md). Everything that asks the log goes through `LogThread`; the rest is answered at
-/// once.
+/// (documentation/how-to/online.md). Everything that asks the log goes through `LogThread`; the rest is
+/// answered at once.
 class StudyService {
  public:
   /// `invitations`: none where nobody needs one. All three must live longer.

@@ -1,4 +1,4 @@
-// What the page says to whoever hosts it: one JSON object a message (documentation/online_page.md).
+// What the page says to whoever hosts it: one JSON object a message (documentation/how-to/online_page.md).
 
 export const FORMAT = "seamline-online-1";
 
