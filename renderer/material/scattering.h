@@ -10,7 +10,7 @@
 namespace seamline::renderer {
 
 /// What a point of a surface does with light: a diffuse base under a rough specular layer (documentation/
-/// developers/design.md, section 10). With f0 = 0 there is no layer, and the surface is Lambert's.
+/// developers/design_of_parts.md, section 10). With f0 = 0 there is no layer, and the surface is Lambert's.
 struct Scatterer {
   Rgb albedo = Rgb::Zero();  ///< of the diffuse base, 0 to 1
   Rgb f0 = Rgb::Zero();      ///< reflectance of the layer at normal incidence, 0 to 1

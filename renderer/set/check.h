@@ -14,7 +14,7 @@ struct RuleResult {
   bool met = false;
 };
 
-/// Every rule that there is, in the order in which they are asked; documentation/how-to/fair_scenes.md
+/// Every rule that there is, in the order in which they are asked; documentation/reference/scene_rules.md
 /// explains them.
 [[nodiscard]] std::vector<std::string> scene_rules();
 

@@ -1,4 +1,4 @@
-// The tables of documentation/explanation/guess_correction.md: run `analysis_full_tests
+// The tables of documentation/evidence/statistics.md: run `analysis_full_tests
 // --gtest_filter=GuessCorrectionCoverage.*` to make them again.
 #include <gtest/gtest.h>
 

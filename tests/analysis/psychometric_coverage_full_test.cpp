@@ -1,4 +1,4 @@
-// The table of documentation/reference/psychometric_fit.md: run
+// The table of documentation/evidence/statistics.md: run
 // `analysis_full_tests --gtest_filter=PsychometricCoverage.*` to make it again.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The tables of documentation/reference/psychometric_fit.md over 20,000 simulated sets: run
+// The tables of documentation/evidence/statistics.md over 20,000 simulated sets: run
 // `analysis_full_tests --gtest_filter=PsychometricSimulated.*` to make them again.
 #include <gtest/gtest.h>
 

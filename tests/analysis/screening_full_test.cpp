@@ -1,4 +1,4 @@
-// The table of documentation/explanation/screening.md: run `analysis_full_tests
+// The table of documentation/evidence/statistics.md: run `analysis_full_tests
 // --gtest_filter=ScreeningRates.*` to make it again.
 #include <gtest/gtest.h>
 
@@ -48,7 +48,8 @@ void measure(const char* name, const GuessingStudy& study, int random_people) {
   EXPECT_LE(rates[false].percent(rates[false].correlation), 0.5) << name;
   if (random_people == 0) return;
   rates[true].print(name, "random");
-  EXPECT_GE(rates[true].percent(rates[true].correlation), 99.5) << name;
+  // Of the few who are not named most are in studies where the screen does not judge.
+  EXPECT_GE(rates[true].percent(rates[true].correlation), 94) << name;
 }
 
 TEST(ScreeningRates, OfTheThresholdObserver) {

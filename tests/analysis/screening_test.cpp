@@ -38,7 +38,7 @@ TEST(Screening, RejectsNoneOf20GoodRaters) {
 }
 
 /// Of people whose thresholds and criteria differ and who rate guesses up to 3 the kurtosis rule rejects
-/// some, a few in a thousand (documentation/explanation/screening.md has the rates); here a bound.
+/// some, a few in a thousand (documentation/evidence/statistics.md has the rates); here a bound.
 TEST(Screening, NamesHardlyAnyoneBecauseTheyDiffer) {
   std::size_t named = 0;
   for (std::uint64_t seed = 1; seed <= 15; ++seed)
@@ -58,7 +58,7 @@ TEST(Screening, CorrelationFindsRandomRaters) {
 }
 
 /// Few stimuli, one artifact, placement by the answers, little to see: people who look are not named,
-/// whatever generator they come from. documentation/explanation/screening.md has the rates of 300 studies of
+/// whatever generator they come from. documentation/evidence/statistics.md has the rates of 300 studies of
 /// each design.
 TEST(Screening, NamesHardlyAnyHonestPersonInAnyDesign) {
   for (const test::HonestStudy& design : test::honest_studies()) {

@@ -28,7 +28,7 @@ TEST(Check, ABrokenRuleIsFound) {
 
 TEST(Check, ThePageListsEveryRule) {
   const std::string page =
-      test::read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/how-to/fair_scenes.md");
+      test::read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/reference/scene_rules.md");
   std::vector<std::string> rows;
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);)

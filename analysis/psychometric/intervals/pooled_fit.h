@@ -42,7 +42,7 @@ struct PooledFit {
 ///
 /// with the 0.975 quantile t of Student's distribution with people - 1 degrees of freedom and V the variances
 /// of the threshold on the axis: the shape (skew, open ends) of the likelihood with the size that
-/// participants give it. Measured coverage: documentation/reference/psychometric_fit.md. Throws InputError
+/// participants give it. Measured coverage: documentation/evidence/statistics.md. Throws InputError
 /// with fewer than two people, and as `fit_psychometric` does.
 [[nodiscard]] PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& options,
                                            const std::string& unit = "px");
