@@ -50,8 +50,7 @@ void run_demo(const std::filesystem::path& out, std::optional<int> spp) {
 void add_demo_command(CLI::App& app) {
   auto out = std::make_shared<std::string>("out/demo");
   auto spp = std::make_shared<std::optional<int>>();
-  CLI::App* demo =
-      app.add_subcommand("demo", "the whole chain, small: stimuli, simulated observers, thresholds, report");
+  CLI::App* demo = app.add_subcommand("demo", "the whole chain, small: stimuli, simulated people, report");
   demo->add_option("--out", *out, "folder of everything the demo makes")->capture_default_str();
   add_number(*demo, "--spp", *spp, {1, 65536},
              "samples a pixel, instead of the study's: fewer are faster and noisier");

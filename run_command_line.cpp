@@ -1,5 +1,6 @@
 // One place that catches: what ends a command with which exit status.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "support/running/interrupt.h"
 #include "support/running/memory.h"
 #include "support/running/standard_streams.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -24,8 +26,10 @@ constexpr int exit_interrupted = 130;
 constexpr std::size_t longest_sentence = 2000;  ///< letters; its parts are shortened already
 
 int parse(CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> arguments = todays_spelling({argv + 1, argv + argc});
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
     return 0;
   } catch (const CLI::Success& help) {
     std::ostringstream text;
@@ -33,7 +37,7 @@ int parse(CLI::App& app, int argc, char** argv) {
     std::fputs(text.str().c_str(), stdout);
     return status;
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "seamline: %s (see --help)\n", printable(error.what()).c_str());
+    std::fprintf(stderr, "seamline: %s (see --help)\n", printable(refusal_of_arguments(app, error)).c_str());
     return exit_wrong_input;
   }
 }

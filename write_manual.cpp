@@ -22,11 +22,12 @@ int main(int argc, char** argv) {
     const seamline::packaging::CommandLine line = seamline::packaging::command_line(*app);
     const std::filesystem::path folder = argv[1];
     const std::string version = seamline::program_version();
+    std::filesystem::remove_all(folder / "man1");  // pages of commands that are no more
     std::filesystem::create_directories(folder / "man1");
     seamline::write_file_atomically(folder / "man1" / "seamline.1",
                                     seamline::packaging::program_page(line, version));
     for (const seamline::packaging::Command& command : line.commands)
-      seamline::write_file_atomically(folder / "man1" / ("seamline-" + command.name + ".1"),
+      seamline::write_file_atomically(folder / "man1" / (seamline::packaging::page_name(command) + ".1"),
                                       seamline::packaging::command_page(command, version));
     seamline::write_file_atomically(folder / "seamline.bash", seamline::packaging::bash_completion(line));
   } catch (const std::exception& error) {

@@ -76,8 +76,8 @@ if(SEAMLINE_OPENCV STREQUAL "AUTO" OR SEAMLINE_OPENCV)
 endif()
 message(STATUS "Calibration by OpenCV: ${SEAMLINE_HAS_OPENCV}")
 
-# ArUco, for `seamline marker`: a module of OpenCV's contrib package alone.
-set(SEAMLINE_ARUCO AUTO CACHE STRING "build `seamline marker`: AUTO, ON or OFF")
+# ArUco, for `seamline lab marker`: a module of OpenCV's contrib package alone.
+set(SEAMLINE_ARUCO AUTO CACHE STRING "build `seamline lab marker`: AUTO, ON or OFF")
 set_property(CACHE SEAMLINE_ARUCO PROPERTY STRINGS AUTO ON OFF)
 set(SEAMLINE_HAS_ARUCO FALSE)
 if(SEAMLINE_HAS_OPENCV AND (SEAMLINE_ARUCO STREQUAL "AUTO" OR SEAMLINE_ARUCO))

@@ -1,5 +1,7 @@
 #include "packaging/bash_completion.h"
 
+#include <map>
+
 namespace seamline::packaging {
 namespace {
 
@@ -39,7 +41,7 @@ std::string values_of(const Command& command) {
 
 std::string case_of(const Command& command) {
   const std::string values = values_of(command);
-  std::string out = "    " + command.name + ")\n      options='" + options_of(command) + "'\n";
+  std::string out = "    '" + command.name + "')\n      options='" + options_of(command) + "'\n";
   if (!values.empty()) out += "      case $previous in\n" + values + "      esac\n";
   return out + "      ;;\n";
 }
@@ -49,14 +51,24 @@ std::string case_of(const Command& command) {
 std::string bash_completion(const CommandLine& line) {
   const std::string& name = line.program.name;
   std::vector<std::string> commands;
-  std::string cases;
+  std::map<std::string, std::vector<std::string>> inner;  // of groups, "lab bench"
+  std::string cases, groups;
   for (const Command& command : line.commands) {
-    commands.push_back(command.name);
+    const std::size_t space = command.name.find(' ');
+    const std::string first = command.name.substr(0, space);
+    if (space != std::string::npos) inner[first].push_back(command.name.substr(space + 1));
+    if (commands.empty() || commands.back() != first) commands.push_back(first);
     cases += case_of(command);
   }
+  for (const auto& [group, names] : inner)
+    groups += "  if [[ $command == " + group +
+              " ]]; then\n    if [[ $COMP_CWORD -eq 2 ]]; then\n      mapfile -t " +
+              "COMPREPLY < <(compgen -W '" + words(names) + "' -- \"$word\")\n      return\n    fi\n" +
+              "    command+=\" ${COMP_WORDS[2]}\"\n  fi\n";
   return "# bash completion for " + name +
          "; the build writes it from the program's own list of options.\n_" + name + R"(() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} options= values= kind=
+  local command=${COMP_WORDS[1]}
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 ]]; then
     mapfile -t COMPREPLY < <(compgen -W ')" +
@@ -68,8 +80,8 @@ std::string bash_completion(const CommandLine& line) {
   elif [[ $previous == = ]]; then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
   fi
-  case ${COMP_WORDS[1]} in
-)" + cases +
+)" + groups +
+         "  case $command in\n" + cases +
          R"(  esac
   if [[ -n $values ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$values" -- "$word")

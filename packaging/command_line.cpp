@@ -57,13 +57,29 @@ Command command_of(const CLI::App& app) {
   return command;
 }
 
+std::vector<const CLI::App*> commands_in(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
 }  // namespace
 
 CommandLine command_line(const CLI::App& app) {
   CommandLine line{.program = command_of(app)};
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    if (!command->get_group().empty()) line.commands.push_back(command_of(*command));
+  for (const CLI::App* command : commands_in(app)) {
+    const std::vector<const CLI::App*> inner = commands_in(*command);
+    if (inner.empty()) line.commands.push_back(command_of(*command));
+    for (const CLI::App* one : inner) {
+      line.commands.push_back(command_of(*one));
+      line.commands.back().name = command->get_name() + " " + one->get_name();
+    }
+  }
   return line;
+}
+
+std::string page_name(const Command& command) {
+  std::string name = "seamline-" + command.name;
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
 }
 
 }  // namespace seamline::packaging

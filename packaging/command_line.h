@@ -22,7 +22,7 @@ struct Argument {
 };
 
 struct Command {
-  std::string name;  ///< e.g. "render"; "seamline" for the program itself
+  std::string name;  ///< as typed, "render", "lab bench"; "seamline" for the program itself
   std::string description;
   std::vector<Argument> arguments = {};  ///< without hidden ones
 };
@@ -36,5 +36,8 @@ struct CommandLine {
 /// What CLI11 knows of a program and its commands: the source of manual pages and completion, which
 /// therefore cannot miss an option.
 [[nodiscard]] CommandLine command_line(const CLI::App& app);
+
+/// The name of a command's manual page: "seamline-lab-bench".
+[[nodiscard]] std::string page_name(const Command& command);
 
 }  // namespace seamline::packaging

@@ -149,14 +149,12 @@ seamline analyze answers.sqlite \-\-out report
 )";
   return out +
          joined(line.commands, ",\n",
-                [&](const Command& command) {
-                  return ".BR " + plain(line.program.name + "-" + command.name) + " (1)";
-                }) +
+                [](const Command& command) { return ".BR " + plain(page_name(command)) + " (1)"; }) +
          "\n";
 }
 
 std::string command_page(const Command& command, const std::string& version) {
-  const std::string page = "seamline-" + command.name;
+  const std::string page = page_name(command);
   std::string out = title(page, version) + ".SH NAME\n" + plain(page) + " \\- " + plain(command.description) +
                     "\n.SH SYNOPSIS\n.HP\n" + bold("seamline " + command.name);
   for (const Argument& argument : command.arguments) {

@@ -27,7 +27,7 @@ struct CaseOutcome {
 
 /// One line for a terminal.
 [[nodiscard]] std::string outcome_line(const CaseOutcome& outcome);
-/// `seamline stability --json`: format, version, and an entry a case.
+/// `seamline lab stability --json`: format, version, and an entry a case.
 [[nodiscard]] std::string outcomes_json(const std::vector<CaseOutcome>& outcomes);
 /// The table of documentation/evidence/stability.md: a Markdown table a group.
 [[nodiscard]] std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes);

@@ -10,6 +10,7 @@
 #include "analysis/foresight/plan_text.h"
 #include "analysis/preregistration/freeze.h"
 #include "support/files/atomic_file.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -82,9 +83,7 @@ void freeze(const FreezeOptions& options) {
 }  // namespace
 
 void add_freeze_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "freeze",
-      "a preregistration: study, sets, analysis and number of participants, before anyone is asked");
+  CLI::App* command = app.add_subcommand("freeze", "a preregistration, before anyone is asked");
   const auto options = std::make_shared<FreezeOptions>();
   FrozenAnalysis& analysis = options->analysis;
   command->add_option("study", options->study, "the study file")->required();
@@ -113,7 +112,9 @@ void add_freeze_command(CLI::App& app) {
   CLI::Option* participants = add_number(*command, "--participants", options->participants, {2, 1000000},
                                          "how many will be used (else as many as seamline plan asks for)");
   command->add_option("--why", options->why, "why so many, in words")->needs(participants);
-  for (CLI::Option* option : add_plan_options(*command, options->plan)) option->excludes(participants);
+  for (CLI::Option* option : add_plan_options(*command, options->plan))
+    option->excludes(participants)->group("As seamline plan");
+  group_options(*command, {});
   command->callback([options] { freeze(*options); });
 }
 

@@ -11,8 +11,8 @@
 namespace seamline::analysis {
 
 void add_plan_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "plan", "how many participants and which levels a wanted precision needs, by simulated studies");
+  CLI::App* command =
+      app.add_subcommand("plan", "how many participants a wanted precision needs, by simulation");
   const auto options = std::make_shared<PlanOptions>();
   PlanRequest& request = options->request;
   command->add_option("study", request.study_file, "the study file")->required();

@@ -8,6 +8,7 @@
 #include "renderer/composite/objects_file.h"
 #include "renderer/physics/rigid_world.h"
 #include "support/files/assets.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -120,8 +121,8 @@ void run_live(const LiveOptions& options, const ShowInWindow& show) {
 void add_live_command(CLI::App& app, const ShowInWindow& show) {
   auto options = std::make_shared<LiveOptions>();
   LiveRequest& request = options->request;
-  CLI::App* command = app.add_subcommand(
-      "live", "virtual things in a recording of depth and colour, at the rate of a camera");
+  CLI::App* command =
+      app.add_subcommand("live", "virtual things in a recording of depth and colour, as it plays");
   command->add_option("recording", options->recording, "folder with recording.toml")->required();
   command->add_option("--object", options->objects, ".glb, .gltf or builtin:NAME; may be given again");
   add_number(*command, "--at", options->at_m, any_place_m,
@@ -190,6 +191,11 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
       "--csv", options->csv,
       "file for the time of each stage of each frame; with --physics also FILE_poses for the poses");
   command->add_flag("--time", options->time, "only print the times (with --headless)");
+  group_options(*command, {{"Local scene", {"--mapping", "--triangles", "--jumps", "--surface-reach"}},
+                           {"Shadows", {"--shadow-map", "--shadow-bias", "--depth-bias"}},
+                           {"Physics and tracking", {"--drop", "--marker-side"}},
+                           {"Several eyes", {"--views", "--eye-spacing", "--zero-parallax"}},
+                           {"Without a window", {"--headless", "--out", "--csv", "--time", "--threads"}}});
   command->callback([options, show, marker, spacing, parallax, drop] {
     options->marker_given = marker->count() > 0;
     options->spacing_given = spacing->count() > 0;

@@ -23,7 +23,8 @@ struct RecordOptions {
   Coordinates at_m{}, look_at_m{0, 0, -1}, environment{1, 1, 1};
   bool has_place = false, angle_given = false, distance_given = false, no_poses = false;
   double noise_scale = 1;
-  int spp = 16, bounces = 2, seed = 1;
+  int spp = 16, bounces = 2;
+  std::uint64_t seed = 1;
   MakeOptions make;
 };
 
@@ -61,7 +62,7 @@ void run_record(RecordOptions options) {
   }
   options.make.path.kind = path_of(options.path);
   options.make.keeps_poses = !options.no_poses;
-  const auto seed = static_cast<std::uint64_t>(options.seed);
+  const std::uint64_t seed = options.seed;
   options.make.sense = {.key = {.seed = seed, .frame = 0},
                         .noise_scale = options.noise_scale,
                         .photograph = {.spp = options.spp, .seed = seed, .threads = default_thread_count()}};
@@ -75,8 +76,8 @@ void run_record(RecordOptions options) {
 
 void add_record_command(CLI::App& app) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = app.add_subcommand(
-      "record", "a sequence of depth and colour of a scene, as a rig of cameras would record it");
+  CLI::App* command =
+      app.add_subcommand("record", "depth and colour of a scene as a rig of cameras records them");
   command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME")->required();
   command->add_option("--preset", options->preset, "preset of a rig (documentation/how-to/sensors.md)")
       ->required();
@@ -105,8 +106,7 @@ void add_record_command(CLI::App& app) {
   add_number(*command, "--noise", options->noise_scale, {0, 1e6},
              "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
   add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
              "environment radiance R G B of the photographs")
       ->capture_default_str();

@@ -14,7 +14,7 @@ struct Wanted {
   double value = 0;
 };
 
-/// One line of `seamline bench`.
+/// One line of `seamline lab bench`.
 struct Measurement {
   std::string what;                   ///< e.g. "bedroom, bounce rays"
   std::string unit;                   ///< of `found` and `beside`, e.g. "Mrays/s"

@@ -6,7 +6,7 @@ class App;
 
 namespace seamline::renderer {
 
-/// `seamline bench`.
+/// `seamline lab bench`.
 void add_bench_command(CLI::App& app);
 
 }  // namespace seamline::renderer

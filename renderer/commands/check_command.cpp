@@ -140,8 +140,7 @@ void run_check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* check = app.add_subcommand(
-      "check", "do the scenes keep the study's own rules; of a rendered set: how large each seam is");
+  CLI::App* check = app.add_subcommand("check", "do scenes keep the study's rules; how large is each seam");
   check
       ->add_option(
           "study", options->path,

@@ -21,7 +21,6 @@ namespace seamline::renderer {
 void add_renderer_commands(CLI::App& app, PlaceInWindow in_window) {
   add_render_command(app);
   add_check_command(app);
-  add_convergence_command(app);
   add_workbench_commands(app);
   add_composite_command(app);
   add_place_command(app, in_window);
@@ -31,10 +30,14 @@ void add_renderer_commands(CLI::App& app, PlaceInWindow in_window) {
   add_sense_command(app);
   add_settle_command(app);
   add_relight_command(app);
-  add_marker_command(app);
-  add_person_command(app);
-  add_field_command(app);
-  add_bench_command(app);
+}
+
+void add_lab_commands(CLI::App& lab) {
+  add_bench_command(lab);
+  add_convergence_command(lab);
+  add_marker_command(lab);
+  add_person_command(lab);
+  add_field_command(lab);
 }
 
 }  // namespace seamline::renderer

@@ -11,4 +11,7 @@ namespace seamline::renderer {
 /// the window of `place`; null in builds without one.
 void add_renderer_commands(CLI::App& app, PlaceInWindow in_window = nullptr);
 
+/// Adds what `seamline lab` holds of `renderer/`: evidence, and figures of the papers.
+void add_lab_commands(CLI::App& lab);
+
 }  // namespace seamline::renderer

@@ -6,7 +6,7 @@ class App;
 
 namespace seamline::renderer {
 
-/// `seamline convergence`.
+/// `seamline lab convergence`.
 void add_convergence_command(CLI::App& app);
 
 }  // namespace seamline::renderer

@@ -48,7 +48,8 @@ constexpr double most_percent = 2;
 struct MarkerOptions {
   std::string sensor = "tof_160x120", out;
   double side_m = 0.16, noise_scale = 1;
-  int spp = 16, frames = 25, seed = 1;
+  int spp = 16, frames = 25;
+  std::uint64_t seed = 1;
 };
 
 /// Where depths are compared: the marker's middle, where black and white squares meet, and the white margin
@@ -115,9 +116,9 @@ class Laboratory {
                                      .rotation_deg = {0, angle_deg, roll_deg}};
     const Geometry truth(place_meshes(board_, object_placement(placement), Eigen::Vector3d::Zero(), 0.5, 0));
     Trial trial{.distance_m = distance_m, .angle_deg = angle_deg};
-    const ByteImage grey = grey_of(photograph_scene(
-        truth, light_, rig_.colour, world(),
-        {.spp = options_.spp, .seed = static_cast<std::uint64_t>(options_.seed), .threads = threads_}));
+    const ByteImage grey =
+        grey_of(photograph_scene(truth, light_, rig_.colour, world(),
+                                 {.spp = options_.spp, .seed = options_.seed, .threads = threads_}));
     const Eigen::Isometry3d pose =
         world().inverse() * Eigen::Isometry3d(object_placement(placement).matrix());
     for (std::size_t p = 0; p < places.size(); ++p) trial.true_m[p] = (pose * point_m(places[p])).z();
@@ -144,9 +145,9 @@ class Laboratory {
     const sensors::SeenFrame seen =
         see_truth(truth, rig_.depth, world() * rig_.colour_from_depth, sight, threads_);
     for (int frame = 0; frame < options_.frames; ++frame) {
-      const sensors::Measurement measured = sensors::measure(
-          seen, rig_.noise, {static_cast<std::uint64_t>(options_.seed), static_cast<std::uint64_t>(frame)},
-          options_.noise_scale, threads_);
+      const sensors::Measurement measured =
+          sensors::measure(seen, rig_.noise, {options_.seed, static_cast<std::uint64_t>(frame)},
+                           options_.noise_scale, threads_);
       const sensors::DepthFrame registered =
           sensors::fill_with_nearest(registration::register_by_points(measured.frame, rig_.colour_from_depth,
                                                                       rig_.colour, {}, threads_)
@@ -345,8 +346,7 @@ void add_marker_command(CLI::App& app) {
       ->capture_default_str();
   add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photograph")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
   command->callback([options] { run_marker(*options); });
 }
 

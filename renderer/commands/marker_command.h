@@ -6,7 +6,7 @@ class App;
 
 namespace seamline::renderer {
 
-/// `seamline marker`: how far a marker is, by vision and by time of flight (paper 002, Fig. 3).
+/// `seamline lab marker`: how far a marker is, by vision and by time of flight (paper 002, Fig. 3).
 void add_marker_command(CLI::App& app);
 
 }  // namespace seamline::renderer

@@ -28,7 +28,7 @@ namespace {
 struct PersonOptions {
   std::string sensor = "structured_light_640x480", out;
   double joint_noise_m = 0, noise_scale = 1;
-  int seed = 1;
+  std::uint64_t seed = 1;
 };
 
 const sensors::Rig& rig_of(const PersonOptions& options) {
@@ -42,7 +42,7 @@ const sensors::Rig& rig_of(const PersonOptions& options) {
 /// What tracking finds: the joints, each coordinate off by normal noise.
 sensors::RecordedUser tracked_user(const PersonScene& person, const PersonOptions& options) {
   sensors::RecordedUser user = user_of(person);
-  Random random(static_cast<std::uint64_t>(options.seed), 1);
+  Random random(options.seed, 1);
   for (auto& joint_m : user.joints_m)
     for (int c = 0; c < 3; ++c) (*joint_m)[c] += options.joint_noise_m * random.normal();
   return user;
@@ -77,8 +77,8 @@ void run_person(const PersonOptions& options) {
   const Eigen::Isometry3d world_from_depth = world_from_photograph(Camera{}) * rig.colour_from_depth;
   const sensors::SeenFrame seen =
       see_truth(truth, rig.depth, world_from_depth, sight_for(rig.noise, rig.projector_m), threads);
-  const sensors::Measurement measured = sensors::measure(
-      seen, rig.noise, {static_cast<std::uint64_t>(options.seed), 0}, options.noise_scale, threads);
+  const sensors::Measurement measured =
+      sensors::measure(seen, rig.noise, {options.seed, 0}, options.noise_scale, threads);
 
   const sensors::RecordedUser user = tracked_user(person, options);
   const sensors::Skeleton skeleton = sensors::with_bones_of(person.skeleton, user.joints_m);
@@ -108,7 +108,7 @@ void add_person_command(CLI::App& app) {
   add_number(*command, "--joint-noise", options->joint_noise_m, {0, 1, "m"},
              "standard deviation of every coordinate of the joints, as tracking would have it")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of the noise")->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of the noise")->capture_default_str();
   command->callback([options] { run_person(*options); });
 }
 

@@ -6,7 +6,7 @@ class App;
 
 namespace seamline::renderer {
 
-/// Adds `seamline person`.
+/// Adds `seamline lab person`.
 void add_person_command(CLI::App& app);
 
 }  // namespace seamline::renderer

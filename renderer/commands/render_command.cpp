@@ -24,6 +24,7 @@
 #include "support/files/atomic_file.h"
 #include "support/files/held/prepared_folder.h"
 #include "support/running/progress.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -283,6 +284,10 @@ void add_render_command(CLI::App& app) {
       "render nothing: say what of a job's set is done, running, failed and left, from any machine");
   render->add_option("--html", options->html, "write what --status says as a page")->needs(status);
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
+  group_options(*render,
+                {{"Many machines", {"--slurm", "--parallel", "--elements", "--status", "--html", "--shard"}},
+                 {"A job's scripts", {"--job", "--element"}},
+                 {"Evidence", {"--true-error", "--true-error-spp", "--no-omit", "--layers"}}});
   render->callback([options] { run_render_or_complain(*options); });
 
   auto set = std::make_shared<std::string>();

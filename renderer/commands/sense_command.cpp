@@ -30,7 +30,8 @@ struct SenseOptions {
   Coordinates at_m{}, look_at_m{0, 0, -1}, environment{1, 1, 1};
   bool has_place = false;
   double noise_scale = 1, exposure_ev = 0;
-  int seed = 1, frame = 0, spp = 64, bounces = 4;
+  std::uint64_t seed = 1;
+  int frame = 0, spp = 64, bounces = 4;
 };
 
 Eigen::Vector3d point_of(const Coordinates& v) {
@@ -95,17 +96,17 @@ void run_sense(const SenseOptions& options) {
   prepare_output_folder(folder);
 
   Progress progress("colour", 1.0);
-  const auto [seen, measured, colour] = sense_frame(
-      scene, rig, scene.world_from_colour,
-      {.key = {static_cast<std::uint64_t>(options.seed), static_cast<std::uint64_t>(options.frame)},
-       .noise_scale = options.noise_scale,
-       .photograph = {.spp = options.spp,
-                      .seed = static_cast<std::uint64_t>(options.seed),
-                      .threads = default_thread_count(),
-                      .progress = [&, last = 0.0](double share) mutable {
-                        progress.advance(share - last, "");
-                        last = share;
-                      }}});
+  const auto [seen, measured, colour] =
+      sense_frame(scene, rig, scene.world_from_colour,
+                  {.key = {options.seed, static_cast<std::uint64_t>(options.frame)},
+                   .noise_scale = options.noise_scale,
+                   .photograph = {.spp = options.spp,
+                                  .seed = options.seed,
+                                  .threads = default_thread_count(),
+                                  .progress = [&, last = 0.0](double share) mutable {
+                                    progress.advance(share - last, "");
+                                    last = share;
+                                  }}});
   write_exr(folder / "depth.exr", plane_of(rig.depth, measured.frame.depth_m));
   write_exr(folder / "true_depth.exr",
             plane_of(rig.depth, sensors::true_depth(seen, measured.frame.convention).depth_m));
@@ -148,8 +149,7 @@ void add_sense_command(CLI::App& app) {
   add_number(*command, "--noise", options->noise_scale, {0, 1e6},
              "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of noise and samples")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
   add_number(*command, "--frame", options->frame, {0, 2147483647},
              "number of the moment: another one has other noise")
       ->capture_default_str();

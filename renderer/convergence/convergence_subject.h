@@ -12,7 +12,7 @@
 
 namespace seamline::renderer {
 
-/// The parts of `seamline convergence`, each with its own figure and table; `links` (captured depth),
+/// The parts of `seamline lab convergence`, each with its own figure and table; `links` (captured depth),
 /// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for.
 enum class ConvergencePart { samples, mesh, width, compositing, links, realtime, light };
 inline constexpr std::array<ConvergencePart, 7> every_convergence_part = {
@@ -20,7 +20,7 @@ inline constexpr std::array<ConvergencePart, 7> every_convergence_part = {
     ConvergencePart::links,   ConvergencePart::realtime, ConvergencePart::light};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
-/// What `seamline convergence` was asked for.
+/// What `seamline lab convergence` was asked for.
 struct ConvergenceRequest {
   std::string only = {};           ///< pattern that matches one stimulus id
   std::filesystem::path out = {};  ///< folder of figures and tables

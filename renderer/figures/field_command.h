@@ -6,7 +6,7 @@ class App;
 
 namespace seamline::renderer {
 
-/// Adds `seamline field`.
+/// Adds `seamline lab field`.
 void add_field_command(CLI::App& app);
 
 }  // namespace seamline::renderer

@@ -156,8 +156,7 @@ void add_relight_command(CLI::App& app) {
   add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
              "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
-  add_number(*command, "--seed", options->sensed.seed, {0, 2147483647}, "seed of the noise")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->sensed.seed, any_seed, "seed of the noise")->capture_default_str();
   add_number(*command, "--plane-tolerance", options->tolerance_m, {1e-6, 10, "m"},
              "what lies so near to a plane is replaced by it")
       ->capture_default_str();

@@ -26,7 +26,7 @@ SensedDepth sense_depth(const DepthSubject& request) {
   SensedDepth depth;
   depth.world_from_depth = Eigen::Translation3d(scene.centre_m) * seen_from;
   depth.measured = [=, noise = rig.noise, scale = request.noise_scale,
-                    seed = static_cast<std::uint64_t>(request.seed)](int frame) {
+                    seed = request.seed](int frame) {
     return sensors::measure(*seen, noise, {seed, static_cast<std::uint64_t>(frame)}, scale, threads).frame;
   };
   depth.exact = [exact = sensors::true_depth(*seen, sensors::convention_of(rig.noise))](int) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,7 @@ struct DepthSubject {
   std::array<double, 3> at_m{}, look_at_m{0, 0, -1};
   bool has_place = false;  ///< those two say where the colour camera is; else the scene's own camera
   double noise_scale = 1;
-  int seed = 1;
+  std::uint64_t seed = 1;
 };
 
 /// Depth as it comes, frame after frame; exactly where that is known; and where the depth camera is.

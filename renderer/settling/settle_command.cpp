@@ -222,7 +222,7 @@ void add_body_options(CLI::App& command, SettleOptions& options) {
 void add_settle_command(CLI::App& app) {
   auto options = std::make_shared<SettleOptions>();
   CLI::App* command =
-      app.add_subcommand("settle", "let a body fall on depth, and see how much it shakes (needs Bullet)");
+      app.add_subcommand("settle", "let a body fall on depth; how much it shakes (needs Bullet)");
   command->add_option("scene", options->sensed.scene, ".glb, .gltf or builtin:NAME; or --depth");
   command->add_option("--sensor", options->sensed.sensor,
                       "what sees the scene: preset of a rig (documentation/how-to/sensors.md)");
@@ -233,8 +233,7 @@ void add_settle_command(CLI::App& app) {
   add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
              "scale of the sensor's noise; 0: none, its holes stay")
       ->capture_default_str();
-  add_number(*command, "--seed", options->sensed.seed, {0, 2147483647}, "seed of the noise")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->sensed.seed, any_seed, "seed of the noise")->capture_default_str();
   command->add_option("--depth", options->depth,
                       "in place of a scene: depth maps, one a frame, as register reads them");
   command->add_option("--camera", options->camera,

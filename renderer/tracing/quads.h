@@ -14,7 +14,7 @@ using Quad = std::array<std::uint32_t, 4>;
 
 /// The same triangles with the same winding, two by two where they share an edge, long edges first: the two
 /// then lie close together. A search tree of such pairs has half the leaves, and takes a third less memory
-/// than one of triangles, or is faster in as much (`seamline bench --only local`).
+/// than one of triangles, or is faster in as much (`seamline lab bench --only local`).
 ///
 /// `neighbours`: of each triangle (`triangle_neighbours`).
 [[nodiscard]] std::vector<Quad> pair_into_quads(std::span<const Eigen::Vector3f> vertices_m,

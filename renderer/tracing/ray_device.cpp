@@ -8,7 +8,7 @@ namespace seamline::renderer {
 
 // Sheets over depth jumps are long and thin: cut by more spatial splits than Embree would make of itself,
 // bounce rays in the local scene are up to 1.7 times as fast, for a quarter more memory; more than this would
-// not leave the hungriest of the built-in scenes within 40 MB (`seamline bench --only local` and `mesh`).
+// not leave the hungriest of the built-in scenes within 40 MB (`seamline lab bench --only local` and `mesh`).
 RayDevice::RayDevice()
     : device_(rtcNewDevice(("isa=" + instruction_set() + ",max_spatial_split_replications=3.5").c_str())) {
   if (device_ == nullptr) throw std::runtime_error("Embree could not be started");

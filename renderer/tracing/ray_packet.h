@@ -10,7 +10,7 @@
 /// Packets of rays, as Embree wants them: one array for each coordinate. Only `geometry.cpp` includes it.
 namespace seamline::renderer {
 
-/// Rays of a packet: one AVX2 register of each coordinate. Measured on 4, 8 and 16 with `seamline bench
+/// Rays of a packet: one AVX2 register of each coordinate. Measured on 4, 8 and 16 with `seamline lab bench
 /// --only tracer`: 16 is two packets of 8 inside Embree and a tenth slower, 4 leaves half of the registers
 /// empty.
 inline constexpr int packet_size = 8;

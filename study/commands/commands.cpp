@@ -144,7 +144,7 @@ void refuse_without_window(const ParticipantRequest&) {
 
 void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant) {
   const auto study_options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("study", "Run a session: a person in a window, or simulated people");
+  CLI::App* command = app.add_subcommand("study", "run a session: a person in a window, or simulated people");
   command->add_option("set", study_options->set_folder, "folder of the rendered set")->required();
   command->add_option("--log", study_options->log, "SQLite log of answers; made when it is missing")
       ->required();
@@ -169,8 +169,7 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
   command->callback([study_options, run_participant] { study(*study_options, run_participant); });
 
   const auto log_options = std::make_shared<LogOptions>();
-  CLI::App* log =
-      app.add_subcommand("log", "Look after a log: who did what, exclude or forget a participant");
+  CLI::App* log = app.add_subcommand("log", "look after a log: who did what, exclude, forget, repair");
   log->add_option("log", log_options->log, "the log")->required();
   CLI::Option* status = log->add_flag("--status", log_options->status, "print who has done what");
   CLI::Option* tracks =

@@ -1,4 +1,4 @@
-// `seamline bench` runs, and its data says what was wanted beside what was found.
+// `seamline lab bench` runs, and its data says what was wanted beside what was found.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ TEST(Bench, WantedIsOfTheRatioOrElseOfWhatWasFound) {
 }
 
 TEST(Bench, WritesMeasurementsAsData) {
-  const test::Outcome outcome = test::run_seamline("bench --only capture --quick --json");
+  const test::Outcome outcome = test::run_seamline("lab bench --only capture --quick --json");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const auto report = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(report["format"], "seamline bench 1");

@@ -1,4 +1,4 @@
-// `seamline convergence` as a whole: its files, their columns, and slopes that are numbers. Never a time.
+// `seamline lab convergence` as a whole: its files, their columns, and slopes that are numbers. Never a time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string convergence(const fs::path& study, const fs::path& out, const std::string& more) {
-  return "convergence " + study.string() + " --out " + out.string() + " --size 32x18 --spp 2 --seconds 0.5 " +
-         more;
+  return "lab convergence " + study.string() + " --out " + out.string() +
+         " --size 32x18 --spp 2 --seconds 0.5 " + more;
 }
 
 int lines(const std::string& text) {
@@ -80,7 +80,7 @@ TEST(Convergence, WrongInputIsExitStatusOne) {
   const std::string study = (test::studies() / "quick.toml").string();
   const auto complaint = [&](const std::string& more) {
     const test::Outcome outcome =
-        run_seamline("convergence " + study + " --out " + (folder / "out").string() + " " + more);
+        run_seamline("lab convergence " + study + " --out " + (folder / "out").string() + " " + more);
     EXPECT_EQ(outcome.status, 1) << outcome.output;
     return outcome.output;
   };

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <regex>
 #include <set>
 
 #include "program.h"
 #include "run_program.h"
+#include "support/text/command_help.h"
 
 namespace seamline {
 namespace {
@@ -115,12 +117,17 @@ TEST(Install, PicturesThatAreNotPlainNeedTheirLibraryAndNothingElseDoes) {
   EXPECT_THAT(run_shell(look).output, HasSubstr("invalid ELF header"));
 }
 
+/// "" is the program itself.
+std::string manual_page_of(const std::string& command) {
+  return "seamline" + std::string(command.empty() ? "" : "-") +
+         std::regex_replace(command, std::regex(" "), "-");
+}
+
 TEST(Manual, APageForEveryCommandWithoutAWarning) {
   bool failed = false;
   const std::unique_ptr<CLI::App> app = program(failed);
   std::set<std::string> pages = {"seamline"};
-  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-    pages.insert("seamline-" + command->get_name());
+  for (const auto& [name, command] : every_command(*app)) pages.insert(manual_page_of(name));
   std::set<std::string> found;
   for (const auto& entry : fs::directory_iterator(manual / "man1")) {
     found.insert(entry.path().stem().string());
@@ -143,14 +150,13 @@ std::map<std::string, std::vector<std::string>> options_by_command() {
         options[name].push_back("--" + option->get_single_name());
   };
   add(*app, "");
-  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-    add(*command, command->get_name());
+  for (const auto& [name, command] : every_command(*app)) add(*command, name);
   return options;
 }
 
 TEST(Manual, EveryOptionOfEveryCommandIsOnItsPage) {
   for (const auto& [command, options] : options_by_command()) {
-    const std::string name = command.empty() ? "seamline.1" : "seamline-" + command + ".1";
+    const std::string name = manual_page_of(command) + ".1";
     const Outcome page =
         run_program("groff", "-man -Tascii -P-c -P-b -P-u -P-o " + (manual / "man1" / name).string());
     for (const std::string& option : options) EXPECT_THAT(page.output, HasSubstr(option)) << name;
@@ -170,9 +176,9 @@ std::vector<std::string> completed(const std::string& words) {
 }
 
 TEST(Completion, KnowsEveryCommandAndEveryOption) {
-  std::vector<std::string> commands;
+  std::set<std::string> commands;
   for (const auto& [command, options] : options_by_command()) {
-    if (!command.empty()) commands.push_back(command);
+    if (!command.empty()) commands.insert(command.substr(0, command.find(' ')));
     EXPECT_THAT(completed("seamline " + command + (command.empty() ? "" : " ") + "--"), IsSupersetOf(options))
         << command;
   }
@@ -183,6 +189,7 @@ TEST(Completion, KnowsEveryCommandAndEveryOption) {
 TEST(Completion, ProposesWordsWherePathsMakeNoSense) {
   using testing::ElementsAre;
   EXPECT_THAT(completed("seamline rend"), ElementsAre("render"));
+  EXPECT_THAT(completed("seamline lab con"), ElementsAre("convergence"));
   EXPECT_THAT(completed("seamline render my.toml --con"), ElementsAre("--contact-sheet"));
   EXPECT_THAT(completed("seamline render --estimator ''"), ElementsAre("fast", "path"));
   EXPECT_THAT(completed("seamline render --mesh = f"), ElementsAre("full"));

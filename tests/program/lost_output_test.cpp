@@ -18,6 +18,7 @@
 #include "study/online/messages/message_writer.h"
 #include "support/files/assets.h"
 #include "support/files/image.h"
+#include "support/text/command_help.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {
@@ -118,16 +119,16 @@ const std::map<std::string, std::string> short_ways = {
     {"live", "{in}/recording --object builtin:teapot --headless --time --frames 1 --size 32x24"},
     {"relight", "builtin:bedroom --sensor tof_160x120 --frames 2 --out {out}"},
     {"export", "{log} --bids {out}"},
-    {"stability", "--list"},
-    {"convergence",
+    {"lab stability", "--list"},
+    {"lab convergence",
      "{study} --only bedroom-receiver-statue-0064 --parts mesh --tolerances 1e-2 --spp 2 --size 32x18 --out {out}"},
     {"views", "{in}/frame.png --max-depth 5 --fov 60 --zero-parallax 2 --views 2 --out {out}"},
     {"settle",
      "builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 1 0 --frames 2 --frames-to-rest 0 --out {out}"},
-    {"marker", "--spp 1 --frames 1 --noise 0 --out {out}"},
-    {"person", "--sensor tof_160x120 --out {out}"},
-    {"field", "{in}/cube.gltf --out {out}.png"},
-    {"bench", "--quick --only capture --threads 1"},
+    {"lab marker", "--spp 1 --frames 1 --noise 0 --out {out}"},
+    {"lab person", "--sensor tof_160x120 --out {out}"},
+    {"lab field", "{in}/cube.gltf --out {out}.png"},
+    {"lab bench", "--quick --only capture --threads 1"},
     {"serve", "--make-tokens 1 --tokens {out}"},
     {"import", "{out}.sqlite {in}/line.jsonl --set {set}"},
     {"merge", "{in}/other.sqlite {log}"},
@@ -137,24 +138,24 @@ const std::map<std::string, std::string> short_ways = {
 /// The way of a command where this program has the library that it needs; else, and without one, its help.
 std::string way_of(const std::string& command) {
   const auto way = short_ways.find(command);
-  const bool lacks = (command == "marker" && !registration::has_aruco()) ||
+  const bool lacks = (command == "lab marker" && !registration::has_aruco()) ||
                      (command == "settle" && !renderer::has_physics());
   return way == short_ways.end() || lacks ? "--help" : way->second;
 }
 
-std::vector<std::string> every_command() {
+std::vector<std::string> command_names() {
   bool failed = false;
   const std::unique_ptr<CLI::App> app = program(failed);
   std::vector<std::string> names = {""};
-  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
+  for (const NamedCommand& command : seamline::every_command(*app)) names.push_back(command.name);
   return names;
 }
 
 TEST_F(LostOutput, EndsEveryCommandWithOneSentence) {
-  for (const std::string& command : every_command())
+  for (const std::string& command : command_names())
     for (const Outputs outputs : {Outputs::full, Outputs::closed, Outputs::both_closed}) {
-      const std::string run = command + "-" + std::to_string(static_cast<int>(outputs));
+      const std::string run =
+          command.substr(command.find(' ') + 1) + "-" + std::to_string(static_cast<int>(outputs));
       const Outcome outcome = run_seamline(command + " " + filled(way_of(command), run), outputs);
       SCOPED_TRACE(run);
       EXPECT_EQ(outcome.status, 1) << outcome.output;
@@ -170,7 +171,7 @@ TEST_F(LostOutput, EndsEveryCommandWithOneSentence) {
 
 TEST_F(LostOutput, OnlyAWindowAndTheDemoAreNotTriedHere) {
   std::set<std::string> untried;
-  for (const std::string& command : every_command())
+  for (const std::string& command : command_names())
     if (!short_ways.contains(command)) untried.insert(command);
   EXPECT_EQ(untried, (std::set<std::string>{"", "demo", "place"}));
 }
@@ -205,7 +206,8 @@ TEST_F(LostOutput, LeavesTheSameFilesToTheByte) {
     SCOPED_TRACE(command);
     std::map<std::string, std::string> kept;
     for (const Outputs outputs : {Outputs::kept, Outputs::full, Outputs::both_closed}) {
-      const std::string run = command + "-" + std::to_string(static_cast<int>(outputs)) + "-files";
+      const std::string run =
+          command.substr(command.find(' ') + 1) + "-" + std::to_string(static_cast<int>(outputs)) + "-files";
       const Outcome outcome = run_seamline(command + " " + filled(short_ways.at(command), run), outputs);
       EXPECT_EQ(outcome.status, outputs == Outputs::kept ? 0 : 1) << outcome.output;
       const auto files = files_of(folder() / ("out-" + run));

@@ -12,6 +12,7 @@
 
 #include "program.h"
 #include "run_program.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 
 namespace seamline {
@@ -34,15 +35,14 @@ std::vector<ListedOption> every_option() {
   bool failed = false;
   const std::unique_ptr<CLI::App> app = program(failed);
   std::vector<ListedOption> options;
-  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
-    EXPECT_TRUE(command->get_subcommands([](const CLI::App*) { return true; }).empty()) << "walk these too";
-    const std::vector<const CLI::Option*> all = command->get_options();
+  for (const auto& [name, command] : every_command(*app)) {
+    const std::vector<CLI::Option*> all = command->get_options();
     const auto positionals = std::count_if(
         all.begin(), all.end(), [](const CLI::Option* option) { return option->get_positional(); });
     for (const CLI::Option* option : all)
-      options.push_back(
-          {command->get_name(), (option->get_positional() ? "" : "--") + option->get_single_name(),
-           option->get_type_name(), option->get_items_expected_min(), static_cast<int>(positionals)});
+      options.push_back({name, (option->get_positional() ? "" : "--") + option->get_single_name(),
+                         option->get_type_name(), option->get_items_expected_min(),
+                         static_cast<int>(positionals)});
   }
   return options;
 }
@@ -97,7 +97,7 @@ std::vector<std::string> wrong_values(const ListedOption& option) {
 std::vector<std::vector<std::string>> settings(const ListedOption& option, const std::string& value) {
   std::vector<std::vector<std::string>> all;
   for (int place = 0; place < option.values; ++place) {
-    std::vector<std::string> arguments = {option.command};
+    std::vector<std::string> arguments = test::words_of(option.command);
     if (option.name.starts_with("-")) {
       arguments.insert(arguments.end(), static_cast<std::size_t>(option.positionals), "x");
       arguments.push_back(option.name);

@@ -11,6 +11,7 @@
 #include "pages.h"
 #include "program.h"
 #include "support/files/assets.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 
 namespace seamline {
@@ -122,15 +123,15 @@ const std::map<std::string, std::set<std::string>>& options_of_commands() {
         for (const std::string& one : option->get_lnames()) found[name].insert("--" + one);
     };
     take(*app, "");
-    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-      take(*command, command->get_name());
+    for (const auto& [command_name, command] : every_command(*app)) take(*command, command_name);
     return found;
   }();
   return options;
 }
 
 TEST(Documentation, EveryOptionIsOneOfItsCommandOrOfSomeCommand) {
-  const std::regex option(R"((^|[ \[])(--[a-z0-9][a-z0-9-]*))"), first_word(R"(^(?:seamline )?([a-z]+) )");
+  const std::regex option(R"((^|[ \[])(--[a-z0-9][a-z0-9-]*))"),
+      first_word(R"(^(?:seamline )?((?:lab )?[a-z]+) )");
   int options_read = 0;
   for (const auto& [name, page] : pages())
     for (const std::string& span : test::code_spans(page)) {

@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 /// Runs the program as a person would.
 namespace seamline::test {
@@ -50,6 +52,12 @@ Outcome run_seamline(const std::string& arguments, Outputs outputs = Outputs::ke
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
+}
+
+/// A command as its words are typed: "lab bench" is two.
+inline std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 inline std::string read_text(const std::filesystem::path& path) {

@@ -5,12 +5,14 @@
 #include <regex>
 #include <set>
 
+#include "program.h"
 #include "registration/calibration/aruco.h"
 #include "registration/calibration/opencv.h"
 #include "renderer/physics/rigid_world.h"
 #include "run_program.h"
 #include "running_program.h"
 #include "support/files/assets.h"
+#include "support/text/command_help.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {
@@ -114,19 +116,49 @@ fs::path study_of_many_scenes() {
 }
 
 /// Every command, and which of its ways.
-const std::vector<std::pair<std::string, std::string>> commands = {
-    {"demo", ""},      {"render", ""},         {"render", "job"},    {"verify", ""},    {"check", ""},
-    {"check", "set"},  {"convergence", ""},    {"capture", ""},      {"mesh", ""},      {"composite", ""},
-    {"bench", ""},     {"study", "threshold"}, {"study", "image"},   {"log", "status"}, {"log", "recover"},
-    {"analyze", ""},   {"fit", "levels"},      {"fit", "bootstrap"}, {"predict", ""},   {"plan", ""},
-    {"stability", ""}, {"register", ""},       {"calibrate", ""},    {"sense", ""},     {"picture", ""},
-    {"marker", ""},    {"views", ""},          {"settle", ""},       {"relight", ""},   {"record", ""},
-    {"live", ""},      {"export", ""},         {"export", "x3d"},    {"person", ""},    {"field", ""},
-    {"import", ""},    {"merge", ""},          {"freeze", ""},       {"flip", ""}};
+const std::vector<std::pair<std::string, std::string>> commands = {{"demo", ""},
+                                                                   {"render", ""},
+                                                                   {"render", "job"},
+                                                                   {"verify", ""},
+                                                                   {"check", ""},
+                                                                   {"check", "set"},
+                                                                   {"lab convergence", ""},
+                                                                   {"capture", ""},
+                                                                   {"mesh", ""},
+                                                                   {"composite", ""},
+                                                                   {"lab bench", ""},
+                                                                   {"study", "threshold"},
+                                                                   {"study", "image"},
+                                                                   {"log", "status"},
+                                                                   {"log", "recover"},
+                                                                   {"analyze", ""},
+                                                                   {"fit", "levels"},
+                                                                   {"fit", "bootstrap"},
+                                                                   {"predict", ""},
+                                                                   {"plan", ""},
+                                                                   {"lab stability", ""},
+                                                                   {"register", ""},
+                                                                   {"calibrate", ""},
+                                                                   {"sense", ""},
+                                                                   {"picture", ""},
+                                                                   {"lab marker", ""},
+                                                                   {"views", ""},
+                                                                   {"settle", ""},
+                                                                   {"relight", ""},
+                                                                   {"record", ""},
+                                                                   {"live", ""},
+                                                                   {"export", ""},
+                                                                   {"export", "x3d"},
+                                                                   {"lab person", ""},
+                                                                   {"lab field", ""},
+                                                                   {"import", ""},
+                                                                   {"merge", ""},
+                                                                   {"freeze", ""},
+                                                                   {"flip", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
-  const std::string out = (at.folder / ("out-" + command + what)).string();
+  const std::string out = (at.folder / ("out-" + command.substr(command.find(' ') + 1) + what)).string();
   const std::string quick = (test::studies() / "quick.toml").string();
   if (command == "demo") return {"--out", out};
   if (command == "render" && what == "job") return {quick, "--out", out, "--parallel", out + "-job"};
@@ -134,7 +166,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "verify") return {at.long_set.string()};
   if (command == "check" && what == "set") return {at.long_set.string()};
   if (command == "check") return {study_of_many_scenes().string()};
-  if (command == "convergence")
+  if (command == "lab convergence")
     return {quick, "--only", "bedroom-receiver-statue-0064", "--out", out, "--seconds", "600"};
   if (command == "capture") return {"builtin:bedroom", "--width", "16384", "--out", out + ".exr"};
   if (command == "mesh") return {at.depth.string(), "--tolerance", "1e-7", "--out", out + ".glb"};
@@ -214,10 +246,10 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "merge") return {at.small_log.string(), at.log.string()};
   if (command == "export" && what == "x3d")
     return {"builtin:bedroom", "--x3d", out, "--object", "builtin:statue", "--spp", "4096"};
-  if (command == "person") return {"--out", out};
-  if (command == "field") return {"builtin:statue", "--out", out + ".png"};
+  if (command == "lab person") return {"--out", out};
+  if (command == "lab field") return {"builtin:statue", "--out", out + ".png"};
   if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
-  if (command == "marker") return {"--spp", "4096", "--out", out};
+  if (command == "lab marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
   if (command == "views")
     return {at.frame.string(), "--max-depth", "5",     "--fov", "60", "--zero-parallax", "2",
@@ -240,7 +272,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
   for (const auto& [command, what] : commands) {
     // Without their libraries they end with their one sentence.
     if (command == "calibrate" && !registration::has_opencv()) continue;
-    if (command == "marker" && !registration::has_aruco()) continue;
+    if (command == "lab marker" && !registration::has_aruco()) continue;
     if (command == "settle" && !renderer::has_physics()) continue;
     if (command == "export" &&
         !fs::exists(what == "x3d" ? web_page_folder().parent_path() / "x3d" / "x3dom.js"
@@ -248,7 +280,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
       continue;
     signal = signal == SIGTERM ? SIGINT : SIGTERM;
     SCOPED_TRACE(command + " " + what);
-    std::vector<std::string> arguments = {command};
+    std::vector<std::string> arguments = test::words_of(command);
     for (const std::string& argument : arguments_of(command, what)) arguments.push_back(argument);
     const test::Running running =
         test::start(arguments, work().folder / (command + what + ".txt"), asks_before_the_signal(command));
@@ -266,12 +298,9 @@ TEST(Signals, AreTriedOnEveryCommand) {
   tried.insert("place");  // a window, which needs a display
   tried.insert("serve");  // a signal is its only end, and a good one: tests/online
   std::set<std::string> listed;
-  const std::string help = run_seamline("--help").output;
-  const std::regex line("\n  ([a-z]+)  ");
-  const std::size_t at_list = help.find("Subcommands:");
-  ASSERT_NE(at_list, std::string::npos);
-  const std::string list = help.substr(at_list);
-  for (std::sregex_iterator at(list.begin(), list.end(), line), end; at != end; ++at) listed.insert((*at)[1]);
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  for (const NamedCommand& command : every_command(*app)) listed.insert(command.name);
   EXPECT_EQ(listed, tried);
 }
 

@@ -1,4 +1,4 @@
-// The whole catalogue, as `seamline stability` runs it.
+// The whole catalogue, as `seamline lab stability` runs it.
 #include <gtest/gtest.h>
 
 #include "renderer/common/parallel.h"

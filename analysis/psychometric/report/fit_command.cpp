@@ -226,8 +226,8 @@ void add_column_options(CLI::App& command, FitColumns& columns) {
 }  // namespace
 
 void add_fit_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "fit", "a psychometric function from counts at levels: threshold, width, intervals, goodness of fit");
+  CLI::App* command =
+      app.add_subcommand("fit", "a psychometric function from counts at levels, with intervals");
   const auto arguments = std::make_shared<FitArguments>();
   command->add_option("data", arguments->file, "CSV with the columns level,correct,trials")->required();
   add_column_options(*command, arguments->columns);

@@ -10,6 +10,7 @@
 #include "renderer/commands/pictures/composite_options.h"
 #include "renderer/composite/objects_file.h"
 #include "support/files/assets.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 
 namespace seamline::renderer {
@@ -221,14 +222,33 @@ void run_place(const CompositeOptions& options, const std::vector<std::string>& 
   in_window(request);
 }
 
+/// --help shows what most composites need, and names these groups.
+void group_composite_options(CLI::App& command) {
+  group_options(command, {{"Photograph", {"--projection", "--camera", "--scene"}},
+                          {"Depth map",
+                           {"--depth-view", "--depth-kind", "--mesh", "--tolerance", "--yaw", "--jumps",
+                            "--jump-ratio", "--depth-width", "--condition"}},
+                          {"Object's surface",
+                           {"--materials", "--object-albedo", "--metallic", "--roughness", "--asset-root"}},
+                          {"Light",
+                           {"--sun-radius", "--lamp", "--environment", "--environment-rotation",
+                            "--light-panorama", "--keep-sun", "--albedo", "--bounces"}},
+                          {"Who is in front, and shadows",
+                           {"--occlusion", "--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far",
+                            "--occlusion-mask", "--shadows", "--shadow-matte"}},
+                          {"Sampling", {"--estimator", "--spp", "--seed", "--threads", "--additive"}},
+                          {"More output", {"--layers", "--local-scene", "--pixels-per-degree"}}});
+}
+
 }  // namespace
 
 void add_place_command(CLI::App& app, PlaceInWindow in_window) {
   auto options = std::make_shared<CompositeOptions>();
   auto added = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = app.add_subcommand(
-      "place", "put objects on the real surfaces of a photograph, in a window, for composite --objects");
+  CLI::App* command =
+      app.add_subcommand("place", "put objects on the real surfaces of a photograph, in a window");
   add_composite_options(*command, *options);
+  group_composite_options(*command);
   for (const char* name : left_to_composite) command->get_option(name)->group("")->required(false);
   command->get_option("--objects")
       ->required()
@@ -245,6 +265,7 @@ void add_composite_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("composite", "put objects into a photograph or a panorama, through its depth");
   add_composite_options(*command, *options);
+  group_composite_options(*command);
   command->callback([options, command] { run_composite(*options, *command); });
 }
 

@@ -215,7 +215,7 @@ void add_sampling_options(CLI::App& command, CompositeOptions& options) {
              "0.0039)");
   add_number(command, "--spp", request.spp, {1, 65536}, "samples a pixel, without --error")
       ->capture_default_str();
-  add_number(command, "--seed", request.seed, {0, 2147483647}, "seed of the samples")->capture_default_str();
+  add_number(command, "--seed", request.seed, any_seed, "seed of the samples")->capture_default_str();
   add_number(command, "--threads", request.threads, {0, 1024},
              "0: one for each core; the picture is the same")
       ->capture_default_str();

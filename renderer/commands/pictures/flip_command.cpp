@@ -112,8 +112,8 @@ void run_flip(const FlipOptions& options) {
 
 void add_flip_command(CLI::App& app) {
   auto options = std::make_shared<FlipOptions>();
-  CLI::App* command = app.add_subcommand(
-      "flip", "the difference between two pictures that people see (FLIP, 0 to 1), also of parts of them");
+  CLI::App* command =
+      app.add_subcommand("flip", "the difference between two pictures that people see (FLIP)");
   command
       ->add_option("reference", options->reference,
                    "a picture: .png as it is shown, or .exr and .hdr, shown with --exposure")

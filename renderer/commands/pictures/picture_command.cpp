@@ -27,6 +27,7 @@
 #include "renderer/views/view_picture.h"
 #include "support/files/assets.h"
 #include "support/running/progress.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -44,7 +45,8 @@ struct PictureOptions {
   SunOptions sun;
   std::optional<double> fov_deg;
   double rotation_deg = 0, albedo = 0.5, exposure_ev = 0;
-  int width_px = 960, height_px = 540, bounces = 4, spp = 64, seed = 1;
+  int width_px = 960, height_px = 540, bounces = 4, spp = 64;
+  std::uint64_t seed = 1;
   bool has_place = false, has_sun = false, panorama = false;
   ViewOptions view;
 };
@@ -209,7 +211,7 @@ void run_picture(const PictureOptions& options) {
       2 * std::atan(static_cast<double>(camera.tan_half_horizontal)) * 180 / std::numbers::pi;
   Progress progress("picture", 1.0);
   const PhotographOptions how{.spp = options.spp,
-                              .seed = static_cast<std::uint64_t>(options.seed),
+                              .seed = options.seed,
                               .threads = default_thread_count(),
                               .progress = [&, last = 0.0](double share) mutable {
                                 progress.advance(share - last, "");
@@ -303,10 +305,12 @@ void add_picture_command(CLI::App& app) {
   add_number(*command, "--bounces", options->bounces, {0, 1024}, "further scatterings after the first")
       ->capture_default_str();
   add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel")->capture_default_str();
-  add_number(*command, "--seed", options->seed, {0, 2147483647}, "seed of the samples")
-      ->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of the samples")->capture_default_str();
   add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "for .png")
       ->capture_default_str();
+  group_options(*command, {{"Several eyes",
+                            {"--view", "--separation", "--zero-parallax", "--views", "--pitch", "--slant",
+                             "--offset", "--anaglyph", "--max-depth"}}});
   command->callback([options, command] {
     options->has_place = command->get_option("--at")->count() > 0;
     options->has_sun = command->get_option("--to-sun")->count() > 0;

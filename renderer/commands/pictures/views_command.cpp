@@ -113,8 +113,7 @@ void run_views(const ViewsOptions& options) {
 
 void add_views_command(CLI::App& app) {
   auto options = std::make_shared<ViewsOptions>();
-  CLI::App* command = app.add_subcommand(
-      "views", "the views that a 2D-plus-depth screen makes of a picture and its depth, with their holes");
+  CLI::App* command = app.add_subcommand("views", "views that a screen makes of a picture and its depth");
   command
       ->add_option(
           "frame", options->frame,

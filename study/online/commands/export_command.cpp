@@ -11,6 +11,7 @@
 
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
+#include "support/text/command_help.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -98,9 +99,8 @@ void run_export(const ExportOptions& options, const OtherPage& other) {
 
 void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand(
-      "export",
-      "Write a study as a page for browsers, a scene in X3D, or a log as tables for other programs");
+  CLI::App* command =
+      app.add_subcommand("export", "a study as a page for browsers, a log as tables, a scene in X3D");
   command
       ->add_option("source", options->source,
                    "folder of the rendered set for --web and --x3d (there also a scene: .glb, .gltf or "
@@ -131,6 +131,12 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent")
       ->needs(web);
   const OtherPage other = add_other_page(*command);
+  group_options(*command, {{"A page in X3D",
+                            {"--x3d",      "--stimulus", "--asset-root",  "--object", "--position",
+                             "--rotation", "--scale",    "--height",      "--at",     "--look-at",
+                             "--fov",      "--size",     "--environment", "--to-sun", "--sun-irradiance",
+                             "--bounces",  "--albedo",   "--exposure",    "--user",   "--spp",
+                             "--seed"}}});
   command->callback([options, other] { run_export(*options, other); });
 }
 

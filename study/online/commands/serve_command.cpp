@@ -108,7 +108,7 @@ void run_merge(const GatheringOptions& options) {
 
 void add_serve_command(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
-  CLI::App* command = app.add_subcommand("serve", "Host a study for browsers; answers go into a log");
+  CLI::App* command = app.add_subcommand("serve", "host a study for browsers; answers go into a log");
   command->add_option("folder", options->folder, "what seamline export --web wrote");
   command->add_option("--log", options->log, "SQLite log of answers; made when it is missing");
   command->add_option("--set", options->set, "the rendered set; else where the log says");
@@ -132,7 +132,7 @@ void add_serve_command(CLI::App& app) {
 void add_gathering_commands(CLI::App& app) {
   const auto imported = std::make_shared<GatheringOptions>();
   CLI::App* import =
-      app.add_subcommand("import", "Store results of JATOS, or downloads of a page, into a log");
+      app.add_subcommand("import", "store results of JATOS, or downloads of a page, into a log");
   import->add_option("log", imported->log, "the log; made when it is missing")->required();
   import
       ->add_option("files", imported->files, "files of messages, or JATOS's archives of them (.jrzip, .zip)")
@@ -143,8 +143,7 @@ void add_gathering_commands(CLI::App& app) {
   import->callback([imported] { run_import(*imported); });
 
   const auto merged = std::make_shared<GatheringOptions>();
-  CLI::App* merge =
-      app.add_subcommand("merge", "Add the participants of other logs of the same study to a log");
+  CLI::App* merge = app.add_subcommand("merge", "add the participants of other logs of the same study");
   merge->add_option("into", merged->log, "the log that gets them")->required();
   merge->add_option("from", merged->files, "the other logs, which stay as they are")->required();
   merge->callback([merged] { run_merge(*merged); });
