@@ -39,8 +39,9 @@ class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
-    return wrapped(make_description(app), 0, 0) + "\n" + make_usage(app, std::move(name)) + make_positionals(app) +
-           options_by_groups(*app, mode) + make_subcommands(app, mode) + "\n" + make_footer(app);
+    return wrapped(make_description(app), 0, 0) + "\n" + make_usage(app, std::move(name)) +
+           make_positionals(app) + options_by_groups(*app, mode) + make_subcommands(app, mode) + "\n" +
+           make_footer(app);
   }
 
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
