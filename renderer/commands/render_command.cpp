@@ -15,6 +15,7 @@
 #include "renderer/set/pages/errors_page.h"
 #include "renderer/set/pages/explain.h"
 #include "renderer/set/render_set.h"
+#include "renderer/set/set_errors.h"
 #include "renderer/set/set_work.h"
 #include "renderer/set/true_error_set.h"
 #include "stimuli/set/level_notes.h"
@@ -197,6 +198,9 @@ void run_render(const RenderOptions& options) {
                                 .mesh = request.mesh});
   if (request.part == JobPart::whole || request.part == JobPart::join) {
     write_errors_page(options.set);
+    if (options.error > 0)
+      for (const std::string& said : sentences_on_missed(read_set_errors(options.set), options.error))
+        fmt::print("{}\n", said);
     for (const std::string& said : notes_on_levels(study)) fmt::print("{}\n", said);
     for (const std::string& said : sentences(holes_of_set(read_manifest(options.set))))
       fmt::print("{}\n", said);

@@ -67,24 +67,36 @@ double TrueError::worst_tile_rmse() const {
   return std::sqrt(std::max(0.0, tiles[static_cast<std::size_t>(worst_tile())]));
 }
 
+namespace {
+
+/// Slope of the line through two points of the display curve; its tangent where they are one. The tangent
+/// alone makes an error of 1.5 of two pictures that differ by 0.17: it is 12.9 at black.
+double display_secant(float linear, float other) {
+  const double apart = double{linear} - double{other};
+  if (std::abs(apart) < 1e-6) return display_slope(linear);
+  return (double{srgb_from_linear(linear)} - double{srgb_from_linear(other)}) / apart;
+}
+
+}  // namespace
+
 TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, double exposure_ev) {
   assert(shown.channels == 3 && shown.width_px == reference[0].width_px &&
          shown.height_px == reference[0].height_px);
   const float gain = static_cast<float>(std::exp2(exposure_ev));
-  std::array<float, 256> linear{}, slope{};
-  for (std::size_t code = 0; code < linear.size(); ++code) {
+  std::array<float, 256> linear{};
+  for (std::size_t code = 0; code < linear.size(); ++code)
     linear[code] = linear_from_srgb(static_cast<float>(code) / 255.0F);
-    slope[code] = display_slope(linear[code]);
-  }
   return mean_over_tiles(
       shown.width_px, shown.height_px,
       [&](int x, int y) {
         double sum = 0;
         for (int c = 0; c < 3; ++c) {
           const std::size_t code = shown.values[reference[0].index(x, y) + static_cast<std::size_t>(c)];
-          const double a = linear[code] - std::min(1.0F, reference[0].at(x, y, c) * gain);
-          const double b = linear[code] - std::min(1.0F, reference[1].at(x, y, c) * gain);
-          sum += double{slope[code]} * double{slope[code]} * a * b;
+          const float first = std::min(1.0F, reference[0].at(x, y, c) * gain);
+          const float second = std::min(1.0F, reference[1].at(x, y, c) * gain);
+          const double slope = display_secant(linear[code], 0.5F * (first + second));
+          sum += slope * slope * (double{linear[code]} - double{first}) *
+                 (double{linear[code]} - double{second});
         }
         return sum;
       },

@@ -1,5 +1,7 @@
 #include "renderer/set/set_errors.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -109,6 +111,25 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
     errors.rows.push_back(std::move(row));
   }
   return errors;
+}
+
+static constexpr double rounded_in_files = 1e-3;  ///< relative, of errors in manifest and timings
+
+std::vector<std::string> sentences_on_missed(const SetErrors& errors, double asked) {
+  std::string examples;
+  int missed = 0;
+  for (const StimulusErrorRow& row : errors.rows) {
+    const double reached = row.estimated.value_or(0), worst_tile = row.estimated_worst_tile.value_or(0);
+    if (std::max(reached, worst_tile / 3) <= asked * (1 + rounded_in_files)) continue;
+    if (++missed <= 3)
+      examples += fmt::format("{}{} ({:.4f}, worst tile {:.4f})", missed > 1 ? ", " : "", row.id, reached,
+                              worst_tile);
+  }
+  if (missed == 0) return {};
+  return {fmt::format(
+      "The error that was asked for, {:g} (worst tile {:g}), was not reached by {} of {} stimuli: {}{}. "
+      "errors.html lists all.",
+      asked, 3 * asked, missed, errors.rows.size(), examples, missed > 3 ? " ..." : "")};
 }
 
 CsvTable errors_table(const SetErrors& errors) {

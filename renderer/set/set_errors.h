@@ -48,6 +48,11 @@ struct SetErrors {
 /// Reads what a rendered set says of itself: manifest, timings, true errors.
 [[nodiscard]] SetErrors read_set_errors(const std::filesystem::path& set_folder);
 
+/// Whether stimuli ended above the error that was asked for (`--error`: over the picture, and three times
+/// that in its worst tile), which ones and by how much. More samples do not lower every error, and a picture
+/// gets only so many. Empty where none did.
+[[nodiscard]] std::vector<std::string> sentences_on_missed(const SetErrors& errors, double asked);
+
 /// One row a stimulus.
 [[nodiscard]] CsvTable errors_table(const SetErrors& errors);
 

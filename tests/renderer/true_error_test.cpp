@@ -65,14 +65,28 @@ TEST(TrueError, TheWorstTileIsWhereTheErrorIs) {
   EXPECT_GT(found.worst_tile_rmse(), 5 * found.rmse() / 2);
 }
 
-TEST(TrueError, ExposureIsUndoneAndWhiteCountsNothing) {
+TEST(TrueError, ExposureIsUndoneAndReferencesBeyondWhiteAreWhite) {
   Planted planted = plant(0.01, 0, 1);
   const double without = true_error(planted.shown, planted.reference, 0).squared;
   for (Image& half : planted.reference)
     for (float& value : half.values) value *= 0.5F;
   EXPECT_NEAR(true_error(planted.shown, planted.reference, 1).squared, without, 1e-9);
   std::fill(planted.shown.values.begin(), planted.shown.values.end(), std::uint8_t{255});
+  for (Image& half : planted.reference) std::fill(half.values.begin(), half.values.end(), 3.0F);
   EXPECT_EQ(true_error(planted.shown, planted.reference, 1).squared, 0);
+}
+
+/// An error is the difference of what is shown, however large: never more than 1, and as much of a black
+/// picture that should be white as of a white one that should be black.
+TEST(TrueError, ALargeErrorIsTheDifferenceOnTheDisplay) {
+  for (const auto& [code, reference] :
+       {std::pair{0, 0.02F}, {0, 1.0F}, {255, 0.0F}, {10, 0.5F}, {240, 0.1F}}) {
+    const ByteImage shown{64, 32, 3, std::vector<std::uint8_t>(64 * 32 * 3, static_cast<std::uint8_t>(code))};
+    const ReferenceHalves halves = {Image(64, 32, 3, reference), Image(64, 32, 3, reference)};
+    EXPECT_NEAR(true_error(shown, halves, 0).rmse(),
+                std::abs(code / 255.0 - double{srgb_from_linear(reference)}), 1e-5)
+        << code << " for " << reference;
+  }
 }
 
 TEST(TrueError, LinearErrorLooksThroughItsMaskOnly) {
