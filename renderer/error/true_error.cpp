@@ -69,12 +69,18 @@ double TrueError::worst_tile_rmse() const {
 
 namespace {
 
-/// Slope of the line through two points of the display curve; its tangent where they are one. The tangent
-/// alone makes an error of 1.5 of two pictures that differ by 0.17: it is 12.9 at black.
-double display_secant(float linear, float other) {
-  const double apart = double{linear} - double{other};
-  if (std::abs(apart) < 1e-6) return display_slope(linear);
-  return (double{srgb_from_linear(linear)} - double{srgb_from_linear(other)}) / apart;
+/// The slope by which a difference of light becomes one of the display. For small errors it is the tangent at
+/// the picture, which knows nothing of the reference's noise. A tangent alone makes an error of 1.5 of two
+/// pictures that differ by 0.17 (it is 12.9 at black), and none of a white one, whatever should be there:
+/// where tangent and secant are too far apart for that to be noise, it is the secant.
+double slope_of_error(float shown, float reference) {
+  constexpr double apart = 1.5;
+  constexpr float clearly_not_white = 0.6F;  // linear
+  const double tangent = display_slope(shown), difference = double{shown} - double{reference};
+  if (difference == 0) return tangent;
+  const double secant = (double{srgb_from_linear(shown)} - double{srgb_from_linear(reference)}) / difference;
+  if (tangent == 0) return reference < clearly_not_white ? secant : 0;
+  return secant > apart * tangent || tangent > apart * secant ? secant : tangent;
 }
 
 }  // namespace
@@ -94,7 +100,7 @@ TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, d
           const std::size_t code = shown.values[reference[0].index(x, y) + static_cast<std::size_t>(c)];
           const float first = std::min(1.0F, reference[0].at(x, y, c) * gain);
           const float second = std::min(1.0F, reference[1].at(x, y, c) * gain);
-          const double slope = display_secant(linear[code], 0.5F * (first + second));
+          const double slope = slope_of_error(linear[code], 0.5F * (first + second));
           sum += slope * slope * (double{linear[code]} - double{first}) *
                  (double{linear[code]} - double{second});
         }

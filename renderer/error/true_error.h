@@ -25,11 +25,10 @@ struct TrueError {
 };
 
 /// In display units (0 to 1): `shown` is what people see, 8-bit sRGB codes made with `exposure_ev`, whose
-/// rounding is part of the error. References beyond display white are white. The display curve enters by the
-/// slope of its secant from F to the mean of the halves, so that large errors are what they are on the
+/// rounding is part of the error. References beyond display white are white. The display curve enters by its
+/// slope at F, and for large errors by that of the secant from F to R, so that they are what they are on the
 /// display:
 ///   mean over pixels and channels of slope^2 (F - R_a)(F - R_b).
-/// The reference's noise enters the slope too; what that adds is of the fourth order in the noise.
 /// Sizes must agree.
 [[nodiscard]] TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference,
                                    double exposure_ev);
