@@ -12,16 +12,19 @@
 /// The examples of documentation/how-to/exchange.md, and tables to run them on.
 namespace seamline::test {
 
-/// The `number`th block of the page in a language, from 0.
-inline std::string example(const std::string& language, int number) {
-  const std::string page =
-      read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/how-to/exchange.md");
+/// The `number`th block of a page in a language, from 0.
+inline std::string example_of(const std::string& file, const std::string& language, int number) {
+  const std::string page = read_text(std::filesystem::path(SEAMLINE_SOURCE_DIR) / file);
   const std::string fence = "```" + language + "\n";
   std::size_t at = page.find(fence);
   for (int i = 0; i < number; ++i) at = page.find(fence, at + 1);
   if (at == std::string::npos) throw std::runtime_error("no such example");
   at += fence.size();
   return page.substr(at, page.find("```", at) - at);
+}
+
+inline std::string example(const std::string& language, int number) {
+  return example_of("documentation/how-to/exchange.md", language, number);
 }
 
 /// A set of four artifacts at four widths; every stimulus has the reference's picture.
