@@ -56,10 +56,8 @@ std::vector<LevelInterval> joint_intervals(const std::vector<PlannedCurve>& curv
   std::vector<LevelInterval> intervals(targets.size());
   if (!fit.estimated()) return intervals;
   const JointJackknife left_out = leave_people_out(fit, data, 1);
-  const std::vector<JointThreshold> thresholds = joint_thresholds(fit, data, left_out);
   const auto interval_of = [&](std::size_t curve, const PlannedQuantity& quantity) {
-    const auto place = static_cast<std::size_t>(joint_quantity(quantity));
-    return thresholds[curve * every_joint_quantity.size() + place].here.ci95;
+    return joint_threshold(fit, data, left_out, static_cast<int>(curve), joint_quantity(quantity)).here.ci95;
   };
   const double t = two_sided_critical(1 - confidence, people - 1.0);
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -140,6 +140,30 @@ double simultaneous_t(const std::vector<RoughPlace>& places, const JointJackknif
   return MaxAbsT(correlation, df).critical(1 - confidence);
 }
 
+/// Writes what is known of a place into its row, without the simultaneous interval.
+void write_pointwise(const JointFit& fit, const JointData& data, const JointJackknife& left_out,
+                     const RoughPlace& rough, double t, JointThreshold& row) {
+  row.here.reason = rough.reason;
+  row.standard_error = rough.standard_error;
+  if (!rough.place) return;
+  const std::vector<double> levels = levels_of_curve(data, row.curve);
+  row.here.ci95 = interval_of(fit, left_out, row.curve, row.quantity, rough, t, range_of_thresholds(levels));
+  row.here.reason = reason_of_open(row.here.ci95);
+  if (row.here.reason.empty()) row.here.level_x = rough.place->x;
+  row.beyond_levels = rough.place->x < levels.front() || rough.place->x > levels.back();
+}
+
+RoughPlace known_place(const JointFit& fit, const JointJackknife& left_out, int curve, JointQuantity quantity,
+                       double t) {
+  if (fit.estimated() && fit.curves[static_cast<std::size_t>(curve)] == CurveVerdict::estimated)
+    return rough_place(fit, left_out, curve, quantity, t);
+  return {.place = {}, .standard_error = nan, .reason = reason_without_numbers(fit, curve)};
+}
+
+double pointwise_t(const JointFit& fit) {
+  return fit.estimated() ? two_sided_critical(1 - confidence, fit.people - 1) : nan;
+}
+
 }  // namespace
 
 double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve, const SoughtMean& sought,
@@ -152,45 +176,41 @@ double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curv
   return std::log(above / wanted) / standard_error_of(gradient, left_out);
 }
 
+JointThreshold joint_threshold(const JointFit& fit, const JointData& data, const JointJackknife& left_out,
+                               int curve, JointQuantity quantity) {
+  JointThreshold row{
+      .curve = curve, .quantity = quantity, .here = {}, .simultaneous = {}, .standard_error = nan};
+  const double t = pointwise_t(fit);
+  write_pointwise(fit, data, left_out, known_place(fit, left_out, curve, quantity, t), t, row);
+  return row;
+}
+
 std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointData& data,
                                              const JointJackknife& left_out) {
   const int curves = fit.model.curves;
   constexpr std::size_t quantities = every_joint_quantity.size();
   std::vector<JointThreshold> rows(static_cast<std::size_t>(curves) * quantities);
-  const double df = fit.people - 1, t = fit.estimated() ? two_sided_critical(1 - confidence, df) : nan;
+  const double t = pointwise_t(fit);
   for (std::size_t q = 0; q < quantities; ++q) {
     std::vector<RoughPlace> places;
     for (int c = 0; c < curves; ++c) {
       JointThreshold& row = rows[static_cast<std::size_t>(c) * quantities + q];
-      row.curve = c;
-      row.quantity = every_joint_quantity[q];
-      row.standard_error = nan;
-      const bool known =
-          fit.estimated() && fit.curves[static_cast<std::size_t>(c)] == CurveVerdict::estimated;
-      places.push_back(
-          known ? rough_place(fit, left_out, c, row.quantity, t)
-                : RoughPlace{.place = {}, .standard_error = nan, .reason = reason_without_numbers(fit, c)});
+      row = {.curve = c,
+             .quantity = every_joint_quantity[q],
+             .here = {},
+             .simultaneous = {},
+             .standard_error = nan};
+      places.push_back(known_place(fit, left_out, c, row.quantity, t));
+      write_pointwise(fit, data, left_out, places.back(), t, row);
     }
-    if (!fit.estimated()) {
-      for (int c = 0; c < curves; ++c)
-        rows[static_cast<std::size_t>(c) * quantities + q].here.reason =
-            places[static_cast<std::size_t>(c)].reason;
-      continue;
-    }
-    const double max_t = simultaneous_t(places, left_out, df);
+    if (!fit.estimated()) continue;
+    const double max_t = simultaneous_t(places, left_out, fit.people - 1.0);
     for (int c = 0; c < curves; ++c) {
       const RoughPlace& rough = places[static_cast<std::size_t>(c)];
       JointThreshold& row = rows[static_cast<std::size_t>(c) * quantities + q];
-      row.here.reason = rough.reason;
-      row.standard_error = rough.standard_error;
-      if (!rough.place) continue;
-      const std::vector<double> levels = levels_of_curve(data, c);
-      const LevelInterval range = range_of_thresholds(levels);
-      row.here.ci95 = interval_of(fit, left_out, c, row.quantity, rough, t, range);
-      row.simultaneous = interval_of(fit, left_out, c, row.quantity, rough, max_t, range);
-      row.here.reason = reason_of_open(row.here.ci95);
-      if (row.here.reason.empty()) row.here.level_x = rough.place->x;
-      row.beyond_levels = rough.place->x < levels.front() || rough.place->x > levels.back();
+      if (rough.place)
+        row.simultaneous = interval_of(fit, left_out, c, row.quantity, rough, max_t,
+                                       range_of_thresholds(levels_of_curve(data, c)));
     }
   }
   return rows;

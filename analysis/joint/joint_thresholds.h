@@ -44,6 +44,11 @@ struct JointThreshold {
 [[nodiscard]] std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointData& data,
                                                            const JointJackknife& left_out);
 
+/// One of them, without the simultaneous interval (open): what a simulated study needs.
+[[nodiscard]] JointThreshold joint_threshold(const JointFit& fit, const JointData& data,
+                                             const JointJackknife& left_out, int curve,
+                                             JointQuantity quantity);
+
 /// Mean noticeability at x with its 95 % interval over participants: for bands in figures.
 struct MeanBand {
   double x = 0, mean = 0, low = 0, high = 0;
