@@ -16,7 +16,7 @@ std::string further_text(const QuestPlusDefinition& definition) {
   if (definition.direction == Direction::increasing) out += "noticeability rises\n";
   out += canonical_text(definition.threshold, "threshold") + canonical_text(definition.scale, "scale") +
          canonical_text(definition.lapse, "lapse") + canonical_text(definition.guess, "guess");
-  if (definition.outcome == PlacementOutcome::noticeability)
+  if (definition.outcome != PlacementOutcome::correct)
     out += canonical_text(definition.rating_step, "rating_step");
   return out;
 }
@@ -35,7 +35,7 @@ std::string quest_plus_text(const QuestPlusDefinition& definition) {
       definition.edge_share);
   out += fmt::format("grid {} | {} | {} | {}\n", text(definition.threshold), text(definition.scale),
                      text(definition.lapse), text(definition.guess));
-  if (definition.outcome == PlacementOutcome::noticeability)
+  if (definition.outcome != PlacementOutcome::correct)
     out += fmt::format("ratings {}\n", text(definition.rating_step));
   return out + further_text(definition);
 }

@@ -17,6 +17,7 @@ struct ConstantDefinition {};
 enum class PlacementOutcome {
   correct,        ///< binary: was the right object chosen
   noticeability,  ///< ordinal, 0 to 4: 0 for the wrong object, else the rating
+  joint,          ///< the same five, by the joint model of seeing, guessing and rating
 };
 
 /// Which stimuli share one psychometric function, and so one track of trials.
@@ -39,10 +40,10 @@ struct QuestPlusDefinition {
   ParameterRange scale = {0.125, 2, 9};  ///< on the axis (octaves or the level's unit), equal ratios
   ParameterRange lapse = {0, 0.08, 5};   ///< equal steps
   ParameterRange guess = {1.0 / 3.0, 1.0 / 3.0, 1};  ///< equal steps
-  /// `noticeability` only, on the axis, equal ratios: the level at which a rating of at least k is as likely
-  /// as not lies (k - 1) steps beyond the threshold, where more is noticed, k = 2, 3, 4. Not known
-  /// beforehand, because people use the words of a rating as they like; a step that is taken for known and is
-  /// not biases the threshold.
+  /// All but `correct`, on the axis, equal ratios. `noticeability`: the level at which a rating of at least k
+  /// is as likely as not lies (k - 1) steps beyond the threshold, where more is noticed, k = 2, 3, 4. Not
+  /// known beforehand, because people use the words of a rating as they like; a step that is taken for known
+  /// and is not biases the threshold.
   ParameterRange rating_step = {0.125, 1, 4};
   int max_shows_per_image = 1;               ///< to one participant; the study file must say it
   int min_trials = 10;                       ///< of a track before it may stop for its interval or entropy

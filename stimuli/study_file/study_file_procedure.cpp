@@ -12,6 +12,7 @@ namespace seamline::inline stimuli {
 namespace {
 
 constexpr std::int64_t most_points = 1000000;  // of the whole grid
+constexpr std::int64_t joint_points = 12;      // what the joint model multiplies it by (study/placement)
 
 /// The axis of a study, and how its keys end: lengths on the log2 axis are octaves, on the linear one the
 /// level's unit.
@@ -41,7 +42,8 @@ std::string length_key(const TomlTable& table, const std::string& name, const Ax
 
 void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
   const std::int64_t points = std::int64_t{1} * quest.threshold.count * quest.scale.count *
-                              quest.lapse.count * quest.guess.count * quest.rating_step.count;
+                              quest.lapse.count * quest.guess.count * quest.rating_step.count *
+                              (quest.outcome == PlacementOutcome::joint ? joint_points : 1);
   if (points > most_points)
     throw table.complaint("threshold_px",
                           fmt::format("at most {} combinations of all parameters", most_points),
@@ -55,13 +57,21 @@ void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
 }
 
 void read_ratings(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
-  const bool asked = quest.outcome == PlacementOutcome::noticeability;
+  const bool asked = quest.outcome != PlacementOutcome::correct;
   const std::string key = length_key(table, "rating_step", axis);
   if (!asked && table.has(key))
-    throw table.complaint("outcome", "\"noticeability\" where there are " + key, "\"correct\"");
+    throw table.complaint("outcome", "\"joint\" or \"noticeability\" where there are " + key, "\"correct\"");
   quest.rating_step = asked
                           ? read_range(table, key.c_str(), quest.rating_step, {axis.bounds(), Steps::ratios})
                           : ParameterRange{1, 1, 1};
+}
+
+/// The grid of the joint model as it was seen to hold the truth of unlike people (adaptive_placement.md).
+void set_joint_grid(QuestPlusDefinition& quest) {
+  quest.sigmoid = Sigmoid::normal;
+  quest.scale.count = 7;
+  quest.lapse = {0, 0.04, 3};
+  quest.rating_step.least = 0.1767766952966369;  // 2^-2.5
 }
 
 void read_stops(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
@@ -114,9 +124,11 @@ void read_grid(const TomlTable& table, const LevelDefinition& level, QuestPlusDe
 
 QuestPlusDefinition read_quest_plus(const TomlTable& table, const LevelDefinition& level) {
   QuestPlusDefinition quest;
-  quest.outcome = one_of<PlacementOutcome>(
-      table, "outcome", quest.outcome,
-      {{"correct", PlacementOutcome::correct}, {"noticeability", PlacementOutcome::noticeability}});
+  quest.outcome = one_of<PlacementOutcome>(table, "outcome", quest.outcome,
+                                           {{"correct", PlacementOutcome::correct},
+                                            {"noticeability", PlacementOutcome::noticeability},
+                                            {"joint", PlacementOutcome::joint}});
+  if (quest.outcome == PlacementOutcome::joint) set_joint_grid(quest);
   quest.track =
       one_of<PlacementTrack>(table, "track", quest.track,
                              {{"artifact", PlacementTrack::artifact}, {"object", PlacementTrack::object}});

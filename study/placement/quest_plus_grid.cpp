@@ -8,6 +8,10 @@
 namespace seamline::study {
 namespace {
 
+/// With them intervals were seen to hold the truth of unlike people (documentation/adaptive_placement.md).
+const std::vector<double> joint_first_ratings = {-2, -1.2, -0.4, 0.4, 1.2, 2},
+                          joint_guess_ratings = {0.05, 0.2};
+
 /// The value below which `share` of the mass lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& mass, double share) {
   double below = 0;
@@ -40,25 +44,30 @@ std::string_view word(Parameter parameter) {
       return "guess";
     case Parameter::rating_step:
       return "rating step";
+    case Parameter::first_rating:
+      return "first rating";
+    case Parameter::guess_rating:
+      return "guess rating";
   }
   return {};
 }
 
 int QuestPlusGrid::points() const {
   std::size_t points = 1;
-  for (const std::vector<double>& axis : values) points *= axis.size();
+  for (const std::vector<double>& axis : values) points *= std::max<std::size_t>(1, axis.size());
   return static_cast<int>(points);
 }
 
 int QuestPlusGrid::index(Parameter parameter, int point) const {
   auto remainder = static_cast<std::size_t>(point);
   for (std::size_t axis = values.size() - 1; axis > static_cast<std::size_t>(parameter); --axis)
-    remainder /= values[axis].size();
-  return static_cast<int>(remainder % of(parameter).size());
+    remainder /= std::max<std::size_t>(1, values[axis].size());
+  return static_cast<int>(remainder % std::max<std::size_t>(1, of(parameter).size()));
 }
 
 QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
   QuestPlusGrid grid;
+  grid.values.fill({0});
   const auto set = [&](Parameter parameter, const ParameterRange& range, Steps usual, bool in_log2) {
     const auto axis = static_cast<std::size_t>(parameter);
     grid.values[axis] = values_of(range, usual, in_log2);
@@ -69,14 +78,17 @@ QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
   set(Parameter::scale, definition.scale, Steps::ratios, false);
   set(Parameter::lapse, definition.lapse, Steps::equal, false);
   set(Parameter::guess, definition.guess, Steps::equal, false);
-  grid.values.back() = {0};
-  if (definition.outcome == PlacementOutcome::noticeability)
-    set(Parameter::rating_step, definition.rating_step, Steps::ratios, false);
+  if (definition.outcome == PlacementOutcome::correct) return grid;
+  set(Parameter::rating_step, definition.rating_step, Steps::ratios, false);
+  if (definition.outcome == PlacementOutcome::noticeability) return grid;
+  grid.values[static_cast<std::size_t>(Parameter::first_rating)] = joint_first_ratings;
+  grid.values[static_cast<std::size_t>(Parameter::guess_rating)] = joint_guess_ratings;
   return grid;
 }
 
 double prior_mass(const QuestPlusGrid& grid, Parameter parameter, std::size_t value) {
   const std::vector<double>& log_prior = grid.log_prior[static_cast<std::size_t>(parameter)];
+  if (grid.of(parameter).empty()) return 1;
   return log_prior.empty() ? 1.0 / static_cast<double>(grid.of(parameter).size())
                            : std::exp(log_prior[value]);
 }
@@ -102,6 +114,7 @@ QuestPlusPosterior prior_posterior(const QuestPlusGrid& grid) {
 std::vector<double> marginal(const QuestPlusGrid& grid, const QuestPlusPosterior& posterior,
                              Parameter parameter) {
   std::vector<double> mass(grid.of(parameter).size(), 0.0);
+  if (mass.empty()) return mass;
   for (int point = 0; point < grid.points(); ++point)
     mass[static_cast<std::size_t>(grid.index(parameter, point))] +=
         posterior.mass[static_cast<std::size_t>(point)];

@@ -11,19 +11,21 @@ namespace seamline::study {
 
 /// The parameters of a psychometric function, in the order in which a grid nests them (the last is
 /// innermost).
-enum class Parameter { threshold, scale, lapse, guess, rating_step };
-inline constexpr std::array<Parameter, 5> every_parameter = {
-    Parameter::threshold, Parameter::scale, Parameter::lapse, Parameter::guess, Parameter::rating_step};
+enum class Parameter { threshold, scale, lapse, guess, rating_step, first_rating, guess_rating };
+inline constexpr std::array every_parameter = {
+    Parameter::threshold,   Parameter::scale,        Parameter::lapse,       Parameter::guess,
+    Parameter::rating_step, Parameter::first_rating, Parameter::guess_rating};
 [[nodiscard]] std::string_view word(Parameter parameter);
 
 /// Every combination of the parameters' values is a point.
 struct QuestPlusGrid {
   /// Rising. As made from a study: thresholds on its axis (log2 of the level, or the level), scales and
-  /// rating steps in its unit (octaves or the level's), rates as shares.
-  std::array<std::vector<double>, 5> values;
+  /// rating steps in its unit (octaves or the level's), rates as shares. What an outcome
+  /// does not have is 0, or empty.
+  std::array<std::vector<double>, every_parameter.size()> values;
   /// ln of the prior mass of each value, -infinity for none; empty where all have the same. The prior of a
   /// point is their product.
-  std::array<std::vector<double>, 5> log_prior = {};
+  std::array<std::vector<double>, every_parameter.size()> log_prior = {};
 
   [[nodiscard]] const std::vector<double>& of(Parameter parameter) const {
     return values[static_cast<std::size_t>(parameter)];
@@ -31,7 +33,7 @@ struct QuestPlusGrid {
   [[nodiscard]] int points() const;
   [[nodiscard]] int index(Parameter parameter, int point) const;  ///< into `of(parameter)`
   [[nodiscard]] double value(Parameter parameter, int point) const {
-    return of(parameter)[static_cast<std::size_t>(index(parameter, point))];
+    return of(parameter).empty() ? 0 : of(parameter)[static_cast<std::size_t>(index(parameter, point))];
   }
 };
 

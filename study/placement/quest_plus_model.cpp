@@ -17,6 +17,7 @@ int outcome_count(const QuestPlusDefinition& definition) {
     case PlacementOutcome::correct:
       return 2;
     case PlacementOutcome::noticeability:
+    case PlacementOutcome::joint:
       return highest_rating + 1;
   }
   return {};
@@ -28,13 +29,56 @@ int outcome_of(const QuestPlusDefinition& definition, const TrialAnswer& answer,
     case PlacementOutcome::correct:
       return correct ? 1 : 0;
     case PlacementOutcome::noticeability:
+    case PlacementOutcome::joint:
       return correct ? answer.rating : 0;
   }
   return {};
 }
 
+namespace {
+
+/// The place on the axis moved by `distance` to where more is noticed.
+double moved_level(const QuestPlusDefinition& definition, double threshold_level, double distance) {
+  const double step = definition.direction == Direction::decreasing ? -distance : distance;
+  return definition.axis == Axis::log2 ? threshold_level * std::exp2(step) : threshold_level + step;
+}
+
+std::vector<double> joint_probabilities(const QuestPlusDefinition& definition, const QuestPlusGrid& grid,
+                                        int point, double level) {
+  PsychometricFunction person{.sigmoid = definition.sigmoid,
+                              .axis = definition.axis,
+                              .direction = definition.direction,
+                              .threshold = level_of(definition.axis, grid.value(Parameter::threshold, point)),
+                              .scale = grid.value(Parameter::scale, point),
+                              .guess = 0,
+                              .lapse = grid.value(Parameter::lapse, point)};
+  const double guess = grid.value(Parameter::guess, point);
+  const double seen = response_probability(person, level), guessed = (1 - seen) * guess;
+  std::vector<double> probability = {(1 - seen) * (1 - guess)};
+  const double rarer = grid.value(Parameter::guess_rating, point);
+  double share = 1, sum = 0;
+  for (int rating = 1; rating <= highest_rating; ++rating, share *= rarer) sum += share;
+  person.lapse = 0;
+  const double threshold = person.threshold;
+  double above = 1;  // P(R >= rating | seen)
+  share = 1 / sum;
+  for (int rating = 1; rating <= highest_rating; ++rating, share *= rarer) {
+    person.threshold = moved_level(definition, threshold,
+                                   grid.value(Parameter::first_rating, point) * person.scale +
+                                       (rating - 1) * grid.value(Parameter::rating_step, point));
+    const double next = rating == highest_rating ? 0 : response_probability(person, level);
+    probability.push_back(seen * std::max(0.0, above - next) + guessed * share);
+    above = next;
+  }
+  return probability;
+}
+
+}  // namespace
+
 std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition, const QuestPlusGrid& grid,
                                           int point, double level) {
+  if (definition.outcome == PlacementOutcome::joint)
+    return joint_probabilities(definition, grid, point, level);
   PsychometricFunction person{.sigmoid = definition.sigmoid,
                               .axis = definition.axis,
                               .direction = definition.direction,
@@ -49,11 +93,9 @@ std::vector<double> outcome_probabilities(const QuestPlusDefinition& definition,
   person.lapse /= 1 - person.guess;
   person.guess = 0;
   const double threshold = person.threshold;
-  const double towards_more = definition.direction == Direction::decreasing ? -1 : 1;
-  const double step = towards_more * grid.value(Parameter::rating_step, point);
+  const double step = grid.value(Parameter::rating_step, point);
   for (int rating = 2; rating <= highest_rating; ++rating) {
-    person.threshold = definition.axis == Axis::log2 ? threshold * std::exp2((rating - 1) * step)
-                                                     : threshold + (rating - 1) * step;
+    person.threshold = moved_level(definition, threshold, (rating - 1) * step);
     at_least.push_back(response_probability(person, level));
   }
   at_least.push_back(0);

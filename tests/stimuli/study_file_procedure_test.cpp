@@ -37,6 +37,37 @@ TEST(StudyFileProcedure, IsConstantUnlessItIsNamed) {
   EXPECT_EQ(study_hash(read_procedure("", "")), study_hash(read_procedure("procedure = \"constant\"", "")));
 }
 
+TEST(StudyFileProcedure, TheJointModelHasAGridOfItsOwn) {
+  const QuestPlusDefinition quest = quest_plus("outcome = \"joint\"\n");
+  EXPECT_EQ(quest.outcome, PlacementOutcome::joint);
+  EXPECT_EQ(quest.sigmoid, Sigmoid::normal);
+  EXPECT_EQ(quest.scale.count * quest.lapse.count * quest.rating_step.count, 7 * 3 * 4);
+  const auto hash = [](const std::string& settings) {
+    return study_hash(read_procedure(adaptive, "[quest_plus]\nmax_shows_per_image = 3\n" + settings));
+  };
+  EXPECT_NE(hash("outcome = \"joint\"\n"), hash("outcome = \"noticeability\"\n"));
+  EXPECT_EQ(hash("outcome = \"joint\"\nsigmoid = \"norm\"\n"), hash("outcome = \"joint\"\n"));
+}
+
+TEST(StudyFileAnalysis, IsReadStrictlyAndIsNoPartOfTheHash) {
+  const auto text = [](const std::string& settings) {
+    return test::study_of_no_files("", "[analysis]\n" + settings);
+  };
+  EXPECT_EQ(study_hash(read_study_text(text("model = \"paper\"\n"), "study.toml")),
+            study_hash(read_study_text(text(""), "study.toml")));
+  const AnalysisDefinition read = read_analysis_text(text("share = [\"scale\", \"lapse\"]\n"), "study.toml");
+  EXPECT_TRUE(read.joint && read.share_scale && read.share_lapse);
+  EXPECT_FALSE(read.share_criteria || read.share_guess_ratings);
+  EXPECT_FALSE(read_analysis_text(text("share = [\"nothing\"]\n"), "study.toml").share_scale);
+  EXPECT_EQ(read_analysis_text(test::study_of_no_files("", ""), "study.toml"), AnalysisDefinition{});
+  for (const char* wrong :
+       {"share = [\"slopes\"]\n", "share = [\"scale\", \"scale\"]\n", "model = \"lines\"\n",
+        "model = \"paper\"\nshare = [\"scale\"]\n", "shared = [\"scale\"]\n"})
+    EXPECT_THAT(test::complaint_of([&] { (void)read_study_text(text(wrong), "study.toml"); }),
+                HasSubstr("analysis."))
+        << wrong;
+}
+
 TEST(StudyFileProcedure, DefaultsReachAnOctaveBeyondTheWidths) {
   const QuestPlusDefinition quest = quest_plus("");
   EXPECT_EQ(quest.max_shows_per_image, 3);
