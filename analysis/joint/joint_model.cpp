@@ -53,13 +53,14 @@ Eigen::Index JointModel::first_guess(int curve) const {
 }
 
 Eigen::Index JointModel::parameters() const {
-  return first_guess(0) + (ratings - 1) * sets(*this, sharing.guess_ratings);
+  return first_guess(0) + (ratings - 1) * sets(*this, sharing.guess_ratings) + (between_people ? 1 : 0);
 }
 
 JointModel joint_model(const JointData& data, const JointSharing& sharing) {
   JointModel model{.curves = static_cast<int>(data.curves.size()),
                    .ratings = data.ratings,
                    .sharing = sharing,
+                   .between_people = false,
                    .cells = data.cells};
   std::vector<double> levels;
   for (const JointCell& cell : data.cells)
@@ -89,6 +90,7 @@ std::vector<std::string> parameter_names(const JointModel& model, const std::vec
     for (int r = 2; r <= model.ratings; ++r)
       name(model.first_guess(c) + r - 2, fmt::format("h_{}", r), model.sharing.guess_ratings, c);
   }
+  if (model.between_people) name(model.log_between(), "log sd of thresholds", true, 0);
   return names;
 }
 

@@ -48,6 +48,9 @@ struct JointModel {
   int curves = 0;
   int ratings = most_joint_ratings;
   JointSharing sharing;
+  /// Curves are one person's, whose thresholds are normal about m; the last coordinate is the logarithm of
+  /// their standard deviation, and means are over people (joint_placed.h). false: curves are the group's.
+  bool between_people = false;
   std::vector<JointCell> cells;
   double centre_x = 0, range_x = 1;  ///< of the levels tested: what the penalties measure with
 
@@ -56,7 +59,8 @@ struct JointModel {
   [[nodiscard]] Eigen::Index lapse(int curve) const;
   [[nodiscard]] Eigen::Index first_cut(int curve) const;  ///< t_2, then log distances; K > 1 only
   [[nodiscard]] Eigen::Index log_spread(int curve) const;
-  [[nodiscard]] Eigen::Index first_guess(int curve) const;  ///< h_2..h_K
+  [[nodiscard]] Eigen::Index first_guess(int curve) const;                     ///< h_2..h_K
+  [[nodiscard]] Eigen::Index log_between() const { return parameters() - 1; }  ///< `between_people` only
   [[nodiscard]] Eigen::Index parameters() const;
 };
 

@@ -79,7 +79,76 @@ std::optional<JointPlace> place_of_inflection(const JointModel& model, const Joi
   return place_from(model, at, curve, z, there.second, there.z[3]);
 }
 
+/// A mean of one curve at x.
+MeanAtX mean_of_curve(const JointModel& model, const JointCurve& at, int curve, JointMean mean, double x,
+                      double chance) {
+  const double z = (at.m - x) / at.s;
+  const MeanAtZ there = mean_at_z(at, mean, chance, z);
+  MeanAtX found{.value = there.z[0],
+                .slope = -there.z[1] / at.s,
+                .gradient = Eigen::VectorXd::Zero(model.parameters())};
+  found.gradient[model.threshold(curve)] = there.z[1] / at.s;
+  found.gradient[model.log_scale(curve)] = -z * there.z[1];
+  add_shape(model, curve, there.value, 1, found.gradient);
+  return found;
+}
+
+double between_of(const JointModel& model, const Eigen::VectorXd& theta) {
+  return model.between_people ? std::exp(theta[model.log_between()]) : 0;
+}
+
+/// The mean over people of the mean at x.
+MeanAtX mean_of_people(const JointModel& model, const Eigen::VectorXd& theta, int curve, JointMean mean,
+                       double x) {
+  JointCurve at = curve_at(model, theta, curve);
+  const double middle = at.m, between = between_of(model, theta), chance = chance_of_curve(model, curve);
+  MeanAtX sum{.value = 0, .slope = 0, .gradient = Eigen::VectorXd::Zero(model.parameters())};
+  for (const PeopleNode& node : people_nodes()) {
+    const double shift = between * node.shift;
+    at.m = middle + shift;
+    const MeanAtX one = mean_of_curve(model, at, curve, mean, x, chance);
+    sum.value += node.share * one.value;
+    sum.slope += node.share * one.slope;
+    sum.gradient += node.share * one.gradient;
+    sum.gradient[model.log_between()] += node.share * one.gradient[model.threshold(curve)] * shift;
+  }
+  return sum;
+}
+
+/// Where the mean over people, which falls with x, reaches a level.
+std::optional<JointPlace> place_of_people(const JointModel& model, const Eigen::VectorXd& theta, int curve,
+                                          const SoughtMean& sought) {
+  const JointCurve at = curve_at(model, theta, curve);
+  const double reach = farthest_z * (at.s + between_of(model, theta));
+  const auto above = [&](double x) {
+    return mean_at_x(model, theta, curve, sought.mean, x).value - sought.level;
+  };
+  if (above(at.m + reach) >= 0 || above(at.m - reach) <= 0) return std::nullopt;
+  const double x = sign_change(at.m + reach, at.m - reach, above);
+  const MeanAtX there = mean_at_x(model, theta, curve, sought.mean, x);
+  if (!(there.slope < 0)) return std::nullopt;
+  return JointPlace{.x = x, .gradient = -there.gradient / there.slope};
+}
+
+std::vector<PeopleNode> make_people_nodes() {
+  constexpr int steps = 20;  // each way, of a quarter of a standard deviation
+  std::vector<PeopleNode> nodes;
+  double sum = 0;
+  for (int i = -steps; i <= steps; ++i) {
+    const double z = i / 4.0;
+    nodes.push_back({.shift = z, .share = std::exp(-z * z / 2)});
+    sum += nodes.back().share;
+  }
+  for (PeopleNode& node : nodes) node.share /= sum;
+  return nodes;
+}
+
 }  // namespace
+
+const std::vector<PeopleNode>& people_nodes() {
+  static const std::vector<PeopleNode> nodes = make_people_nodes();
+  return nodes;
+}
 
 std::string_view word(JointQuantity quantity) {
   switch (quantity) {
@@ -132,27 +201,20 @@ std::optional<JointPlace> place_of(const JointModel& model, const Eigen::VectorX
                                    JointQuantity quantity) {
   const JointCurve at = curve_at(model, theta, curve);
   if (model.ratings == 1 && quantity != JointQuantity::detection) return std::nullopt;
-  if (const std::optional<SoughtMean> sought = sought_mean(quantity))
-    return place_of_mean(model, at, curve, *sought);
+  const std::optional<SoughtMean> sought = sought_mean(quantity);
+  if (model.between_people) return sought ? place_of_people(model, theta, curve, *sought) : std::nullopt;
+  if (sought) return place_of_mean(model, at, curve, *sought);
   return place_of_inflection(model, at, curve);
 }
 
 MeanAtX mean_at_x(const JointModel& model, const Eigen::VectorXd& theta, int curve, JointMean mean,
                   double x) {
-  const JointCurve at = curve_at(model, theta, curve);
-  const double z = (at.m - x) / at.s;
-  const MeanAtZ there = mean_at_z(at, mean, chance_of_curve(model, curve), z);
-  MeanAtX found{.value = there.z[0],
-                .slope = -there.z[1] / at.s,
-                .gradient = Eigen::VectorXd::Zero(model.parameters())};
-  found.gradient[model.threshold(curve)] = there.z[1] / at.s;
-  found.gradient[model.log_scale(curve)] = -z * there.z[1];
-  add_shape(model, curve, there.value, 1, found.gradient);
-  return found;
+  if (model.between_people) return mean_of_people(model, theta, curve, mean, x);
+  return mean_of_curve(model, curve_at(model, theta, curve), curve, mean, x, chance_of_curve(model, curve));
 }
 
 MeanAtX floor_at(const JointModel& model, const Eigen::VectorXd& theta, int curve, JointMean mean) {
-  const double beyond = farthest_z * std::exp(theta[model.log_scale(curve)]);
+  const double beyond = farthest_z * (std::exp(theta[model.log_scale(curve)]) + between_of(model, theta));
   return mean_at_x(model, theta, curve, mean, theta[model.threshold(curve)] + beyond);
 }
 

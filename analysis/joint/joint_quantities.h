@@ -43,8 +43,15 @@ struct JointPlace {
 /// The mean chance of a curve's cells.
 [[nodiscard]] double chance_of_curve(const JointModel& model, int curve);
 
+/// Of people whose thresholds differ by a standard deviation: shares of people and their shifts in standard
+/// deviations, equal steps.
+struct PeopleNode {
+  double shift = 0, share = 0;
+};
+[[nodiscard]] const std::vector<PeopleNode>& people_nodes();
+
 /// Where a quantity lies; empty where the curve has no such place (the level lies in the floor, or above the
-/// curve), and for PT, SN and IP where nobody was asked for ratings.
+/// curve), for PT, SN and IP where nobody was asked for ratings, and for IP of a model `between_people`.
 [[nodiscard]] std::optional<JointPlace> place_of(const JointModel& model, const Eigen::VectorXd& theta,
                                                  int curve, JointQuantity quantity);
 

@@ -1,5 +1,9 @@
 #include "analysis/log_analysis/adaptive_log.h"
 
+#include <map>
+#include <tuple>
+
+#include "analysis/joint/joint_placed.h"
 #include "analysis/scores/level_words.h"
 #include "support/text/numbers.h"
 
@@ -12,7 +16,62 @@ void give_reason(CurveThresholds& estimates, const std::string& reason) {
     width->reason = reason;
 }
 
+/// Answers as they were given: shares of objects that are evened out would be no likelihood.
+JointData placed_data(const Analysis& analysis) {
+  JointData data;
+  const LevelAxis& axis = analysis.data.axis;
+  std::map<std::string, Eigen::Index> row_of;
+  for (const ParticipantUse& person : analysis.people) {
+    if (person.use != Use::used) continue;
+    row_of[person.record.code] = static_cast<Eigen::Index>(data.people.size());
+    data.people.push_back(person.record.code);
+  }
+  std::map<std::tuple<Artifact, std::string, double>, Eigen::Index> cell_of;
+  for (const ArtifactScores& scores : analysis.data.artifacts) {
+    for (const double level : scores.level) {
+      cell_of[{scores.artifact, scores.condition, level}] = static_cast<Eigen::Index>(data.cells.size());
+      data.cells.push_back({.curve = static_cast<int>(data.curves.size()),
+                            .x = stands_apart(axis, level) ? infinity : x_of(axis, level)});
+    }
+    data.curves.push_back(std::string(word(scores.artifact)) + in_condition(scores.condition));
+  }
+  const auto people = static_cast<Eigen::Index>(data.people.size());
+  data.answers =
+      Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(data.cells.size()) * data.cell_counts());
+  data.references = Eigen::MatrixXd::Zero(people, data.ratings);
+  for (const study::Answer& answer : analysis.log.answers) {
+    const auto row = row_of.find(answer.participant);
+    const auto cell = cell_of.find({answer.artifact, answer.condition, answer.level});
+    if (row == row_of.end() || cell == cell_of.end()) continue;
+    const bool right = answer.chosen_index == answer.object_index;
+    data.answers(row->second,
+                 cell->second * data.cell_counts() + (right ? 0 : data.ratings) + answer.rating - 1) += 1;
+  }
+  for (const ReferenceAnswer& reference : analysis.options.references)
+    if (const auto row = row_of.find(reference.participant); row != row_of.end())
+      data.references(row->second, reference.rating - 1) += 1;
+  return data;
+}
+
 }  // namespace
+
+JointAnalysis analyze_placed(const Analysis& analysis, const JointSharing& sharing) {
+  JointAnalysis joint;
+  joint.axis = analysis.data.axis;
+  for (const ArtifactScores& scores : analysis.data.artifacts)
+    joint.labels.push_back(
+        {.artifact = std::string(word(scores.artifact)), .condition = scores.condition, .group = {}});
+  joint.data = placed_data(analysis);
+  joint.fit = fit_placed(joint.data, sharing);
+  if (joint.fit.estimated())
+    joint.left_out = leave_placed_people_out(joint.fit, joint.data, analysis.resampling.threads);
+  joint.thresholds = joint_thresholds(joint.fit, joint.data, joint.left_out);
+  for (JointThreshold& threshold : joint.thresholds)
+    if (joint.fit.estimated() && threshold.quantity == JointQuantity::inflection)
+      threshold.here.reason = "not given where levels were placed by the answers";
+  if (joint.fit.estimated()) joint.people.shift_sd = std::exp(joint.fit.theta[joint.fit.model.log_between()]);
+  return joint;
+}
 
 bool is_adaptive(const std::optional<StudyDefinition>& study) {
   return study && std::holds_alternative<QuestPlusDefinition>(study->procedure);

@@ -12,10 +12,14 @@ namespace seamline::analysis {
 /// means: the thresholds are none, with a reason.
 void set_aside_adaptive(Analysis& analysis);
 
+/// The thresholds of the group: the joint model with each person's own thresholds (joint_placed.h), fitted to
+/// every answer of the people used. Curves and labels as `data`; no contrasts, checks or people of its own.
+[[nodiscard]] JointAnalysis analyze_placed(const Analysis& analysis, const JointSharing& sharing);
+
 /// What the reader of such an analysis is told.
 inline constexpr const char* adaptive_note =
-    "Widths were placed by the answers (QUEST+), so PT, SN and IP of mean noticeability cannot be computed; "
-    "means of objects are over different people at different widths and only describe the answers. "
-    "'seamline log LOG --tracks' prints the thresholds that the posteriors give.";
+    "Levels were placed by the answers (QUEST+), so means at a level are over different people and only "
+    "describe the answers: the paper's way has no numbers. Thresholds are of the joint model with each "
+    "person's own thresholds, over participants. 'seamline log LOG --tracks' prints those of each person.";
 
 }  // namespace seamline::analysis

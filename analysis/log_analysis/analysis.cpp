@@ -128,6 +128,23 @@ int model_replicates(const ResamplingRequest& request) {
   return std::clamp(request.replicates / 10, fewest, most);
 }
 
+/// `[analysis]` of the study that the log keeps; what is usual where that cannot be read.
+AnalysisDefinition asked_of(const study::LogContents& log) {
+  try {
+    return log.study_text.empty() ? AnalysisDefinition{} : read_analysis_text(log.study_text, log.file);
+  } catch (const InputError&) {
+    return {};  // `study_of_log` says so
+  }
+}
+
+JointSharing sharing_of(const Analysis& analysis) {
+  const AnalysisDefinition asked = asked_of(analysis.log);
+  return {.scale = asked.share_scale,
+          .criteria = asked.share_criteria,
+          .lapse = asked.share_lapse,
+          .guess_ratings = asked.share_guess_ratings};
+}
+
 /// What stands beside the thresholds: single objects, guessing, opinion scores.
 void add_checks(Analysis& analysis) {
   analysis.differences = threshold_differences(analysis.data, analysis.resampling);
@@ -135,11 +152,12 @@ void add_checks(Analysis& analysis) {
   analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
   const GuessTrials trials = count_guess_trials(analysis.log, analysis.data, analysis.options.references);
   analysis.guessing = correct_for_guessing(trials, analysis.data, analysis.resampling);
-  analysis.joint = analyze_jointly(trials, analysis.data, analysis.guessing.guessers,
-                                   {.sharing = {},
-                                    .goodness = {.replicates = model_replicates(analysis.resampling),
-                                                 .seed = analysis.resampling.seed,
-                                                 .threads = analysis.resampling.threads}});
+  if (asked_of(analysis.log).joint)
+    analysis.joint = analyze_jointly(trials, analysis.data, analysis.guessing.guessers,
+                                     {.sharing = sharing_of(analysis),
+                                      .goodness = {.replicates = model_replicates(analysis.resampling),
+                                                   .seed = analysis.resampling.seed,
+                                                   .threads = analysis.resampling.threads}});
   analysis.opinion = opinion_scores(analysis.scores.score);
   analysis.sos = sos_parameter(analysis.scores.score, {.lowest = 0, .highest = study::highest_rating});
   for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
@@ -197,6 +215,8 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                                  .compare = analysis.options.compare},
                     .participants_used = analysis.counts.used,
                     .excluded = {}};
+  for (const std::string& sentence : sentences_of(asked_of(analysis.log)))
+    done.analysis.rules.push_back(sentence);
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::excluded) done.excluded.push_back(person.record.code);
   analysis.frozen = compare_with_frozen(archive, done);
@@ -210,6 +230,8 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.include_pilot = include_pilot;
   analysis.resampling = resampling;
   analysis.options = with_catch_trials(options, analysis.log);
+  const AnalysisDefinition asked = asked_of(analysis.log);
+  if (analysis.options.compare.empty()) analysis.options.compare = asked.compare;
   analysis.people = select_participants(analysis.log, include_pilot);
   if (options.exclude_uncorrected)
     for (ParticipantUse& person : analysis.people)
@@ -232,8 +254,11 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   if (analysis.adaptive) set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
   analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
+  for (const std::string& sentence : sentences_of(asked)) analysis.notes.push_back(sentence);
   if (analysis.adaptive) {
+    if (asked.joint) analysis.joint = analyze_placed(analysis, sharing_of(analysis));
     analysis.notes.emplace_back(adaptive_note);
+    for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
     add_notes_on_screening(analysis);
   } else {
     const std::vector<std::string> left_out = named_and_left_out(analysis);

@@ -47,7 +47,7 @@ struct Analysis {
   bool include_pilot = false;
   ResamplingRequest resampling;
   AnalysisOptions options;
-  bool adaptive = false;  ///< widths were placed by the answers, so no curve is made of mean noticeability
+  bool adaptive = false;  ///< levels were placed by the answers: no curve is made of means at a level
   std::vector<std::string> conditions;  ///< in the study's order; empty where it names none
   std::vector<ParticipantUse> people;
   ParticipantCounts counts;
@@ -59,10 +59,10 @@ struct Analysis {
   Screening screening;                            ///< of everybody, also when those named are left out
   std::vector<ScreenedThresholds> screened;       ///< everybody first
   std::optional<OriginComparison> origins;        ///< none where all came by one way, and in adaptive logs
-  std::optional<JointAnalysis> joint;      ///< what thresholds of record are read off; none in adaptive logs
-  ScoreMatrix scores;                      ///< of the people used
-  std::vector<OpinionScore> opinion;       ///< one a stimulus of `scores`
-  SosParameter sos;                        ///< of noticeability, 0 to 4
+  std::optional<JointAnalysis> joint;             ///< what thresholds of record are read off
+  ScoreMatrix scores;                             ///< of the people used
+  std::vector<OpinionScore> opinion;              ///< one a stimulus of `scores`
+  SosParameter sos;                               ///< of noticeability, 0 to 4
   PlantedValues planted;                   ///< empty unless every used participant is a `threshold` observer
   std::vector<std::string> notes;          ///< what a reader must know, a sentence each
   std::optional<FrozenComparison> frozen;  ///< none where nothing was frozen (`compare_with_archive`)

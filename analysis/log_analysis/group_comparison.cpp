@@ -226,6 +226,11 @@ GroupComparison compare_by(const Analysis& analysis, const std::string& field) {
             : "Conditions are not compared: the study has one.";
     return comparison;
   }
+  if (analysis.adaptive) {
+    comparison.verdict =
+        "Groups are not compared: levels were placed by the answers. Compare the thresholds of the tracks.";
+    return comparison;
+  }
   if (!analysis.joint || !analysis.joint->fit.estimated()) {
     comparison.verdict = "Groups are not compared: the joint model has no numbers.";
     return comparison;

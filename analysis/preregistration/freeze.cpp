@@ -78,6 +78,9 @@ Preregistration freeze_study(const std::filesystem::path& study_file,
                           .plan = {}};
   require_text(study_file.string(), content.study_text);
   content.analysis.rules = rules_of_analysis();
+  const AnalysisDefinition asked = read_analysis_text(content.study_text, study_file);
+  for (const std::string& sentence : sentences_of(asked)) content.analysis.rules.push_back(sentence);
+  if (content.analysis.compare.empty()) content.analysis.compare = asked.compare;
   for (const std::filesystem::path& folder : sets) {
     const FrozenSet set = frozen_set(folder, study);
     if (std::find(content.sets.begin(), content.sets.end(), set) != content.sets.end())

@@ -197,6 +197,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);
   check_views(table, study);
+  if (const auto analysis = table.table("analysis")) static_cast<void>(read_analysis(*analysis));
   const auto observer = table.table("observer");
   study.observer =
       observer ? read_observer(*observer, study.level, study.conditions) : usual_observer(study.level);
@@ -223,6 +224,11 @@ StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets,
 StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be) {
   return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be},
                           AssetCheck::not_needed);
+}
+
+AnalysisDefinition read_analysis_text(const std::string& text, const std::filesystem::path& said_to_be) {
+  const auto analysis = TomlTable::parse(text, said_to_be).table("analysis");
+  return analysis ? read_analysis(*analysis) : AnalysisDefinition{};
 }
 
 }  // namespace seamline::inline stimuli

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::inline stimuli {
@@ -23,5 +24,9 @@ enum class AssetCheck {
 /// looked for, and complaints name `said_to_be`.
 [[nodiscard]] StudyDefinition read_study_text(const std::string& text,
                                               const std::filesystem::path& said_to_be);
+
+/// `[analysis]` of a study file's text; what is usual where it has none. The rest is not looked at.
+[[nodiscard]] AnalysisDefinition read_analysis_text(const std::string& text,
+                                                    const std::filesystem::path& said_to_be);
 
 }  // namespace seamline::inline stimuli

@@ -59,4 +59,32 @@ CatchDefinition read_catches(const TomlTable& table) {
   return catches;
 }
 
+AnalysisDefinition read_analysis(const TomlTable& analysis) {
+  AnalysisDefinition read;
+  read.joint = one_of<bool>(analysis, "model", true, {{"joint", true}, {"paper", false}});
+  if (analysis.has("share")) {
+    if (!read.joint)
+      throw analysis.complaint("share", "model = \"joint\" beside it (straight lines share nothing)",
+                               "model = \"paper\"");
+    read.share_scale = read.share_criteria = read.share_lapse = read.share_guess_ratings = false;
+    const std::vector<std::string> blocks = analysis.texts("share");
+    for (const std::string& what : blocks) {
+      if (blocks.size() == 1 && what == "nothing") break;
+      bool* shared = what == "scale"           ? &read.share_scale
+                     : what == "criteria"      ? &read.share_criteria
+                     : what == "lapse"         ? &read.share_lapse
+                     : what == "guess_ratings" ? &read.share_guess_ratings
+                                               : nullptr;
+      if (shared == nullptr || *shared)
+        throw analysis.complaint("share",
+                                 "each of \"scale\", \"criteria\", \"lapse\", \"guess_ratings\" at most once",
+                                 "\"" + what + "\"");
+      *shared = true;
+    }
+  }
+  if (analysis.has("compare")) read.compare = analysis.texts("compare");
+  analysis.finish();
+  return read;
+}
+
 }  // namespace seamline::inline stimuli

@@ -1,5 +1,6 @@
 #pragma once
 #include "stimuli/definition/instructions_definition.h"
+#include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/session_definition.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -10,5 +11,8 @@ namespace seamline::inline stimuli {
 
 /// Reads `[catch]`.
 [[nodiscard]] CatchDefinition read_catches(const TomlTable& catches);
+
+/// Reads `[analysis]`.
+[[nodiscard]] AnalysisDefinition read_analysis(const TomlTable& analysis);
 
 }  // namespace seamline::inline stimuli

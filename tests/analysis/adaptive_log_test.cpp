@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/log_analysis/analysis.h"
+#include "analysis/log_analysis/headline_rows.h"
 #include "analysis/report/tables/people_tables.h"
 #include "study/log/log.h"
 #include "study/running/simulation.h"
@@ -39,6 +40,28 @@ TEST(AdaptiveLog, GivesNoCurveOfMeansAndSaysSo) {
   EXPECT_THAT(analysis.notes, Contains(HasSubstr("QUEST+")));
   EXPECT_THAT(analysis.notes, testing::Not(Contains(HasSubstr("no answer at one of the widths"))));
   EXPECT_EQ(analysis.data.objects.size(), 12U) << "the answers are described all the same";
+}
+
+TEST(AdaptiveLog, ThresholdsOfTheGroupAreOfEachPersonsOwn) {
+  const Analysis analysis =
+      analysis_of("procedure = \"quest_plus\"\n",
+                  "[quest_plus]\nmax_shows_per_image = 20\nmax_trials = 30\noutcome = \"joint\"\n"
+                  "threshold_px = { least = 32, most = 2048, count = 21 }\n");
+  ASSERT_TRUE(analysis.joint && analysis.joint->fit.estimated());
+  EXPECT_TRUE(analysis.joint->fit.model.between_people);
+  int corrected = 0;
+  for (const HeadlineRow& row : headline_rows(analysis)) {
+    const std::string rule(row.rule->name);
+    if (rule == "IP") {
+      EXPECT_THAT(row.here.reason, HasSubstr("placed by the answers"));
+    }
+    EXPECT_FALSE(row.paper_way && row.paper_way->level_x) << rule;
+    if (rule != "SN" || !row.here.level_x || !row.planted) continue;
+    ++corrected;
+    EXPECT_NEAR(*row.here.level_x, *row.planted->level_x, 1);
+  }
+  EXPECT_GE(corrected, 2);
+  EXPECT_TRUE(analysis.joint->contrasts.tables.empty());
 }
 
 TEST(AdaptiveLog, TracksAreInTheUnitsOfTheirAxis) {
@@ -89,6 +112,22 @@ TEST(AdaptiveLog, NoFallingThresholdsArePlantedInPeopleWhoseNoticeabilityRises) 
       analysis_of("procedure = \"constant\"\n", "[observer]\nnoticeability = \"rises\"\n");
   EXPECT_TRUE(rising.planted.empty());
   EXPECT_THAT(rising.notes, Contains(HasSubstr("notice more as maps grow finer")));
+}
+
+TEST(AnalysisOfAStudyFile, SaysWhatCurvesShareAndWhoLeads) {
+  const Analysis own = analysis_of(
+      "", "[analysis]\nshare = [\"criteria\", \"lapse\", \"guess_ratings\"]\ncompare = [\"vision\"]\n");
+  ASSERT_TRUE(own.joint);
+  EXPECT_FALSE(own.joint->fit.model.sharing.scale);
+  EXPECT_TRUE(own.joint->fit.model.sharing.criteria);
+  EXPECT_EQ(own.options.compare, std::vector<std::string>{"vision"});
+  EXPECT_THAT(own.notes, Contains("Each curve of the joint model has its own scale."));
+  const Analysis paper = analysis_of("", "[analysis]\nmodel = \"paper\"\n");
+  EXPECT_FALSE(paper.joint);
+  EXPECT_FALSE(paper.thresholds.empty());
+  const Analysis usual = analysis_of("", "");
+  EXPECT_EQ(own.log.study_hash, usual.log.study_hash) << "[analysis] shows people nothing";
+  EXPECT_EQ(usual.joint->fit.model.sharing, JointSharing{});
 }
 
 TEST(AdaptiveLog, ConstantStimuliAreAnalysedAsBefore) {

@@ -108,10 +108,12 @@ std::optional<Figure> joint_curves_figure(const Analysis& analysis, const std::f
       .name = "joint_curves",
       .title = "Noticeability by the joint model",
       .caption = fmt::format(
-          "Mean noticeability over objects against {}: answers (points; bars: one standard error over "
-          "participants) and the joint model (line, with a pointwise 95 % band over participants). Dashed: "
-          "of what is seen, without lucky guesses. Dotted: 0.5 (PT) and 1.0 (SN). Data: {}",
-          level_words(analysis.data.axis).quantity, source_sentence(analysis)),
+          "Mean noticeability over {} against {}{} the joint model (line, with a pointwise 95 % band over "
+          "participants). Dashed: of what is seen, without lucky guesses. Dotted: 0.5 (PT) and 1.0 (SN). "
+          "Data: {}",
+          analysis.adaptive ? "people" : "objects", level_words(analysis.data.axis).quantity,
+          analysis.adaptive ? " by" : ": answers (points; bars: one standard error over participants) and",
+          source_sentence(analysis)),
       .svg = folder / "joint_curves.svg"};
   draw_curve_panels(analysis, figure.svg,
                     {keyed_panel_px, noticeability_axis_below_key, "mean noticeability"},

@@ -59,6 +59,7 @@ std::string joint_model_html(const Analysis& analysis, const std::vector<Figure>
   if (!lines.empty())
     html += html_table({{"shared by all curves"}, {"parameters", true}, {"F", true}, {"against one a curve"}},
                        lines);
+  if (analysis.adaptive) return html;
   return html +
          "<p class=\"soft\">Cells are in <code>joint_cells.csv</code>, every participant’s thresholds in "
          "<code>thresholds_people.csv</code>, the model’s parameters in "
@@ -66,7 +67,7 @@ std::string joint_model_html(const Analysis& analysis, const std::vector<Figure>
 }
 
 std::string joint_contrasts_html(const Analysis& analysis, const ReportNumbers& numbers) {
-  if (!analysis.joint) return "";
+  if (!analysis.joint || analysis.adaptive) return "";
   const std::string unit = length_unit(analysis.data.axis);
   std::string html = fmt::format(
       "<p>Thresholds and slopes of the joint model. Thresholds differ by {}{}; slopes by a log ratio, 0.7 "

@@ -8,6 +8,7 @@
 
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/page/adaptive_methods.h"
 #include "analysis/report/page/thresholds_section.h"
 #include "analysis/report/text/joint_text.h"
 #include "analysis/scores/level_words.h"
@@ -295,30 +296,6 @@ std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& num
           : "by Holm's method (1979)");
 }
 
-/// What a study says of axis, direction and prior beyond what is usual.
-std::string adaptive_text(const ReportNumbers& numbers) {
-  bool linear = false, rising = false;
-  std::string informed;
-  if (!numbers.tracks.empty()) {
-    const study::TrackEstimate& track = numbers.tracks.front();
-    linear = track.axis == Axis::linear;
-    rising = track.direction == Direction::increasing;
-    for (const study::Parameter parameter : track.informed)
-      informed += (informed.empty() ? "" : ", ") + std::string(word(parameter));
-  }
-  const LevelWords words = level_words(numbers.axis);
-  return fmt::format(
-      "{} were placed by QUEST+ (Watson, 2017){}. The thresholds are means, on a {} axis, of the posterior "
-      "of "
-      "each participant's track, with equal-tailed 95 % credible intervals.{} Because {} depend on the "
-      "answers, "
-      "no mean noticeability by {}, no PT, SN or IP and no group function was computed.",
-      words.Levels, rising ? fmt::format(", for noticeability that rises with the {}", words.level) : "",
-      linear ? "linear" : "log2",
-      informed.empty() ? "" : " The prior was not even in " + informed + "; the study file states it.",
-      words.levels, words.level);
-}
-
 constexpr const char* reaction_times_text =
     "Response times run from the image's onset to the choice, and from the choice to the rating; medians and "
     "quartiles over answers are given and no answer was left out for its time.";
@@ -377,7 +354,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
   const LevelWords words = level_words(analysis.data.axis);
   paragraphs = {people_text(analysis), procedure(analysis)};
   if (analysis.adaptive) {
-    paragraphs.push_back(adaptive_text(numbers));
+    for (std::string& paragraph : adaptive_methods(analysis)) paragraphs.push_back(std::move(paragraph));
   } else {
     paragraphs.push_back(curves_text(analysis));
     paragraphs.push_back(why_so_many_text(analysis));

@@ -46,6 +46,13 @@ std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
         own.empty() ? "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own."
                     : "Curves want their own: " + own +
                           ". Thresholds rest on the shared ones; read the paper's way beside them.");
+  if (joint.fit.model.between_people) {
+    sentences.push_back(fmt::format(
+        "Participants' thresholds on a curve differ with a standard deviation of {:.2f} {}, estimated with the "
+        "curves. Fit and sharing are not tested: levels were placed by the answers.",
+        std::abs(difference_at(joint.axis, joint.people.shift_sd)), length_unit(joint.axis)));
+    return sentences;
+  }
   sentences.push_back(
       fmt::format("Participants' thresholds differ with a standard deviation of {:.2f} {}, and beside that "
                   "from curve to curve "

@@ -38,7 +38,11 @@ std::string choices_text(const ReportNumbers& numbers) {
 }
 
 std::string comparisons_text(const Analysis& analysis, const ReportNumbers& numbers) {
-  if (!analysis.joint) return numbers.comparisons_missing + "\n";
+  if (!analysis.joint || analysis.adaptive) {
+    std::string text = numbers.comparisons_missing + "\n";
+    for (const std::string& sentence : joint_check_sentences(analysis)) text += sentence + "\n";
+    return text;
+  }
   std::string text = "Comparisons (joint model, adjusted p):\n";
   for (const std::string& sentence : joint_conclusions(analysis, numbers)) text += "  " + sentence + "\n";
   text += "\n";

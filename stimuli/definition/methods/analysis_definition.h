@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace seamline::inline stimuli {
+
+/// How a study wants its answers analysed (`[analysis]`). It shows people nothing, so it is no part of the
+/// study's hash; `freeze` freezes it.
+struct AnalysisDefinition {
+  bool joint = true;  ///< thresholds of record are the joint model's; false: straight lines, the paper's way
+  /// What the curves of the joint model share (documentation/explanation/joint_model.md).
+  bool share_scale = true, share_criteria = true, share_lapse = true, share_guess_ratings = true;
+  std::vector<std::string> compare =
+      {};  ///< what people are grouped by, where the command line names nothing
+
+  bool operator==(const AnalysisDefinition&) const = default;
+};
+
+/// What is not as it is without `[analysis]`, a sentence each; what people are compared by is not said.
+[[nodiscard]] std::vector<std::string> sentences_of(const AnalysisDefinition& analysis);
+
+}  // namespace seamline::inline stimuli
