@@ -58,7 +58,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
         "studies of two to four people those of IP in 59 to 93 %, those of PT and SN in 82 to 98 %.",
         counts.used));
   for (const ArtifactScores& scores : analysis.data.artifacts)
-    if (levels_on_axis(scores).size() == 4)
+    if (!analysis.adaptive && levels_on_axis(scores).size() == 4)
       notes.push_back(fmt::format(
           "'{}'{} was tested at four {}s only: the logistic has as many parameters, so its inflection "
           "point rests on no spare data.",

@@ -125,6 +125,24 @@ TEST(JointContrasts, AreDifferencesOfThresholdsInOctaves) {
   for (const ContrastRow& row : contrasts.tables[0].rows) EXPECT_GE(row.adjusted_p, row.p - 1e-3);
 }
 
+TEST(JointContrasts, SlopesHaveFewerDegreesOfFreedomWhereFewPeopleCarryThem) {
+  test::JointAnswers steep;
+  steep.shape.s = 0.35;
+  JointData data = test::draw_answers({}, 11);
+  const Eigen::Index half = data.answers.cols() / 2;
+  data.answers.rightCols(half) = test::draw_answers(steep, 12).answers.rightCols(half);
+  const ContrastTable slopes = joint_contrasts(data, four_artifacts(), {}, {}).tables.at(1);
+  EXPECT_LE(slopes.degrees_of_freedom, 19);
+  EXPECT_GE(slopes.degrees_of_freedom, 2);
+  int shown = 0;
+  for (const ContrastRow& row : slopes.rows) shown += row.verdict == ContrastVerdict::differs ? 1 : 0;
+  EXPECT_EQ(shown, 4) << "three times as steep is seen of 20 people; equal slopes are not";
+  // What one person says alone is not shown: everybody else's answers at the second half are gone.
+  data.answers.bottomRows(19).rightCols(half) =
+      test::draw_answers({}, 11).answers.bottomRows(19).rightCols(half);
+  EXPECT_LT(joint_contrasts(data, four_artifacts(), {}, {}).tables.at(1).degrees_of_freedom, 19);
+}
+
 TEST(JointContrasts, GroupsAreCurvesOfTheirOwn) {
   const JointData data = test::draw_answers({}, 8);
   std::vector<int> group(20, 0);

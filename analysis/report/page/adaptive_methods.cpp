@@ -62,8 +62,8 @@ std::string prior_text(const ParameterPrior& prior) {
 
 std::string grid_range_text(const char* name, const ParameterRange& range, const std::string& unit) {
   const std::string prior = ", prior " + prior_text(range.prior);
-  if (range.count == 1) return fmt::format("{} {:.3g}{}", name, range.least, unit);
-  return fmt::format("{} {:.3g} to {:.3g}{} ({} values{})", name, range.least, range.most, unit, range.count,
+  if (range.count == 1) return fmt::format("{} {:.4g}{}", name, range.least, unit);
+  return fmt::format("{} {:.4g} to {:.4g}{} ({} values{})", name, range.least, range.most, unit, range.count,
                      prior);
 }
 
@@ -83,7 +83,8 @@ std::string grid_text(const QuestPlusDefinition& quest, const LevelAxis& axis) {
 }
 
 std::string stops_text(const QuestPlusDefinition& quest, const LevelAxis& axis) {
-  const std::string length = quest.axis == Axis::log2 ? "octaves" : std::string(facts(axis.quantity).unit);
+  const std::string length = quest.axis == Axis::log2 ? (quest.stop_interval == 1.0 ? "octave" : "octaves")
+                                                      : std::string(facts(axis.quantity).unit);
   std::string text =
       fmt::format("A track ended after {} trials, when every image had been shown {} time{}",
                   quest.max_trials, quest.max_shows_per_image, quest.max_shows_per_image == 1 ? "" : "s");
