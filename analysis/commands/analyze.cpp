@@ -1,6 +1,7 @@
 #include "analysis/commands/analyze.h"
 
 #include "analysis/log_analysis/analysis.h"
+#include "analysis/log_analysis/no_seam.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/figures/stimulus_samples.h"
 #include "analysis/report/json/report_json.h"
@@ -16,11 +17,17 @@
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/temporary_folder.h"
+#include "support/text/error.h"
 
 namespace seamline::analysis {
 
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
   require_gnuplot();
+  if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
+    throw input_error({.field = request.no_seam_at ? "--no-seam-at" : "--margin",
+                       .wanted = request.no_seam_at ? "--margin beside it: how much counts as none"
+                                                    : "--no-seam-at LEVEL beside it",
+                       .found = "it alone"});
   AnalysisOptions options;
   options.field_of_view_deg = request.field_of_view_deg;
   options.exclude_screened = request.exclude_screened;
@@ -38,6 +45,9 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
 
   if (archive) compare_with_archive(analysis, *archive);
   for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
+  if (request.no_seam_at)
+    for (std::string& note : no_seam_sentences(analysis, *request.no_seam_at, *request.no_seam_margin))
+      analysis.notes.push_back(std::move(note));
 
   const ReportNumbers numbers = report_numbers(analysis);
   const std::filesystem::path& folder = request.report_folder;

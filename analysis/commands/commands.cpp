@@ -46,6 +46,10 @@ void add_analysis_commands(CLI::App& app) {
   command->add_option("--compare", request->compare,
                       "groups of people whose thresholds are compared: a question of the form, with bands "
                       "(age=30,45) or split at the median, or origin; may be given several times");
+  add_number(*command, "--no-seam-at", request->no_seam_at, {0, 1e9},
+             "equivalence: whether no seam is seen at this level, by two one-sided tests");
+  add_number(*command, "--margin", request->no_seam_margin, {0.001, 4},
+             "noticeability, corrected for guessing, that counts as none (with --no-seam-at)");
   command->add_option("--frozen", request->frozen,
                       "an archive of seamline freeze: says what deviates from it");
   command->callback([request] { run_analyze(*request); });
