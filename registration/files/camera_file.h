@@ -2,7 +2,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "sensors/camera/fisheye_camera.h"
 #include "sensors/files/depth_file.h"
 #include "sensors/rig/rig.h"
 
@@ -13,13 +16,17 @@ namespace seamline::registration {
 /// Whatever is not known is absent.
 struct CameraFile {
   std::optional<sensors::PinholeCamera> depth, colour;
+  std::optional<sensors::FisheyeCamera> fisheye;  ///< the colour camera, in place of `colour`
   std::optional<Eigen::Isometry3d> colour_from_depth;
   std::optional<Eigen::Isometry3d> world_from_colour;  ///< where the colour camera stands
+  std::optional<Eigen::Vector3d> up;                   ///< in that world; none: +Y
   std::optional<sensors::DepthConvention> convention;
   std::optional<double> metres_per_step;
   std::optional<sensors::DepthPacking> packing;
   std::optional<double> nearest_m, farthest_m;
   bool unusual_distances = false;
+  std::optional<std::vector<double>> nothing;  ///< values of depth files that stand for no depth
+  std::vector<std::string> notes;              ///< to be said of another program's file, without its name
 };
 
 /// All that a registration needs.
@@ -30,9 +37,11 @@ struct RegistrationRig {
   std::optional<Eigen::Isometry3d> world_from_colour;
 };
 
-/// Reads the file. Throws InputError naming file, key, wanted and found: for what is no TOML, an unknown key
-/// or preset, a camera or rotation that is none, a rotation that is stated twice.
-[[nodiscard]] CameraFile read_camera_file(const std::filesystem::path& path);
+/// Reads the file, or another program's camera (`parse_other_camera`), whose size is `size_px` where it
+/// states none. Throws InputError naming file, key, wanted and found: for what is no TOML, an unknown key or
+/// preset, a camera or rotation that is none, a rotation that is stated twice.
+[[nodiscard]] CameraFile read_camera_file(const std::filesystem::path& path,
+                                          const std::optional<std::pair<int, int>>& size_px = {});
 
 /// The same for a text that a file held; complaints name `path`.
 [[nodiscard]] CameraFile parse_camera_file(const std::string& text, const std::filesystem::path& path);
