@@ -66,6 +66,7 @@ Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, std
          .found = "a photograph of one view"});
   }
   Photograph around = read_photograph(request.light.panorama, Projection::panorama);
+  for (const std::string& note : around.notes) notes.say(printable(request.light.panorama) + ": " + note);
   if (const std::string warning = codes_warning(around, request.light.panorama); !warning.empty())
     notes.say(warning);
   const ViewMatch match = match_view(seen.photograph.radiance, seen.camera, around.radiance);

@@ -28,6 +28,7 @@ struct PhotoLightRequest {
 /// Everything that a composite is made from. documentation/how-to/composite.md says what each means.
 struct CompositeRequest {
   std::string photograph;
+  std::string layer;                     ///< of an EXR photograph with several; empty: by its name
   std::optional<Projection> projection;  ///< none: by its shape
   PhotoDepthRequest depth;
   std::vector<PlacedModel> objects;

@@ -188,11 +188,11 @@ void write_layers(const CompositeRequest& request, const PhotoScene& scene, cons
                                     {"holes", &holes}});
 }
 
-void write_picture(const CompositeRequest& request, const Image& picture) {
+void write_picture(const CompositeRequest& request, const Image& picture, const ColourProfile* profile) {
   if (lower_case_ending(request.out) == ".exr")
     write_picture_exr(request.out, picture);
   else
-    write_png(request.out, display_image(picture, request.exposure_ev));
+    write_png(request.out, picture, request.exposure_ev, profile);
 }
 
 /// What decides the width of the panorama that the local scene is seen through, if anything does.
@@ -314,7 +314,7 @@ void make_composite(const CompositeRequest& asked) {
   made.picture_seconds = rendered.seconds;
   made.notes = notes.said;
 
-  write_picture(request, made.picture.picture);
+  write_picture(request, made.picture.picture, seen.photograph.profile.get());
   if (!request.layers.empty()) write_layers(request, scene, sums, made.picture);
   if (!request.local_scene.empty())
     write_png(request.local_scene, display_image(shaded_picture(seen.camera, *local.geometry)));

@@ -1,13 +1,16 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "renderer/composite/photograph.h"
 #include "renderer/depth/depth_map.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/tracing/mesh.h"
-#include "sensors/files/depth_file.h"
+#include "sensors/camera/fisheye_camera.h"
+#include "sensors/files/depth_values.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {
@@ -22,6 +25,10 @@ struct PhotoDepthRequest {
   DepthView view = DepthView::by_shape;
   std::optional<double> metres_per_step;
   std::optional<sensors::DepthConvention> convention;
+  std::string channel;                             ///< of a file of several; empty: by its name
+  std::optional<std::vector<double>> nothing;      ///< codes; none: 65535 of 16 bits
+  std::string reference;                           ///< a measured map; empty: none
+  std::optional<sensors::DepthEstimate> estimate;  ///< its points in the photograph's pixels
   MeshDensity density = MeshDensity::adaptive;
   double tolerance = 1e-4;
   double yaw_texels = 0;
@@ -35,20 +42,34 @@ struct PhotoDepth {
   std::optional<sensors::DepthFrame> frame;  ///< planar
   std::int64_t holes = 0;                    ///< texels or pixels without a depth
   int width_px = 0, height_px = 0;
+  std::vector<std::string> notes;  ///< to be said of the file
 };
 
-/// The camera of the photograph where a file or a preset says it. Throws InputError where it is of another
-/// size.
-[[nodiscard]] std::optional<sensors::PinholeCamera> photograph_lens(const PhotoDepthRequest& request,
-                                                                    const Photograph& photograph,
-                                                                    const std::string& photograph_file);
+/// The photograph's camera as a file or a preset states it.
+struct PhotoLens {
+  std::variant<sensors::PinholeCamera, sensors::FisheyeCamera> camera;
+  std::optional<Eigen::Isometry3d> world_from_camera;  ///< in a world with +Y up; none: by options
+  std::optional<double> metres_per_step;               ///< of its whole numbers
+  std::optional<std::vector<double>> nothing;          ///< values of depth that stand for none
+  bool unusual_distances = false;
+  std::vector<std::string> notes;  ///< to be said of the file
+};
 
-/// Reads depth: with a camera file its colour camera's; else a picture twice as wide as high is a panorama,
-/// and one of the photograph's shape has the photograph's own view, `fov_deg` wide. EXR in metres, or PNG and
-/// PGM of 16 bits with `metres_per_step`. Throws InputError as the readers do, and where there is nothing but
-/// holes.
+/// None: no file and no preset. Throws InputError where the camera is of another size than the photograph.
+[[nodiscard]] std::optional<PhotoLens> photograph_lens(const PhotoDepthRequest& request,
+                                                       const Photograph& photograph,
+                                                       const std::string& photograph_file);
+
+/// The composite's camera that looks through it, whither `view` looks.
+[[nodiscard]] Camera camera_of_lens(const PhotoLens& lens, const Camera& view);
+
+/// Reads depth: with a camera file its colour camera's, a fisheye's through a panorama of as many texels as
+/// it has pixels along its axis; else a picture twice as wide as high is a panorama, and one of the
+/// photograph's shape has the photograph's own view, `fov_deg` wide. What the file may be:
+/// `sensors::read_depth_file`. Throws InputError as that does.
 [[nodiscard]] PhotoDepth read_photo_depth(const PhotoDepthRequest& request, const Photograph& photograph,
-                                          const std::optional<sensors::PinholeCamera>& lens, double fov_deg);
+                                          const std::optional<PhotoLens>& lens, const Camera& camera,
+                                          double fov_deg);
 
 /// The local scene of it, around the camera.
 [[nodiscard]] DepthMesh photo_mesh(const PhotoDepth& depth, const PhotoDepthRequest& request,

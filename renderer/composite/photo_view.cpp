@@ -9,6 +9,7 @@
 #include "renderer/scene/truth_scene.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
+#include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace {
@@ -48,6 +49,16 @@ void refuse_view_of_whole(const CompositeRequest& request) {
   if (request.fov_deg) refuse("--fov");
 }
 
+void require_one_pose(const CompositeRequest& request) {
+  const auto refuse = [](const char* option) {
+    throw input_error({.field = option,
+                       .wanted = "a --camera without a pose beside it ([world_from_colour])",
+                       .found = "one that says where the camera stands and looks"});
+  };
+  if (request.look_at_m) refuse("--look-at");
+  if (!request.scene_file.empty()) refuse("--scene");
+}
+
 }  // namespace
 
 void Notes::say(const std::string& note) {
@@ -58,7 +69,9 @@ void Notes::say(const std::string& note) {
 SeenPhoto see(const CompositeRequest& request, Notes& notes) {
   require_view(request);
   SeenPhoto seen;
-  seen.photograph = read_photograph(request.photograph, request.projection);
+  seen.photograph = read_photograph(request.photograph, request.projection, request.layer);
+  for (const std::string& note : seen.photograph.notes)
+    notes.say(printable(request.photograph) + ": " + note);
   if (const std::string warning = codes_warning(seen.photograph, request.photograph); !warning.empty())
     notes.say(warning);
   Image& picture = seen.photograph.radiance;
@@ -91,7 +104,13 @@ SeenPhoto see(const CompositeRequest& request, Notes& notes) {
     return seen;
   }
   seen.camera = pinhole_camera(request, seen, picture.width_px, picture.height_px);
-  if (seen.lens) seen.camera = lens_camera(*seen.lens, seen.camera);
+  if (!seen.lens) return seen;
+  seen.camera = camera_of_lens(*seen.lens, seen.camera);
+  if (seen.lens->world_from_camera) {
+    require_one_pose(request);
+    seen.centre_m = seen.lens->world_from_camera->translation();
+  }
+  for (const std::string& note : seen.lens->notes) notes.say(printable(request.depth.camera) + ": " + note);
   return seen;
 }
 

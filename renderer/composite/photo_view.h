@@ -21,7 +21,7 @@ struct SeenPhoto {
   Image panorama;  ///< empty where there is none
   Camera camera;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  ///< the camera's place in the composite's world
-  std::optional<sensors::PinholeCamera> lens;
+  std::optional<PhotoLens> lens;
   SceneFile scene;      ///< empty where none was given
   double fov_deg = 60;  ///< horizontal, of a pinhole
 };

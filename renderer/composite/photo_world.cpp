@@ -31,12 +31,9 @@ PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double a
 void read_photo_world(const CompositeRequest& request, PhotoWorld& world, Notes& notes) {
   const Stopwatch watch;
   const SeenPhoto& seen = world.seen;
-  world.depth = read_photo_depth(request.depth, seen.photograph, seen.lens, seen.fov_deg);
+  world.depth = read_photo_depth(request.depth, seen.photograph, seen.lens, seen.camera, seen.fov_deg);
   const PhotoDepth& depth = world.depth;
-  if (depth.map && depth.map->cleaned_texels > 0)
-    notes.say(
-        fmt::format("{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes",
-                    printable(request.depth.file), depth.map->cleaned_texels));
+  for (const std::string& note : depth.notes) notes.say(printable(request.depth.file) + ": " + note);
   DepthMesh mesh = photo_mesh(depth, request.depth, seen.camera);
   if (mesh.triangles.empty())
     throw input_error({.file = request.depth.file,

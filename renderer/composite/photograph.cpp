@@ -8,6 +8,7 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/depth/sensor/sensor_pose.h"
+#include "support/files/picture_file.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
@@ -48,31 +49,29 @@ double share_at_white(const Image& picture, bool was_codes) {
   return static_cast<double>(clipped) / (static_cast<double>(picture.width_px) * picture.height_px);
 }
 
-Image three_channels(const Image& image) {
-  if (image.channels == 3) return image;
-  Image out(image.width_px, image.height_px, 3);
-  for (int y = 0; y < image.height_px; ++y)
-    for (int x = 0; x < image.width_px; ++x) out.set_rgb(x, y, image.rgb(x, y));
-  return out;
-}
-
 }  // namespace
 
-Photograph read_photograph(const std::filesystem::path& path, const std::optional<Projection>& projection) {
-  ImageHeader found;
-  Photograph photograph;
-  photograph.radiance = read_image(path, [&](const ImageHeader& header) {
-    found = header;
-    if (header.channels < 3)
-      throw input_error({.file = path.string(),
-                         .wanted = "three colour channels",
-                         .found = std::to_string(header.channels) + " channels"});
-  });
+Photograph read_photograph(const std::filesystem::path& path, const std::optional<Projection>& projection,
+                           const std::string& layer) {
+  PictureFile file = read_picture(
+      path,
+      [&](const ImageHeader& header) {
+        if (header.channels < 3)
+          throw input_error({.file = path.string(),
+                             .wanted = "three colour channels",
+                             .found = std::to_string(header.channels) + " channels"});
+      },
+      layer);
+  const int width_px = file.image.width_px, height_px = file.image.height_px;
+  Photograph photograph{.radiance = std::move(file.image),
+                        .orientation = file.orientation,
+                        .was_codes = !file.floating_point,
+                        .width_px = width_px,
+                        .height_px = height_px,
+                        .profile = std::move(file.profile),
+                        .notes = std::move(file.notes)};
   Image& picture = photograph.radiance;
   require_colours(picture, path);
-  picture = upright(three_channels(picture), found.orientation);
-  photograph.orientation = found.orientation;
-  photograph.was_codes = !found.floating_point;
   photograph.clipped_share = share_at_white(picture, photograph.was_codes);
   const bool twice_as_wide = picture.width_px == 2 * picture.height_px;
   photograph.projection = projection.value_or(twice_as_wide ? Projection::panorama : Projection::perspective);
@@ -93,9 +92,10 @@ std::string codes_warning(const Photograph& photograph, const std::string& file)
                                    printable(file), 100 * photograph.clipped_share)
                              : "";
   return fmt::format(
-      "{}: whole numbers, taken as sRGB codes (IEC 61966-2-1, white is 1 W/m2/sr); {:.2g} % of the pixels "
-      "are white in some channel, and how bright these were is lost",
-      printable(file), 100 * photograph.clipped_share);
+      "{}: whole numbers, taken as {} (white is 1 W/m2/sr); {:.2g} % of the pixels are white in some channel, and how "
+      "bright these were is lost",
+      printable(file), photograph.profile ? "codes of its profile" : "sRGB codes (IEC 61966-2-1)",
+      100 * photograph.clipped_share);
 }
 
 Camera panorama_camera(int width_px, int height_px) {
@@ -113,19 +113,37 @@ Camera panorama_camera(int width_px, int height_px) {
   return camera;
 }
 
-Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view) {
+namespace {
+
+template <class Lens>
+Camera camera_through(const Lens& lens, const Camera& view) {
   Camera camera = view;
   camera.width_px = lens.width_px;
   camera.height_px = lens.height_px;
   const Eigen::Matrix3d turn = world_from_photograph(view).linear();
-  camera.tan_half_horizontal = static_cast<float>(
-      std::tan(0.5 * sensors::horizontal_field_of_view_deg(lens) * std::numbers::pi / 180));
   camera.directions =
       std::make_shared<const ImageDirections>([lens, turn](float x, float y) -> Eigen::Vector3f {
         const auto direction = sensors::direction_through(lens, {double{x}, double{y}});
         if (!direction) return Eigen::Vector3f::Zero();
-        return (turn * *direction).normalized().cast<float>();
+        const Eigen::Vector3d towards = turn * *direction;
+        return towards.normalized().cast<float>();
       });
+  return camera;
+}
+
+}  // namespace
+
+Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view) {
+  Camera camera = camera_through(lens, view);
+  camera.tan_half_horizontal = static_cast<float>(
+      std::tan(0.5 * sensors::horizontal_field_of_view_deg(lens) * std::numbers::pi / 180));
+  return camera;
+}
+
+Camera lens_camera(const sensors::FisheyeCamera& lens, const Camera& view) {
+  Camera camera = camera_through(lens, view);
+  // No pinhole sees as much; what asks for an angle a pixel gets that of its middle.
+  camera.tan_half_horizontal = static_cast<float>(0.5 * lens.width_px / lens.fx_px);
   return camera;
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "renderer/scene/camera.h"
+#include "sensors/camera/fisheye_camera.h"
 #include "sensors/camera/pinhole_camera.h"
-#include "support/files/image.h"
+#include "support/files/picture_file.h"
 
 namespace seamline::renderer {
 
@@ -21,13 +25,18 @@ struct Photograph {
   bool was_codes = false;  ///< whole numbers, taken as sRGB: light above white is lost
   /// Of the pixels: white in some channel (1 of whole numbers, else the largest value of all).
   double clipped_share = 0;
+  int width_px = 0, height_px = 0;                    ///< of the file, upright, whatever view of it is taken
+  std::shared_ptr<const ColourProfile> profile = {};  ///< of the file, if it is another than sRGB
+  std::vector<std::string> notes = {};                ///< what is to be said of the file, without its name
 };
 
 /// Reads a photograph and turns it upright as its EXIF orientation says. `projection`: none: a picture twice
-/// as wide as high is a panorama. Throws InputError naming the file where it has no colour or a pixel that is
-/// no number, and where a panorama is of another shape.
+/// as wide as high is a panorama. `layer`: of an EXR file of several (`read_picture`). Throws InputError
+/// naming the file where it has no colour or a pixel that is no number, and where a panorama is of another
+/// shape.
 [[nodiscard]] Photograph read_photograph(const std::filesystem::path& path,
-                                         const std::optional<Projection>& projection);
+                                         const std::optional<Projection>& projection,
+                                         const std::string& layer = {});
 
 /// One sentence about a photograph of whole numbers (which curve was taken, and what is lost), or about one
 /// that was clipped; else empty.
@@ -36,6 +45,7 @@ struct Photograph {
 /// A camera for each projection. The panorama's axes are the world's; a lens looks whither `view` does.
 [[nodiscard]] Camera panorama_camera(int width_px, int height_px);
 [[nodiscard]] Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view);
+[[nodiscard]] Camera lens_camera(const sensors::FisheyeCamera& lens, const Camera& view);
 
 /// What a panorama shows in a direction, bilinear.
 [[nodiscard]] Rgb panorama_radiance(const Image& panorama, const Eigen::Vector3f& direction);

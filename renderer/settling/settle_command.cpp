@@ -74,7 +74,8 @@ void check(const SettleOptions& options) {
 }
 
 /// Files are frames, and stay the last one's when they end. Where the camera's file knows where it stands is
-/// not asked: places are the photograph's, right, up and back, as `composite` has them.
+/// not asked: places are the photograph's, right, up and back, as `composite` has them where no pose is
+/// stated.
 SensedDepth depth_of_files(const SettleOptions& options) {
   const bool preset = registration::is_preset(options.camera) && !std::filesystem::exists(options.camera);
   const registration::RegistrationRig rig =

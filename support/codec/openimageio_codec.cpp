@@ -23,6 +23,19 @@ CodedPicture::Values values_of(const OIIO::TypeDesc& type) {
   return CodedPicture::Values::other_integers;
 }
 
+std::string profile_of(const OIIO::ImageSpec& spec) {
+  const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
+  if (profile == nullptr || profile->type().basetype != OIIO::TypeDesc::UINT8) return {};
+  return {static_cast<const char*>(profile->data()), profile->type().size()};
+}
+
+std::optional<std::array<float, 8>> chromaticities_of(const OIIO::ImageSpec& spec) {
+  std::array<float, 8> values{};
+  const OIIO::TypeDesc eight(OIIO::TypeDesc::FLOAT, 8);
+  if (!spec.getattribute("chromaticities", eight, values.data())) return std::nullopt;
+  return values;
+}
+
 class Reader final : public PictureReader {
  public:
   Reader(std::unique_ptr<OIIO::ImageInput> input, bool alpha_apart) : input_(std::move(input)) {
@@ -50,8 +63,14 @@ class Reader final : public PictureReader {
     return complaint();
   }
 
+  std::string open_part(int part) override {
+    return input_->seek_subimage(part, 0) ? std::string() : complaint();
+  }
+
   CodedPicture picture() const override {
     const OIIO::ImageSpec& spec = input_->spec();
+    // PNG and TIFF have offsets too, which say where a printer puts a page.
+    const bool has_window = std::string_view(input_->format_name()) == "openexr";
     return {spec.width,
             spec.height,
             spec.nchannels,
@@ -60,7 +79,15 @@ class Reader final : public PictureReader {
             spec.get_string_attribute("compression"),
             std::uint64_t{spec.image_bytes(true)},
             input_->format_name(),
-            spec.get_int_attribute("Orientation", 1)};
+            spec.get_int_attribute("Orientation", 1),
+            spec.channelnames,
+            has_window ? spec.x - spec.full_x : 0,
+            has_window ? spec.y - spec.full_y : 0,
+            has_window ? spec.full_width : spec.width,
+            has_window ? spec.full_height : spec.height,
+            profile_of(spec),
+            chromaticities_of(spec),
+            part_names()};
   }
 
   std::string read(float* values, bool (*stop)()) override {
@@ -76,12 +103,26 @@ class Reader final : public PictureReader {
  private:
   std::string complaint() const {
     std::string text = input_ ? input_->geterror() : OIIO::geterror();
+    text = text.substr(0, text.find('\n'));
     return text.empty() ? "one that cannot" : text;
   }
 
+  /// Of a file of several parts.
+  std::vector<std::string> part_names() const {
+    std::vector<std::string> names;
+    if (std::string_view(input_->format_name()) != "openexr") return names;
+    constexpr int most_parts = 256;
+    for (int part = 0; part < most_parts && input_->spec_dimensions(part).width > 0; ++part)
+      names.push_back(input_->spec(part).get_string_attribute("oiio:subimagename"));
+    (void)input_->geterror();  // of the part after the last one
+    if (names.size() < 2) names.clear();
+    return names;
+  }
+
   std::string decode(OIIO::TypeDesc type, void* values, bool (*stop)()) {
-    const bool decoded = input_->read_image(0, 0, 0, input_->spec().nchannels, type, values, OIIO::AutoStride,
-                                            OIIO::AutoStride, OIIO::AutoStride, asked_to_stop, &stop);
+    const bool decoded =
+        input_->read_image(input_->current_subimage(), 0, 0, input_->spec().nchannels, type, values,
+                           OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride, asked_to_stop, &stop);
     return decoded && !input_->has_error() ? std::string() : complaint();
   }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +18,17 @@ struct CodedPicture {
   Values values = Values::bytes;
   std::string compression;  ///< as the library names it, e.g. "zip"; may be empty
   std::uint64_t bytes = 0;  ///< of all its pixels, as they are in the file
-  std::string format;       ///< openexr, png, jpeg, hdr
+  std::string format;       ///< openexr, png, jpeg, hdr, tiff
   int orientation = 1;      ///< EXIF's, 1 to 8
+
+  std::vector<std::string> channel_names = {};  ///< as the file has them, or as the library calls them
+  /// Where the pixels lie in the picture that is to be shown, EXR's display window, and how large that is.
+  int left_px = 0, top_px = 0, shown_width_px = 0, shown_height_px = 0;
+  std::string profile = {};  ///< an embedded ICC profile; empty: none
+  /// x and y of red, green, blue and white that an EXR file states.
+  std::optional<std::array<float, 8>> chromaticities = {};
+  std::vector<std::string> parts =
+      {};  ///< names of a file's parts where it has several, of which one is open
 
   bool operator==(const CodedPicture&) const = default;
 };
@@ -34,6 +45,8 @@ class PictureReader {
   [[nodiscard]] virtual std::string open(const std::string& path) = 0;
   /// The same of bytes in memory, which live longer than the reader.
   [[nodiscard]] virtual std::string open(std::string_view bytes) = 0;
+  /// Goes on to another part of an open file. Returns a complaint, empty when there is none.
+  [[nodiscard]] virtual std::string open_part(int) { return "a file of one part"; }
   [[nodiscard]] virtual CodedPicture picture() const = 0;
   /// Decodes all pixels: rows from the top, channels interleaved, integers scaled to the type that is wanted.
   /// `stop` is asked between pieces. Returns a complaint, empty when there is none.
@@ -47,7 +60,8 @@ struct PictureToEncode {
   std::string extension;  ///< ".exr", ".png"
   int width_px = 0, height_px = 0, channels = 0;
   const float* floats = nullptr;        ///< these,
-  const std::uint8_t* codes = nullptr;  ///< or these, which are sRGB
+  const std::uint8_t* codes = nullptr;  ///< or these, which are sRGB, or
+  std::string_view profile = {};        ///< of this ICC profile, which a PNG file embeds
 };
 
 /// A part of a file of several.
@@ -65,7 +79,7 @@ class PictureCodec {
   PictureCodec& operator=(const PictureCodec&) = delete;
   virtual ~PictureCodec() = default;
 
-  /// `format` is openexr, png, jpeg or hdr. With `alpha_apart`, colours are not multiplied by alpha.
+  /// `format` is openexr, png, jpeg, hdr or tiff. With `alpha_apart`, colours are not multiplied by alpha.
   [[nodiscard]] virtual std::unique_ptr<PictureReader> reader(const std::string& format,
                                                               bool alpha_apart) const = 0;
   /// The file's bytes: without any date, the same for the same picture. Sets `complaint` when it cannot.

@@ -7,6 +7,8 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
 
@@ -75,6 +77,12 @@ ChannelNames plain_channels(const Imf::Header& header) {
   return {};
 }
 
+/// Luminance and chroma of every other pixel, in which OpenEXR has a way to keep pictures small.
+bool is_luminance_chroma(const Imf::Header& header) {
+  const Imf::ChannelList& channels = header.channels();
+  return channels.findChannel("Y") && channels.findChannel("RY") && channels.findChannel("BY");
+}
+
 /// Slices of rows from `first` on, which lie at `values`, channels interleaved.
 Imf::FrameBuffer slices(const ChannelNames& names, const float* values, const Imath::Box2i& window,
                         int first) {
@@ -102,10 +110,13 @@ class ExrReader final : public PictureReader {
   std::string open(const std::string& path) override {
     if (!is_one_part_in_scan_lines(path)) return not_plain;
     header_ = Imf::InputFile(path.c_str(), 0).header();
-    names_ = plain_channels(header_);
+    chroma_ = is_luminance_chroma(header_);
+    names_ = chroma_ ? ChannelNames{"R", "G", "B"} : plain_channels(header_);
     path_ = path;
     const bool turned = header_.findTypedAttribute<Imf::IntAttribute>("Orientation") != nullptr;
-    return names_.empty() || turned || !name_of(header_.compression()) ? not_plain : "";
+    const bool coloured = Imf::hasChromaticities(header_) && !chroma_;
+    return names_.empty() || turned || coloured || (!chroma_ && !name_of(header_.compression())) ? not_plain
+                                                                                                 : "";
   }
   std::string open(std::string_view) override { return not_plain; }
 
@@ -116,17 +127,31 @@ class ExrReader final : public PictureReader {
     picture.height_px = window.max.y - window.min.y + 1;
     picture.channels = static_cast<int>(names_.size());
     picture.values = CodedPicture::Values::floats;
-    picture.compression = name_of(header_.compression());
+    if (const char* packing = name_of(header_.compression())) picture.compression = packing;
     std::uint64_t pixel_bytes = 0;
-    for (const std::string& name : names_) pixel_bytes += header_.channels()[name].type == Imf::HALF ? 2 : 4;
+    if (chroma_) pixel_bytes = 2;
+    for (const std::string& name : chroma_ ? ChannelNames{} : names_)
+      pixel_bytes += header_.channels()[name].type == Imf::HALF ? 2 : 4;
     picture.bytes = pixel_bytes * static_cast<std::uint64_t>(picture.width_px) *
                     static_cast<std::uint64_t>(picture.height_px);
     picture.format = "openexr";
+    picture.channel_names = names_;
+    if (chroma_ && Imf::hasChromaticities(header_)) {
+      const Imf::Chromaticities& c = Imf::chromaticities(header_);
+      picture.chromaticities = {c.red.x,  c.red.y,  c.green.x, c.green.y,
+                                c.blue.x, c.blue.y, c.white.x, c.white.y};
+    }
+    const Imath::Box2i& shown = header_.displayWindow();
+    picture.left_px = window.min.x - shown.min.x;
+    picture.top_px = window.min.y - shown.min.y;
+    picture.shown_width_px = shown.max.x - shown.min.x + 1;
+    picture.shown_height_px = shown.max.y - shown.min.y + 1;
     return picture;
   }
 
   std::string read(float* values, bool (*stop)()) override {
     const CodedPicture is = picture();
+    if (chroma_) return read_luminance_chroma(is, values, stop);
     const std::size_t row_values = static_cast<std::size_t>(is.width_px) * names_.size();
     Imf::InputFile file(path_.c_str(), threads_for(row_values * static_cast<std::size_t>(is.height_px)));
     const Imath::Box2i& window = header_.dataWindow();
@@ -152,9 +177,29 @@ class ExrReader final : public PictureReader {
     return complaint;
   }
 
+  /// By OpenEXR's own way, which brings chroma between its pixels.
+  std::string read_luminance_chroma(const CodedPicture& is, float* values, bool (*stop)()) {
+    Imf::RgbaInputFile file(path_.c_str());
+    const Imath::Box2i& window = header_.dataWindow();
+    const auto width = static_cast<std::size_t>(is.width_px);
+    std::vector<Imf::Rgba> row(width);
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+      if ((y - window.min.y) % rows_between_questions == 0 && stop && stop()) return was_stopped;
+      file.setFrameBuffer(row.data() - window.min.x - static_cast<std::ptrdiff_t>(y) * is.width_px, 1, width);
+      file.readPixels(y);
+      for (const Imf::Rgba& pixel : row) {
+        *values++ = pixel.r;
+        *values++ = pixel.g;
+        *values++ = pixel.b;
+      }
+    }
+    return {};
+  }
+
   std::string path_;
   Imf::Header header_;
   ChannelNames names_;
+  bool chroma_ = false;
 };
 
 /// Bytes in memory: a picture that a full disk cut short would pass for a finished one.

@@ -35,11 +35,11 @@ std::optional<PngHeader> plain_header(std::string_view bytes) {
   constexpr char grey = 0, rgb = 2;
   if (bytes.size() < end || bytes[bits] != 8 || bytes[interlacing] != 0) return {};
   if (bytes[colour] != grey && bytes[colour] != rgb) return {};
-  // Transparency, and text in which cameras leave an orientation.
+  // Transparency, colours of another kind, and text in which cameras leave an orientation.
   for (std::size_t at = signature_bytes; at + around_chunk_bytes <= bytes.size();
        at += around_chunk_bytes + number_at(bytes, at)) {
     const std::string_view type = bytes.substr(at + 4, 4);
-    if (type == "tRNS" || type == "eXIf" || type == "zTXt" || type == "iTXt") return {};
+    if (type == "tRNS" || type == "iCCP" || type == "eXIf" || type == "zTXt" || type == "iTXt") return {};
     if (type == "tEXt" && bytes.substr(at + 8).starts_with("Orientation")) return {};
   }
   return PngHeader{number_at(bytes, width), number_at(bytes, height), bytes[colour] == rgb ? 3 : 1};
@@ -106,6 +106,10 @@ class PngReader final : public PictureReader {
     picture.channels = header_.channels;
     picture.bytes = values();
     picture.format = "png";
+    picture.channel_names =
+        header_.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+    picture.shown_width_px = picture.width_px;
+    picture.shown_height_px = picture.height_px;
     return picture;
   }
 
@@ -170,7 +174,12 @@ bool encode_rows(png_structp png, png_infop info, const PictureToEncode& picture
   png_set_IHDR(png, info, width, height, 8, picture.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_oFFs(png, info, 0, 0, PNG_OFFSET_PIXEL);
-  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
+  if (picture.profile.empty())
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
+  else
+    png_set_iCCP(png, info, "ICC profile", PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(picture.profile.data()),
+                 static_cast<png_uint_32>(picture.profile.size()));
   std::array<char, 16> key{"oiio:ColorSpace"};
   std::array<char, 5> value{"sRGB"};
   png_text text{};
@@ -178,7 +187,7 @@ bool encode_rows(png_structp png, png_infop info, const PictureToEncode& picture
   text.key = key.data();
   text.text = value.data();
   text.text_length = value.size() - 1;
-  png_set_text(png, info, &text, 1);
+  if (picture.profile.empty()) png_set_text(png, info, &text, 1);
   png_write_info(png, info);
   const std::size_t row_bytes = std::size_t{width} * static_cast<std::size_t>(picture.channels);
   const bool all = for_each_row(

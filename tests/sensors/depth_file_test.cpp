@@ -154,11 +154,16 @@ TEST_F(DepthFiles, EightBitsAndOtherKindsAreRefused) {
   EXPECT_EQ(complaint(write("rgb.png", png_of(rgb_8, bytes + bytes + bytes))),
             "wanted one channel of 16 bits, found 3 channels of 8 bits");
   EXPECT_EQ(complaint(write("a.txt", "depths")),
-            "wanted an EXR, PNG or PGM (P5) file, found another kind of file");
-  EXPECT_EQ(complaint(write("empty", "")), "wanted an EXR, PNG or PGM (P5) file, found another kind of file");
+            "wanted an EXR, PNG, PGM (P5), TIFF, PFM, NPY or DPT file, found another kind of file");
+  EXPECT_EQ(complaint(write("empty", "")),
+            "wanted an EXR, PNG, PGM (P5), TIFF, PFM, NPY or DPT file, found another kind of file");
   EXPECT_EQ(complaint(folder_ / "none.png"), "wanted a depth map, found no such file");
-  write_exr(folder_ / "3.exr", Image(file_width_px, file_height_px, 3, 1));
-  EXPECT_EQ(complaint(folder_ / "3.exr"), "wanted an EXR file with one channel, the depth, found 3 channels");
+  Image colours(file_width_px, file_height_px, 3, 1);
+  colours.at(2, 1, 1) = 3;
+  write_exr(folder_ / "3.exr", colours);
+  EXPECT_THAT(complaint(folder_ / "3.exr"),
+              HasSubstr("wanted one channel of depth, or red, green and blue of equal "
+                        "values, found 1 and 3 in pixel (2, 1)"));
   form_.packing = DepthPacking::red_green;
   EXPECT_EQ(
       complaint(write("16.png", png_of(grey_16, words(millimetres_)))),

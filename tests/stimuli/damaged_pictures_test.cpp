@@ -9,9 +9,9 @@
 
 #include "png_parts.h"
 #include "support/arithmetic/random.h"
+#include "support/codec/png_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
-#include "support/files/png_file.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/error.h"
 #include "tests/complaint.h"

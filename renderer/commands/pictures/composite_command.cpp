@@ -143,7 +143,7 @@ void take_objects(const CompositeOptions& options, const Given& given, Composite
   request.light.has_given = true;
 }
 
-CompositeRequest request_of(const CompositeOptions& options, const Given& given) {
+CompositeRequest request_of(const CompositeOptions& options, const CLI::App& command, const Given& given) {
   check_given(options, given);
   CompositeRequest request = options.request;
   if (options.projection != "auto")
@@ -158,7 +158,7 @@ CompositeRequest request_of(const CompositeOptions& options, const Given& given)
   if (options.depth_kind != "auto")
     depth.convention =
         options.depth_kind == "radial" ? sensors::DepthConvention::radial : sensors::DepthConvention::planar;
-  if (given("--metres-per-step")) depth.metres_per_step = options.metres_per_step;
+  take_depth_options(options.depth, command, depth);
   if (options.jumps == "cut") depth.cut_ratio = options.jump_ratio;
   if (given("--view")) request.view_px = whole_pair(options.view, 'x');
   if (given("--look-at")) request.look_at_m = as_vector(options.look_at_m);
@@ -191,7 +191,7 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
   if (given("--layers")) need_extension(options.request.layers, {".exr"}, "--layers");
   if (given("--local-scene")) need_extension(options.request.local_scene, {".png"}, "--local-scene");
   if (given("--report")) need_extension(options.request.report, {".html"}, "--report");
-  make_composite(request_of(options, given));
+  make_composite(request_of(options, command, given));
 }
 
 /// What `place` leaves to `composite`, whose command line is the same but for the first word.
@@ -218,26 +218,29 @@ void run_place(const CompositeOptions& options, const std::vector<std::string>& 
   CompositeOptions photo = options;
   const bool is_there = std::filesystem::exists(options.objects);
   if (!is_there) photo.objects.clear();
-  request.photo = request_of(photo, given);
+  request.photo = request_of(photo, command, given);
   in_window(request);
 }
 
 /// --help shows what most composites need, and names these groups.
 void group_composite_options(CLI::App& command) {
-  group_options(command, {{"Photograph", {"--projection", "--camera", "--scene"}},
-                          {"Depth map",
-                           {"--depth-view", "--depth-kind", "--mesh", "--tolerance", "--yaw", "--jumps",
-                            "--jump-ratio", "--depth-width", "--condition"}},
-                          {"Object's surface",
-                           {"--materials", "--object-albedo", "--metallic", "--roughness", "--asset-root"}},
-                          {"Light",
-                           {"--sun-radius", "--lamp", "--environment", "--environment-rotation",
-                            "--light-panorama", "--keep-sun", "--albedo", "--bounces"}},
-                          {"Who is in front, and shadows",
-                           {"--occlusion", "--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far",
-                            "--occlusion-mask", "--shadows", "--shadow-matte"}},
-                          {"Sampling", {"--estimator", "--spp", "--seed", "--threads", "--additive"}},
-                          {"More output", {"--layers", "--local-scene", "--pixels-per-degree"}}});
+  group_options(
+      command,
+      {{"Photograph", {"--projection", "--layer", "--camera", "--scene"}},
+       {"Depth map",
+        {"--depth-view", "--depth-kind", "--mesh", "--tolerance", "--yaw", "--jumps", "--jump-ratio",
+         "--depth-width", "--condition", "--depth-channel", "--nothing"}},
+       {"Estimated depth",
+        {"--depth-value", "--depth-scale", "--depth-shift", "--depth-point", "--depth-reference"}},
+       {"Object's surface", {"--materials", "--object-albedo", "--metallic", "--roughness", "--asset-root"}},
+       {"Light",
+        {"--sun-radius", "--lamp", "--environment", "--environment-rotation", "--light-panorama",
+         "--keep-sun", "--albedo", "--bounces"}},
+       {"Who is in front, and shadows",
+        {"--occlusion", "--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far",
+         "--occlusion-mask", "--shadows", "--shadow-matte"}},
+       {"Sampling", {"--estimator", "--spp", "--seed", "--threads", "--additive"}},
+       {"More output", {"--layers", "--local-scene", "--pixels-per-degree"}}});
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ void add_photograph_options(CLI::App& command, CompositeOptions& options) {
           "photograph: EXR or HDR of linear radiance, or PNG or JPEG, taken as sRGB codes; turned as its "
           "EXIF orientation says")
       ->required();
+  command.add_option(
+      "--layer", request.layer,
+      "of an EXR photograph with several: the one that is the picture, such as ViewLayer.Combined");
   command
       .add_option("--projection", options.projection,
                   "of the photograph: panorama (equirectangular, +Y up, its middle column towards -Z), "
@@ -55,8 +58,8 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
   command
       .add_option(
           "--depth", options.mesh.depth,
-          "depth around the camera: .exr of metres, or .png and .pgm of 16 bits with --metres-per-step; an "
-          "equirectangular map, or of the photograph's view. Maps below 2048 texels a row are interpolated "
+          "depth around the camera: EXR, PFM, NPY or TIFF of metres, or whole numbers of 16 bits (PNG, PGM, TIFF, "
+          "NPY) with --metres-per-step or --depth-unit; an equirectangular map, or of the photograph's view. Maps below 2048 texels a row are interpolated "
           "linearly onto a sphere of 2048 vertices (the paper's section 3.2)")
       ->required();
   command
@@ -72,10 +75,7 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
           "planar of photographs' views")
       ->check(CLI::IsMember({"auto", "radial", "planar"}))
       ->capture_default_str();
-  add_number(
-      command, "--metres-per-step", options.metres_per_step, {1e-9, 1e9, "m"},
-      "what 1 in the depth map is worth: 0.001 for millimetres (default: 1 of .exr; of whole numbers it must "
-      "be given)");
+  add_depth_file_options(command, options.depth, options.request.depth);
   add_mesh_options(command, options.mesh);
   add_yaw_option(command, options.mesh);
   command

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "renderer/commands/pictures/depth_options.h"
 #include "renderer/commands/pictures/mesh_options.h"
 #include "renderer/commands/pictures/sun_options.h"
 #include "renderer/composite/composite_request.h"
@@ -12,6 +13,7 @@ namespace seamline::renderer {
 struct CompositeOptions {
   CompositeRequest request;
   MeshCommandOptions mesh;
+  DepthOptions depth;
   std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
               occlusion = "mesh", shadows = "cast", estimator = "auto", seamless, asset_root;
   std::string object, objects, materials = "gltf", environment_map;
@@ -21,7 +23,7 @@ struct CompositeOptions {
   std::array<double, 6> lamp{0, 0, 0, 0, 0, 0};
   bool rest = false;
   double scale = 1, height_m = 1, fov_deg = 60, object_albedo = 0.5, metallic = 0, roughness = 0,
-         rotation_of_map_deg = 0, jump_ratio = 1.1, metres_per_step = 1, error = 0.0039;
+         rotation_of_map_deg = 0, jump_ratio = 1.1, error = 0.0039;
   int depth_width_px = 0;
   bool keeps_sun = false;
 };

@@ -15,6 +15,7 @@
 #include "stimuli/pictures/flip.h"
 #include "stimuli/pictures/flip_map.h"
 #include "support/files/image.h"
+#include "support/files/picture_file.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -62,10 +63,11 @@ NamedRegion region_of(const std::string& text, const Image& flip) {
 }
 
 ByteImage seen_picture(const std::string& file, double exposure_ev) {
-  if (lower_case_ending(file) == ".png") return read_bytes_image(file);
-  const Image linear = read_image(file);
-  require_numbers(linear, file);
-  return display_image(linear, exposure_ev);
+  const PictureFile picture = read_picture(file);
+  if (lower_case_ending(file) == ".png" && !picture.profile) return read_bytes_image(file);
+  for (const std::string& note : picture.notes) fmt::print(stderr, "note: {}: {}\n", printable(file), note);
+  require_numbers(picture.image, file);
+  return display_image(picture.image, exposure_ev);
 }
 
 /// Mean and largest FLIP of a rectangle, in one line.

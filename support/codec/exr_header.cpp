@@ -1,7 +1,8 @@
-#include "support/files/exr_header.h"
+#include "support/codec/exr_header.h"
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ namespace {
 constexpr std::int64_t fixed_part_bytes = 8;  ///< magic number, version and flags
 constexpr std::uint32_t multi_part_flag = 0x1000;
 constexpr std::size_t longest_name_bytes = 255;
+constexpr std::int64_t farthest_corner_px = 1 << 29;  // differences of two fit an int
 
 /// The headers as a run of little-endian numbers and of texts that end with 0.
 class HeaderBytes {
@@ -109,7 +111,11 @@ void skip_value(HeaderBytes& header, const std::string& type, std::int64_t bytes
 /// The library takes memory for lines of this width before anybody can ask how wide they are.
 void check_window(HeaderBytes& header) {
   std::array<std::int64_t, 4> corner{};  // least x, y, most x, y
-  for (std::int64_t& place : corner) place = static_cast<std::int32_t>(header.number());
+  for (std::int64_t& place : corner) {
+    place = static_cast<std::int32_t>(header.number());
+    if (std::abs(place) > farthest_corner_px)
+      throw header.damaged("a window with a corner at " + std::to_string(place));
+  }
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (const std::int64_t side = corner[axis + 2] - corner[axis] + 1;
         side < 1 || side > limits::largest_picture_side_px)
@@ -122,7 +128,7 @@ bool check_part(HeaderBytes& header) {
   for (std::string name = header.name(); !name.empty(); name = header.name()) {
     const std::string type = header.name();
     const std::int64_t bytes = header.number();
-    if (name == "dataWindow" && type == "box2i" && bytes == 16)
+    if ((name == "dataWindow" || name == "displayWindow") && type == "box2i" && bytes == 16)
       check_window(header);
     else
       skip_value(header, type, bytes);

@@ -1,4 +1,4 @@
-#include "support/files/png_file.h"
+#include "support/codec/png_file.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
