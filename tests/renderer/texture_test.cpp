@@ -130,7 +130,7 @@ TEST_F(TexturePicture, AJpegIsReadAndOneThatIsCutIsNotFilledWithGrey) {
 TEST_F(TexturePicture, OneThatIsCutTooLargeOrOfAnotherKindIsOneSentence) {
   std::string bytes = png({64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 7)});
   EXPECT_THAT(complaint(bytes.substr(0, bytes.size() / 2)), HasSubstr("found one that ends early"));
-  EXPECT_THAT(complaint("RIFF....WEBP"), HasSubstr("wanted an EXR, HDR, PNG or JPEG image"));
+  EXPECT_THAT(complaint("RIFF....WEBP"), HasSubstr("wanted an EXR, HDR, PNG, JPEG or TIFF image"));
   EXPECT_THAT(complaint("#?RADIANCE\n"), HasSubstr("wanted a PNG or JPEG image, found one of format hdr"));
   EXPECT_THAT(complaint(std::string("\xff\xd8\xff\xe0\0\4ab\xff\xda\0\2 pixels", 20)),
               HasSubstr("ends early"));

@@ -148,14 +148,14 @@ TEST_F(DamagedPictures, OtherFormatsAreOneSentence) {
 TEST_F(DamagedPictures, EveryKindOfPngIsStillRead) {
   struct Kind {
     std::string header;  ///< bits, colour, interlaced
-    int channels, row_bytes;
+    int channels, row_bytes;  ///< channels: those that are read, without colours' alpha
   };
   for (const Kind& kind :
        {Kind{std::string("\x01\x00\x00", 3), 1, 1}, Kind{std::string("\x02\x00\x00", 3), 1, 2},
         Kind{std::string("\x04\x00\x00", 3), 1, 3}, Kind{std::string("\x08\x00\x00", 3), 1, 5},
         Kind{std::string("\x10\x00\x00", 3), 1, 10}, Kind{std::string("\x08\x02\x00", 3), 3, 15},
         Kind{std::string("\x10\x02\x00", 3), 3, 30}, Kind{std::string("\x08\x04\x00", 3), 2, 10},
-        Kind{std::string("\x10\x06\x00", 3), 4, 40}, Kind{std::string("\x08\x03\x00", 3), 3, 5},
+        Kind{std::string("\x10\x06\x00", 3), 3, 40}, Kind{std::string("\x08\x03\x00", 3), 3, 5},
         Kind{std::string("\x02\x03\x00", 3), 3, 2}}) {
     std::string rows;
     for (int y = 0; y < 3; ++y)

@@ -61,9 +61,9 @@ TEST_F(Limits, AnHdrOfTwoToThe31PixelsIsRefused) {
 }
 
 TEST_F(Limits, OtherPictureFormatsAreNeverTried) {
-  write_file_atomically(folder_ / "a.png", "II*\0 a TIFF by another name");
+  write_file_atomically(folder_ / "a.png", "8BPS a PSD by another name");
   EXPECT_THAT(complaint_of([&] { (void)read_image(folder_ / "a.png"); }),
-              HasSubstr("wanted an EXR, HDR, PNG or JPEG image"));
+              HasSubstr("wanted an EXR, HDR, PNG, JPEG or TIFF image"));
   EXPECT_THAT(complaint_of([&] { (void)read_image("null.null?RES=64x64"); }), HasSubstr("no such file"));
 }
 
