@@ -21,6 +21,22 @@
 
 namespace seamline::analysis {
 
+namespace {
+
+void set_own(AnalysisOptions& options, const std::string& what) {
+  bool* own = what == "scale"           ? &options.own_scale
+              : what == "criteria"      ? &options.own_criteria
+              : what == "lapse"         ? &options.own_lapse
+              : what == "guess_ratings" ? &options.own_guess_ratings
+                                        : nullptr;
+  if (own == nullptr)
+    throw input_error(
+        {.field = "--own", .wanted = "scale, criteria, lapse or guess_ratings", .found = "\"" + what + "\""});
+  *own = true;
+}
+
+}  // namespace
+
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
   require_gnuplot();
   if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
@@ -34,6 +50,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   options.exclude_inattentive = request.exclude_inattentive;
   options.exclude_uncorrected = request.exclude_uncorrected;
   options.compare = request.compare;
+  for (const std::string& what : request.own) set_own(options, what);
   std::optional<Archive> archive;
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
   study::LogContents log = study::read_log(request.log);
@@ -43,6 +60,10 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
 
+  if (!request.own.empty() && !analysis.joint)
+    throw input_error({.field = "--own",
+                       .wanted = "a study whose [analysis] says model = \"joint\"",
+                       .found = "model = \"paper\""});
   if (archive) compare_with_archive(analysis, *archive);
   for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
   if (request.no_seam_at)

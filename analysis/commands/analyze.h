@@ -21,6 +21,8 @@ struct AnalysisRequest {
   bool exclude_inattentive = false;       ///< leave out those whom catch trials name
   bool exclude_uncorrected = false;       ///< leave out those whose vision is neither normal nor corrected
   std::vector<std::string> compare = {};  ///< fields whose groups are compared (`compare_groups`)
+  /// What each curve has of its own: "scale", "criteria", "lapse", "guess_ratings" (AnalysisOptions).
+  std::vector<std::string> own = {};
   /// A level at which no seam is to be seen, and how much counts as none (`no_seam_sentences`); both or none.
   std::optional<double> no_seam_at = {}, no_seam_margin = {};
 };

@@ -46,6 +46,11 @@ void add_analysis_commands(CLI::App& app) {
   command->add_option("--compare", request->compare,
                       "groups of people whose thresholds are compared: a question of the form, with bands "
                       "(age=30,45) or split at the median, or origin; may be given several times");
+  command
+      ->add_option("--own", request->own,
+                   "what each curve of the joint model has of its own, with commas: scale, criteria, lapse, "
+                   "guess_ratings; where the report says that curves want it")
+      ->delimiter(',');
   add_number(*command, "--no-seam-at", request->no_seam_at, {0, 1e9},
              "equivalence: whether no seam is seen at this level, by two one-sided tests");
   add_number(*command, "--margin", request->no_seam_margin, {0.001, 4},

@@ -104,7 +104,10 @@ void add_integral(const PlacedProblem& problem, const OneCurve& one, const Joint
     highest = std::max(highest, value[k]);
   }
   double all = 0;
-  for (double& one_value : value) all += one_value = std::exp(one_value - highest);
+  for (double& one_value : value) {
+    one_value = std::exp(one_value - highest);
+    all += one_value;
+  }
   // Coordinates of the curve, then log sd.
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(own_size + 1), gradient(own_size + 1);
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(own_size + 1, own_size + 1),

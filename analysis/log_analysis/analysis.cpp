@@ -128,8 +128,7 @@ int model_replicates(const ResamplingRequest& request) {
   return std::clamp(request.replicates / 10, fewest, most);
 }
 
-/// `[analysis]` of the study that the log keeps; what is usual where that cannot be read.
-AnalysisDefinition asked_of(const study::LogContents& log) {
+AnalysisDefinition asked_of_log(const study::LogContents& log) {
   try {
     return log.study_text.empty() ? AnalysisDefinition{} : read_analysis_text(log.study_text, log.file);
   } catch (const InputError&) {
@@ -137,8 +136,18 @@ AnalysisDefinition asked_of(const study::LogContents& log) {
   }
 }
 
-JointSharing sharing_of(const Analysis& analysis) {
-  const AnalysisDefinition asked = asked_of(analysis.log);
+/// `[analysis]` of the study that the log keeps, what is usual where that cannot be read, and the options.
+AnalysisDefinition asked_of(const Analysis& analysis) {
+  AnalysisDefinition asked = asked_of_log(analysis.log);
+  const AnalysisOptions& options = analysis.options;
+  asked.share_scale = asked.share_scale && !options.own_scale;
+  asked.share_criteria = asked.share_criteria && !options.own_criteria;
+  asked.share_lapse = asked.share_lapse && !options.own_lapse;
+  asked.share_guess_ratings = asked.share_guess_ratings && !options.own_guess_ratings;
+  return asked;
+}
+
+JointSharing sharing_of(const AnalysisDefinition& asked) {
   return {.scale = asked.share_scale,
           .criteria = asked.share_criteria,
           .lapse = asked.share_lapse,
@@ -152,9 +161,9 @@ void add_checks(Analysis& analysis) {
   analysis.object_influence = leave_one_object_out(analysis.log, analysis.people, analysis.data);
   const GuessTrials trials = count_guess_trials(analysis.log, analysis.data, analysis.options.references);
   analysis.guessing = correct_for_guessing(trials, analysis.data, analysis.resampling);
-  if (asked_of(analysis.log).joint)
+  if (const AnalysisDefinition asked = asked_of(analysis); asked.joint)
     analysis.joint = analyze_jointly(trials, analysis.data, analysis.guessing.guessers,
-                                     {.sharing = sharing_of(analysis),
+                                     {.sharing = sharing_of(asked),
                                       .goodness = {.replicates = model_replicates(analysis.resampling),
                                                    .seed = analysis.resampling.seed,
                                                    .threads = analysis.resampling.threads}});
@@ -215,7 +224,7 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                                  .compare = analysis.options.compare},
                     .participants_used = analysis.counts.used,
                     .excluded = {}};
-  for (const std::string& sentence : sentences_of(asked_of(analysis.log)))
+  for (const std::string& sentence : sentences_of(asked_of(analysis)))
     done.analysis.rules.push_back(sentence);
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::excluded) done.excluded.push_back(person.record.code);
@@ -230,7 +239,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.include_pilot = include_pilot;
   analysis.resampling = resampling;
   analysis.options = with_catch_trials(options, analysis.log);
-  const AnalysisDefinition asked = asked_of(analysis.log);
+  const AnalysisDefinition asked = asked_of(analysis);
   if (analysis.options.compare.empty()) analysis.options.compare = asked.compare;
   analysis.people = select_participants(analysis.log, include_pilot);
   if (options.exclude_uncorrected)
@@ -256,7 +265,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
   for (const std::string& sentence : sentences_of(asked)) analysis.notes.push_back(sentence);
   if (analysis.adaptive) {
-    if (asked.joint) analysis.joint = analyze_placed(analysis, sharing_of(analysis));
+    if (asked.joint) analysis.joint = analyze_placed(analysis, sharing_of(asked));
     analysis.notes.emplace_back(adaptive_note);
     for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
     add_notes_on_screening(analysis);

@@ -1,11 +1,11 @@
 // `analyze --no-seam-at`: two one-sided tests, computed again from the answers.
 #include "analysis/log_analysis/no_seam.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "study/log/log.h"
@@ -57,9 +57,7 @@ TEST(NoSeam, IsShownWhereNobodySeesOneAndNotWhereTheyDo) {
   for (const auto& [person, values] : scores) mean += mean_of(values) / 20;
   for (const auto& [person, values] : scores) squares += std::pow(mean_of(values) - mean, 2);
   const double reach = 1.729132811521367 * std::sqrt(squares / 19 / 20);  // t of 19, 95 %
-  char interval[64];
-  std::snprintf(interval, sizeof interval, "(90 %% interval %.2f to %.2f)", mean - reach, mean + reach);
-  EXPECT_THAT(far[0], HasSubstr(interval));
+  EXPECT_THAT(far[0], HasSubstr(fmt::format("(90 % interval {:.2f} to {:.2f})", mean - reach, mean + reach)));
 }
 
 TEST(NoSeam, RefusesLevelsThatNobodyWasShown) {

@@ -45,7 +45,8 @@ std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
     sentences.push_back(
         own.empty() ? "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own."
                     : "Curves want their own: " + own +
-                          ". Thresholds rest on the shared ones; read the paper's way beside them.");
+                          ". Thresholds rest on the shared ones, and PT can be off by half an octave where "
+                          "scales differ: analyze again with --own.");
   if (joint.fit.model.between_people) {
     sentences.push_back(fmt::format(
         "Participants' thresholds on a curve differ with a standard deviation of {:.2f} {}, estimated with the "
