@@ -1,5 +1,6 @@
 #include "analysis/log_analysis/adaptive_log.h"
 
+#include <cmath>
 #include <map>
 #include <tuple>
 

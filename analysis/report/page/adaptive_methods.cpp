@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <optional>
 #include <variant>
 
 #include "analysis/scores/level_words.h"
