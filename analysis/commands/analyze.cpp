@@ -1,5 +1,10 @@
 #include "analysis/commands/analyze.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/no_seam.h"
 #include "analysis/report/figures/figures.h"
@@ -35,6 +40,31 @@ void set_own(AnalysisOptions& options, const std::string& what) {
   *own = true;
 }
 
+/// Published thresholds beside those of the joint model. Throws InputError where they name what is not there.
+void lay_beside_published(Analysis& analysis, PublishedThresholds published, const AnalysisRequest& request) {
+  for (const PublishedThreshold& one : published.values)
+    if (!one.condition.empty() && std::find(analysis.conditions.begin(), analysis.conditions.end(),
+                                            one.condition) == analysis.conditions.end())
+      throw input_error({.file = request.published,
+                         .field = "condition",
+                         .wanted = analysis.conditions.empty()
+                                       ? "no condition: the study has one"
+                                       : fmt::format("one of {}", fmt::join(analysis.conditions, ", ")),
+                         .found = one.condition});
+  if (!analysis.joint) {
+    analysis.notes.emplace_back("Published thresholds are not compared: there is no joint model.");
+    return;
+  }
+  if (!analysis.joint->fit.estimated()) {
+    analysis.notes.push_back("Published thresholds are not compared: the joint model has no numbers.");
+    return;
+  }
+  analysis.replication = compare_with_published(*analysis.joint, {.published = std::move(published),
+                                                                  .margin = request.published_margin,
+                                                                  .replicates = 10000,
+                                                                  .seed = request.seed});
+}
+
 }  // namespace
 
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
@@ -52,6 +82,8 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   options.compare = request.compare;
   for (const std::string& what : request.own) set_own(options, what);
   std::optional<Archive> archive;
+  std::optional<PublishedThresholds> published;
+  if (!request.published.empty()) published = read_published(request.published);
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
   study::LogContents log = study::read_log(request.log);
   options.displays = study::read_displays(request.log);
@@ -64,6 +96,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
     throw input_error({.field = "--own",
                        .wanted = "a study whose [analysis] says model = \"joint\"",
                        .found = "model = \"paper\""});
+  if (published) lay_beside_published(analysis, std::move(*published), request);
   if (archive) compare_with_archive(analysis, *archive);
   for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
   if (request.no_seam_at)

@@ -20,6 +20,8 @@ struct AnalysisRequest {
   bool exclude_screened = false;          ///< leave out the participants whom a screen names
   bool exclude_inattentive = false;       ///< leave out those whom catch trials name
   bool exclude_uncorrected = false;       ///< leave out those whose vision is neither normal nor corrected
+  std::string published = {};             ///< file of published thresholds, or "paper"; empty: none
+  double published_margin = 0.5;          ///< within which thresholds agree: octaves, or the level's unit
   std::vector<std::string> compare = {};  ///< fields whose groups are compared (`compare_groups`)
   /// What each curve has of its own: "scale", "criteria", "lapse", "guess_ratings" (AnalysisOptions).
   std::vector<std::string> own = {};

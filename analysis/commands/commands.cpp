@@ -55,6 +55,14 @@ void add_analysis_commands(CLI::App& app) {
              "equivalence: whether no seam is seen at this level, by two one-sided tests");
   add_number(*command, "--margin", request->no_seam_margin, {0.001, 4},
              "noticeability, corrected for guessing, that counts as none (with --no-seam-at)");
+  CLI::Option* published = command->add_option(
+      "--published", request->published,
+      "published thresholds to compare with: a CSV file (artifact, quantity, value; condition, low, high, n, "
+      "source where known), or paper: Table 1");
+  add_number(*command, "--published-margin", request->published_margin, {0.001, 100},
+             "difference within which a threshold agrees with a published one: octaves, or the level's unit")
+      ->capture_default_str()
+      ->needs(published);
   command->add_option("--frozen", request->frozen,
                       "an archive of seamline freeze: says what deviates from it");
   command->callback([request] { run_analyze(*request); });

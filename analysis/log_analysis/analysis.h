@@ -8,6 +8,7 @@
 #include "analysis/joint/joint_analysis.h"
 #include "analysis/log_analysis/origins.h"
 #include "analysis/preregistration/deviations.h"
+#include "analysis/replication/replication.h"
 #include "analysis/scores/cells.h"
 #include "analysis/scores/opinion_score.h"
 #include "analysis/scores/participants.h"
@@ -67,6 +68,7 @@ struct Analysis {
   SosParameter sos;                               ///< of noticeability, 0 to 4
   PlantedValues planted;                   ///< empty unless every used participant is a `threshold` observer
   std::vector<std::string> notes;          ///< what a reader must know, a sentence each
+  std::optional<Replication> replication;  ///< none where no published thresholds were given
   std::optional<FrozenComparison> frozen;  ///< none where nothing was frozen (`compare_with_archive`)
 };
 

@@ -11,6 +11,7 @@
 #include "analysis/report/page/adaptive_methods.h"
 #include "analysis/report/page/thresholds_section.h"
 #include "analysis/report/text/joint_text.h"
+#include "analysis/report/text/replication_text.h"
 #include "analysis/scores/level_words.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
@@ -376,6 +377,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (numbers.comparisons && has_estimates(numbers.comparisons->fit.verdict))
       paragraphs.push_back(comparisons_text(*numbers.comparisons, numbers));
     if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
+    if (analysis.replication) paragraphs.push_back(replication_method(analysis));
     paragraphs.push_back(checks_method_text(words));
     if (numbers.order.missing.empty()) paragraphs.push_back(order_text(numbers.order));
   }

@@ -15,6 +15,7 @@
 #include "analysis/report/page/people_section.h"
 #include "analysis/report/page/preregistration_section.h"
 #include "analysis/report/page/psychometric_section.h"
+#include "analysis/report/page/replication_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
 #include "analysis/report/text/threshold_text.h"
@@ -143,7 +144,8 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
   if (!analysis.joint)
     links.erase(links.find(" <a href=\"#model\">"), std::string(" <a href=\"#model\">Model</a>").size());
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
-          differences_html(analysis) + origins_html(analysis) + joint_model_html(analysis, figures) +
+          replication_html(analysis) + differences_html(analysis) + origins_html(analysis) +
+          joint_model_html(analysis, figures) +
           noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
           psychometric_html(numbers, figures) + comparisons_html(analysis, numbers) +
           checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);

@@ -8,6 +8,7 @@
 #include "analysis/report/tables/people_tables.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/tables/psychometric_tables.h"
+#include "analysis/report/tables/replication_tables.h"
 
 namespace seamline::analysis {
 
@@ -21,6 +22,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
     tables.push_back(std::move(table));
   for (CsvTable& table : joint_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
+  for (CsvTable& table : replication_tables(analysis)) tables.push_back(std::move(table));
   if (analysis.frozen) tables.push_back(deviations_table(*analysis.frozen));
   return tables;
 }

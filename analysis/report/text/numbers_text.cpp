@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/text/joint_text.h"
+#include "analysis/report/text/replication_text.h"
 #include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
@@ -66,7 +67,7 @@ std::string times_text(const ReportNumbers& numbers) {
 std::string numbers_text(const Analysis& analysis, const ReportNumbers& numbers) {
   std::string text = choices_text(numbers);
   if (!numbers.tracks.empty()) text += "\n" + study::tracks_text(numbers.tracks);
-  return text + "\n" + comparisons_text(analysis, numbers) + "\n" + times_text(numbers);
+  return text + "\n" + replication_text(analysis) + comparisons_text(analysis, numbers) + "\n" + times_text(numbers);
 }
 
 }  // namespace seamline::analysis
