@@ -68,7 +68,7 @@ void check_study(const std::string& path, const std::string& asset_root) {
     SceneDefinition by_one_eye = scene;  // the rules are of the scene, however it is shown
     by_one_eye.view = {};
     const TruthScene truth = load_truth_scene(by_one_eye, study.width_px, study.height_px);
-    if (const std::string said = left_out_sentence(truth); !said.empty()) fmt::print("note    {}\n", said);
+    for (const std::string& said : left_out_sentences(truth)) fmt::print("note    {}\n", said);
     for (const std::string& said : truth.rests) fmt::print("note    {}\n", said);
     for (const RuleResult& result : check_scene(truth)) {
       fmt::print("{}  {:8}  {}: {}\n", result.met ? "ok    " : "BROKEN", result.scene, result.rule,

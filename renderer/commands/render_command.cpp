@@ -69,7 +69,7 @@ void print_plan(const StudyDefinition& study, const RenderRequest& request) {
     if (truths.contains(scene.truth)) {
       const TruthScene loaded = load_truth_scene(scene, study.width_px, study.height_px);
       for (const std::string& said : loaded.rests) fmt::print("{}\n", said);
-      if (const std::string said = left_out_sentence(loaded); !said.empty()) fmt::print("{}\n", said);
+      for (const std::string& said : left_out_sentences(loaded)) fmt::print("{}\n", said);
     }
   std::fflush(stdout);
 }

@@ -24,6 +24,12 @@ void read_material(const TomlTable& table, PlacedModel& model) {
       throw table.complaint("materials", "gltf or diffuse", "\"" + text + "\"");
     model.materials = text == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
   }
+  if (table.has("transparent")) {
+    const std::string text = table.text("transparent");
+    const auto transparency = transparency_of(text);
+    if (!transparency) throw table.complaint("transparent", transparency_words, "\"" + text + "\"");
+    model.transparency = *transparency;
+  }
   model.albedo = table.number("albedo", model.albedo, unit_range);
   for (const auto& [key, value] : {std::pair{"metallic", &model.metallic}, {"roughness", &model.roughness}}) {
     if (!table.has(key)) continue;
@@ -111,6 +117,8 @@ std::string objects_file_text(const std::vector<PlacedModel>& objects) {
                             : fmt::format("scale = {}\n", object.scale);
     text += fmt::format("stands = {}\nmaterials = \"{}\"\nalbedo = {}\n", object.stands,
                         word(object.materials), object.albedo);
+    if (object.transparency != Transparency::refused)
+      text += fmt::format("transparent = \"{}\"\n", word(object.transparency));
     if (object.rest) text += "rest = true\n";
     if (object.metallic) text += fmt::format("metallic = {}\n", *object.metallic);
     if (object.roughness) text += fmt::format("roughness = {}\n", *object.roughness);

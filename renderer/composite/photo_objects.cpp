@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 #include "renderer/scene/resting_object.h"
@@ -41,12 +42,16 @@ Eigen::Affine3d placement_of(const PlacedModel& model, const SceneFile& file) {
   return object_placement(object);
 }
 
-std::string left_out_of(const SceneFile& file) {
+/// Sentences about what of a file is not shown, each once.
+void add_left_out(const SceneFile& file, std::vector<std::string>& sentences) {
   std::string names;
-  for (const std::string& one : file.left_out) names += (names.empty() ? "" : ", ") + printable(one);
-  return names.empty()
-             ? ""
-             : fmt::format("{} has {}, which diffuse materials leave out", printable(file.file), names);
+  for (const std::string& one : file.left_out_of_diffuse)
+    names += (names.empty() ? "" : ", ") + printable(one);
+  if (!names.empty())
+    names = fmt::format("{} has {}, which diffuse materials leave out", printable(file.file), names);
+  for (const std::string& sentence : {left_out_sentence(file, camera_and_lights(file)), names})
+    if (!sentence.empty() && std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+      sentences.push_back(sentence);
 }
 
 }  // namespace
@@ -61,9 +66,10 @@ PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::
                            const DepthMesh* ground, KnownModels& known) {
   PhotoObjects placed;
   for (const PlacedModel& model : models) {
-    const std::pair key(model.path, model.materials);
+    const std::tuple key(model.path, model.materials, model.transparency);
     auto read = known.find(key);
-    if (read == known.end()) read = known.emplace(key, read_scene_file(model.path, model.materials)).first;
+    if (read == known.end())
+      read = known.emplace(key, read_scene_file(model.path, model.materials, model.transparency)).first;
     SceneFile file = read->second;
     if (file.meshes.empty())
       throw input_error({.file = model.file, .wanted = "an object with triangles", .found = "none"});
@@ -89,8 +95,7 @@ PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::
     placed.sizes.push_back(size);
     const auto meshes = place_meshes(file, placement, centre_m, model.albedo, photo_object_index);
     placed.meshes.insert(placed.meshes.end(), meshes.begin(), meshes.end());
-    if (const std::string sentence = left_out_of(file); !sentence.empty())
-      placed.left_out.push_back(sentence);
+    add_left_out(file, placed.left_out);
   }
   return placed;
 }

@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "renderer/scene/scene_file.h"
@@ -23,6 +23,7 @@ struct PlacedModel {
   bool stands = false;  ///< `position_m` is the middle of its lowest level, not the origin of its file
   bool rest = false;    ///< it is let down from there, and stands where it comes to rest on the depth map
   MaterialModel materials = MaterialModel::gltf;
+  Transparency transparency = Transparency::refused;    ///< of its half-transparent surfaces
   double albedo = 0.5;                                  ///< of its meshes without a material
   std::optional<double> metallic = {}, roughness = {};  ///< in place of its files' own
 };
@@ -40,7 +41,7 @@ struct PhotoObjects {
   };
   std::vector<Size> sizes;            ///< of each object
   std::vector<std::string> rests;     ///< sentences about what was let down
-  std::vector<std::string> left_out;  ///< sentences about what a diffuse model leaves out
+  std::vector<std::string> left_out;  ///< sentences about what of the files is not shown, once a file
 };
 
 /// Reads and places objects. `centre_m`: the camera's place in the world. Throws InputError naming the file
@@ -51,7 +52,7 @@ struct PhotoObjects {
                                          const Eigen::Vector3d& centre_m, const DepthMesh* ground = nullptr);
 
 /// Files that were read, for placing their objects again and again.
-using KnownModels = std::map<std::pair<std::filesystem::path, MaterialModel>, SceneFile>;
+using KnownModels = std::map<std::tuple<std::filesystem::path, MaterialModel, Transparency>, SceneFile>;
 /// The same, reading only files that are not known.
 [[nodiscard]] PhotoObjects place_objects(const std::vector<PlacedModel>& models,
                                          const Eigen::Vector3d& centre_m, const DepthMesh* ground,

@@ -11,8 +11,7 @@ namespace {
 
 /// What goes on to the camera of light that comes from a direction; BSDF times cosine.
 Rgb sent_on(const SurfacePoint& point, const Eigen::Vector3f& direction) {
-  if (sun_cosine(point, direction) <= 0.0F) return Rgb::Zero();
-  return scattered_share(scatterer(point), point.normal, point.to_viewer, direction);
+  return scattered_share_above(point, direction);
 }
 
 /// By the renderer's own light sampler, which weighs it against what surfaces find.

@@ -18,6 +18,21 @@ float power_weight(float own, float other) {
   return 1.0F / (1.0F + ratio * ratio);
 }
 
+/// What a glossy point does with light of a direction above its triangle: that of the direction itself, and
+/// of the one below which `leaving_direction` mirrors there.
+ScatteredLight scattered_above(const SurfacePoint& point, const Eigen::Vector3f& direction) {
+  const Scatterer surface = scatterer(point);
+  ScatteredLight light = scattered_light(surface, point.normal, point.to_viewer, direction);
+  const Eigen::Vector3f below =
+      direction - 2.0F * point.geometric_normal.dot(direction) * point.geometric_normal;
+  if (!(point.normal.dot(below) > 0.0F)) return light;
+  const ScatteredLight mirrored = scattered_light(surface, point.normal, point.to_viewer, below);
+  light.share += mirrored.share;
+  light.specular += mirrored.specular;
+  light.density += mirrored.density;
+  return light;
+}
+
 /// Light from a direction, sent on.
 struct SentOn {
   Rgb diffuse, specular;
@@ -26,12 +41,14 @@ struct SentOn {
 /// below the horizon.
 std::optional<SentOn> sent_on(const SurfacePoint& point, const Rgb& throughput, const Rgb& light,
                               const Eigen::Vector3f& direction) {
-  const float cosine = sun_cosine(point, direction);
-  if (cosine <= 0.0F) return std::nullopt;
-  const Scatterer surface = scatterer(point);
-  if (!is_glossy(surface))
-    return SentOn{throughput * surface.albedo * light * (inverse_pi * cosine), Rgb::Zero()};
-  const ScatteredLight scattered = scattered_light(surface, point.normal, point.to_viewer, direction);
+  if (!(point.f0 > 0.0F).any()) {
+    const float cosine = sun_cosine(point, direction);
+    if (cosine <= 0.0F) return std::nullopt;
+    return SentOn{throughput * point.albedo * light * (inverse_pi * cosine), Rgb::Zero()};
+  }
+  if (!above_horizon(point, direction)) return std::nullopt;
+  const ScatteredLight scattered = scattered_above(point, direction);
+  if (!(scattered.density > 0.0F)) return std::nullopt;
   const Rgb arriving = throughput * light;
   return SentOn{arriving * (scattered.share - scattered.specular), arriving * scattered.specular};
 }
@@ -140,12 +157,21 @@ std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& po
 
 std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point) {
   const auto next = sample_scattering(scatterer(from), from.normal, from.to_viewer, point);
-  if (!next || !above_horizon(from, next->direction)) return std::nullopt;
-  return Scattered{next->direction, next->weight, next->specular, next->specular_lobe ? from.alpha : 1.0F};
+  if (!next) return std::nullopt;
+  const Eigen::Vector3f direction = leaving_direction(from, next->direction);
+  if (!above_horizon(from, direction)) return std::nullopt;
+  return Scattered{direction, next->weight, next->specular, next->specular_lobe ? from.alpha : 1.0F};
 }
 
 float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  if ((from.f0 > 0.0F).any()) return scattered_above(from, direction).density;
   return scattering_density(scatterer(from), from.normal, from.to_viewer, direction);
+}
+
+Rgb scattered_share_above(const SurfacePoint& point, const Eigen::Vector3f& direction) {
+  if ((point.f0 > 0.0F).any())
+    return above_horizon(point, direction) ? scattered_above(point, direction).share : Rgb(Rgb::Zero());
+  return point.albedo * (inverse_pi * sun_cosine(point, direction));
 }
 
 Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction) {

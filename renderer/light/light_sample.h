@@ -34,9 +34,13 @@ inline void blur_after(float spread, SurfacePoint& met) {
 /// Per steradian, with which `scatter` chooses a direction.
 [[nodiscard]] float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction);
 
-/// The weight of the diffuse base alone for a cosine-weighted direction: its share times cosine, over the
-/// cosine's density.
+/// The weight of the diffuse base alone for a cosine-weighted direction, before `leaving_direction` moves it:
+/// its share times cosine, over the cosine's density.
 [[nodiscard]] Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction);
+
+/// BSDF times cosine for light from a direction, over all of what `scatter` sends there; zero below the
+/// surface.
+[[nodiscard]] Rgb scattered_share_above(const SurfacePoint& point, const Eigen::Vector3f& direction);
 
 /// Light that reaches a point from one direction if nothing is in the way.
 struct LightSample {

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/material/scattering.h"
 #include "renderer/material/texture.h"
@@ -26,16 +27,29 @@ struct Material {
   std::optional<Texture> metallic_roughness_texture = {};  ///< blue and green
   std::optional<Texture> normal_texture = {};  ///< tangent space: x right, y up, z out of the picture
   float normal_scale = 1.0F;                   ///< of x and y
+  /// The layer of what is no metal (KHR_materials_ior and KHR_materials_specular): f0 = min(reflectance at
+  /// normal incidence times colour, 1) times strength, and f90 is the strength.
+  float dielectric_f0 = 0.04F;
+  Rgb specular_colour = Rgb::Ones();
+  float specular = 1.0F;
+  std::optional<Texture> specular_texture = {};         ///< its alpha
+  std::optional<Texture> specular_colour_texture = {};  ///< sRGB
+  /// Of KHR_materials_pbrSpecularGlossiness, whose roughness is 1 less this times the alpha of
+  /// `specular_colour_texture`, and whose base colour is scaled by what the strongest channel of f0 leaves.
+  std::optional<float> glossiness = {};
 
   /// Whether it is the same everywhere on a surface.
-  [[nodiscard]] bool is_uniform() const {
-    return !base_colour_texture && !emission_texture && !metallic_roughness_texture && !normal_texture &&
-           !alpha_cutoff;
-  }
+  [[nodiscard]] bool is_uniform() const;
 };
 
-/// Coordinates of a point in each of a mesh's sets.
-using TextureCoordinates = std::array<Eigen::Vector2f, 2>;
+/// The textures that a material has.
+[[nodiscard]] std::vector<const Texture*> textures_of(const Material& material);
+
+/// What a material is looked up by at a point of a mesh.
+struct TextureCoordinates {
+  std::array<Eigen::Vector2f, 2> sets = {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+  Eigen::Array4f colour = Eigen::Array4f::Ones();  ///< of the vertices: red, green, blue, alpha
+};
 
 /// What a material is at one point.
 struct MaterialValues {

@@ -13,9 +13,9 @@ constexpr float below_one = 0x1.fffffep-1F;
 
 /// Of a glossy surface, what depends on the viewer alone.
 ///
-/// One reflection is D F V with Schlick's F = f0 + (1 - f0)(1 - c)^5. What it loses, 1 - E, leaves after more
-/// reflections as (1 - E(mu_o)) (1 - E(mu_i)) / (pi mean(1 - E)), of which Fresnel's losses leave
-/// F_m^2 E_m / (1 - F_m (1 - E_m)), F_m = f0 + (1 - f0) / 21 being the mean of F (Kulla and Conty, SIGGRAPH
+/// One reflection is D F V with Schlick's F = f0 + (f90 - f0)(1 - c)^5. What it loses, 1 - E, leaves after
+/// more reflections as (1 - E(mu_o)) (1 - E(mu_i)) / (pi mean(1 - E)), of which Fresnel's losses leave F_m^2
+/// E_m / (1 - F_m (1 - E_m)), F_m = f0 + (f90 - f0) / 21 being the mean of F (Kulla and Conty, SIGGRAPH
 /// course "Revisiting Physically Based Shading at Imageworks", 2017). E_s, the share that both send back, is
 /// kept from the base, on the way in and on the way out:
 /// albedo (1 - E_s(mu_o)) (1 - E_s(mu_i)) / (pi mean(1 - E_s)).
@@ -25,6 +25,7 @@ struct Seen {
   float mu_o, alpha;
   ReflectanceRow row;
   Rgb f0;
+  float f90;
   Rgb kept_after_more;                   ///< F_m^2 E_m / (1 - F_m (1 - E_m))
   float lost_o;                          ///< 1 - E(mu_o)
   Rgb more_scale;                        ///< of (1 - E(mu_i)) mu_i
@@ -36,7 +37,7 @@ struct Seen {
     return (1.0F - one_reflection(lost, schlick) - lost * kept_after_more).max(0.0F);
   }
   [[nodiscard]] Rgb one_reflection(float lost, float schlick) const {
-    return (1.0F - lost) * (f0 + (1.0F - f0) * schlick);
+    return (1.0F - lost) * (f0 + (f90 - f0) * schlick);
   }
 };
 
@@ -46,15 +47,17 @@ Seen seen_from(const Scatterer& scatterer, float mu_o) {
   seen.alpha = std::clamp(scatterer.alpha, least_alpha, 1.0F);
   seen.row = reflectance_row(reflectance_table(), seen.alpha);
   seen.f0 = scatterer.f0;
+  seen.f90 = scatterer.f90;
   const float mean_lost = seen.row.mean_lost;
-  const Rgb mean_f = seen.f0 + (1.0F - seen.f0) * (1.0F / 21.0F);
+  const Rgb mean_f = seen.f0 + (seen.f90 - seen.f0) * (1.0F / 21.0F);
   seen.kept_after_more = mean_f * mean_f * (1.0F - mean_lost) / (1.0F - mean_f * mean_lost);
   seen.lost_o = seen.row.lost(mu_o);
   const float schlick_o = seen.row.schlick(mu_o);
   const Rgb passed_o = seen.passed(seen.lost_o, schlick_o);
-  const Rgb mean_passed = (1.0F - (seen.f0 * (1.0F - mean_lost) + (1.0F - seen.f0) * seen.row.mean_schlick) -
-                           mean_lost * seen.kept_after_more)
-                              .max(1e-6F);
+  const Rgb mean_passed =
+      (1.0F - (seen.f0 * (1.0F - mean_lost) + (seen.f90 - seen.f0) * seen.row.mean_schlick) -
+       mean_lost * seen.kept_after_more)
+          .max(1e-6F);
   const Rgb more = seen.lost_o * seen.kept_after_more;
   const Rgb base = scatterer.albedo * passed_o;
   seen.more_scale = more * (inv_pi / mean_lost);
@@ -86,7 +89,7 @@ ScatteredLight scattered(const Seen& seen, const Eigen::Vector3f& normal, const 
   const float squared_sine = std::min(1.0F, (mirror - mirror.dot(normal) * normal).squaredNorm());
   const float density = mirror_density(squared_sine, seen.alpha);
   const float weight = schlick_weight(0.5F * std::sqrt(squared_length));
-  const Rgb fresnel = seen.f0 + (1.0F - seen.f0) * weight;
+  const Rgb fresnel = seen.f0 + (seen.f90 - seen.f0) * weight;
   const Rgb one = fresnel * (density * visibility(seen.mu_o, mu_i, seen.alpha) * mu_i);
   light.share += one;
   light.specular += one;

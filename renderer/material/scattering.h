@@ -15,6 +15,7 @@ struct Scatterer {
   Rgb albedo = Rgb::Zero();  ///< of the diffuse base, 0 to 1
   Rgb f0 = Rgb::Zero();      ///< reflectance of the layer at normal incidence, 0 to 1
   float alpha = 1.0F;        ///< GGX's width, the square of roughness; from `least_alpha` to 1, else clamped
+  float f90 = 1.0F;          ///< reflectance of the layer along the horizon, at least f0
 };
 
 /// Whether a surface has a specular layer.

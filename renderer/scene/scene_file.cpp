@@ -7,13 +7,12 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/scene/gltf_accessor.h"
-#include "renderer/scene/gltf_load.h"
-#include "renderer/scene/gltf_material.h"
-#include "renderer/scene/tangents.h"
+#include "renderer/scene/gltf/gltf_load.h"
+#include "renderer/scene/gltf/gltf_mesh.h"
 #include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
+#include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace {
@@ -24,8 +23,12 @@ constexpr std::size_t most_lamps = 10'000;
 /// Reads one file's nodes into a SceneFile, in node order.
 class NodeWalker {
  public:
-  NodeWalker(const tinygltf::Model& model, const std::string& file, MaterialModel materials)
-      : model_(model), file_(file), reader_(model, file), materials_(model, file, materials) {}
+  NodeWalker(const tinygltf::Model& model, const std::string& file, MaterialModel materials,
+             Transparency transparency, LeftOut& left_out)
+      : model_(model),
+        file_(file),
+        left_out_(left_out),
+        meshes_(model, file, materials, transparency, left_out) {}
 
   SceneFile walk() {
     if (model_.scenes.empty()) {
@@ -38,7 +41,12 @@ class NodeWalker {
       for (const int node : model_.scenes[scene].nodes) visit(node, Eigen::Affine3d::Identity(), 0);
     }
     out_.file = file_;
-    out_.left_out.assign(materials_.left_out().begin(), materials_.left_out().end());
+    if (further_cameras_ > 0)
+      left_out_.insert(further_cameras_ == 1 ? "1 further camera"
+                                             : fmt::format("{} further cameras", further_cameras_));
+    out_.left_out_of_diffuse.assign(meshes_.left_out_of_diffuse().begin(),
+                                    meshes_.left_out_of_diffuse().end());
+    out_.left_out.assign(left_out_.begin(), left_out_.end());
     return std::move(out_);
   }
 
@@ -57,19 +65,12 @@ class NodeWalker {
     return is_child;
   }
 
-  static Eigen::Affine3d local_transform(const tinygltf::Node& node) {
-    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-    if (node.matrix.size() == 16) {
-      transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-      return transform;
-    }
-    if (node.translation.size() == 3) transform.translate(Eigen::Vector3d(node.translation.data()));
-    if (node.rotation.size() == 4)
-      transform.rotate(
-          Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])
-              .normalized());
-    if (node.scale.size() == 3) transform.scale(Eigen::Vector3d(node.scale.data()));
-    return transform;
+  /// KHR_node_visibility: such a node and all below it are not there.
+  static bool is_hidden(const tinygltf::Node& node) {
+    const auto extension = node.extensions.find("KHR_node_visibility");
+    if (extension == node.extensions.end() || !extension->second.Has("visible")) return false;
+    const tinygltf::Value& visible = extension->second.Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
   }
 
   void visit(int index, const Eigen::Affine3d& parent, int depth) {
@@ -80,143 +81,13 @@ class NodeWalker {
       throw bad(field, "a tree of nodes",
                 depth > limits::deepest_node_tree ? "one too deep" : "a cycle, or a node with two parents");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
-    const Eigen::Affine3d world = parent * local_transform(node);
+    if (is_hidden(node)) return;
+    const Eigen::Affine3d world = parent * GltfPose::local(node);
     if (!world.matrix().allFinite()) throw bad(field, "a finite transform", "one that is not");
-    if (node.mesh >= 0) add_mesh(node, world, field);
+    if (node.mesh >= 0) meshes_.add(node, world, field, out_.meshes);
     if (node.camera >= 0) add_camera(node, world, field);
     add_light(node, world, field);
     for (const int child : node.children) visit(child, world, depth + 1);
-  }
-
-  void add_mesh(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
-    if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
-      throw bad(field, "a mesh that exists", std::to_string(node.mesh));
-    const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
-    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-      const std::string where = fmt::format("meshes[{}].primitives[{}]", node.mesh, p);
-      take(placed_meshes_, 1, limits::largest_scene_meshes, "placed meshes", where);
-      FileMesh piece = read_primitive(mesh.primitives[p], world, where);
-      piece.name = !node.name.empty() ? node.name : (!mesh.name.empty() ? mesh.name : where);
-      if (!piece.triangles.empty()) out_.meshes.push_back(std::move(piece));
-    }
-  }
-
-  /// Counts before the memory is taken: one mesh may be placed by many nodes.
-  void take(std::int64_t& total, std::int64_t more, std::int64_t most, const char* what,
-            const std::string& where) const {
-    if (more <= most && (total += more) <= most) return;
-    throw bad(where, fmt::format("at most {} {} in a file", most, what), "more");
-  }
-
-  FileMesh read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
-                          const std::string& where) {
-    FileMesh piece;
-    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
-        mode != TINYGLTF_MODE_TRIANGLE_FAN)
-      return piece;
-    const auto position = primitive.attributes.find("POSITION");
-    if (position == primitive.attributes.end()) throw bad(where, "an attribute POSITION", "none");
-    take(placed_vertices_, reader_.count(position->second), limits::largest_scene_vertices, "placed vertices",
-         where + ".POSITION");
-    piece.positions_m = reader_.vectors(position->second, where + ".POSITION");
-    for (Eigen::Vector3d& vertex : piece.positions_m) vertex = world * vertex;
-    if (const auto normal = primitive.attributes.find("NORMAL"); normal != primitive.attributes.end())
-      read_normals(normal->second, world, where, piece);
-    std::vector<std::uint32_t> indices;
-    const std::int64_t corners = primitive.indices >= 0 ? reader_.count(primitive.indices)
-                                                        : static_cast<std::int64_t>(piece.positions_m.size());
-    take(placed_triangles_, mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners,
-         limits::largest_scene_triangles, "placed triangles", where);
-    if (primitive.indices >= 0) {
-      indices = reader_.indices(primitive.indices, where + ".indices");
-    } else {
-      for (std::size_t i = 0; i < piece.positions_m.size(); ++i)
-        indices.push_back(static_cast<std::uint32_t>(i));
-    }
-    for (const std::uint32_t index : indices)
-      if (index >= piece.positions_m.size())
-        throw bad(where + ".indices", fmt::format("indices under {}", piece.positions_m.size()),
-                  std::to_string(index));
-    piece.triangles = triangles_of(indices, mode);
-    if (primitive.material >= 0) read_material(primitive, world, where, piece);
-    return piece;
-  }
-
-  void read_normals(int accessor, const Eigen::Affine3d& world, const std::string& where, FileMesh& piece) {
-    if (reader_.count(accessor) != static_cast<std::int64_t>(piece.positions_m.size()))
-      throw bad(where + ".NORMAL", "as many normals as positions", std::to_string(reader_.count(accessor)));
-    const std::vector<Eigen::Vector3d> normals = reader_.vectors(accessor, where + ".NORMAL");
-    const Eigen::Matrix3d linear = world.linear();
-    const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
-                                      linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
-                                         .finished();
-    piece.normals.reserve(normals.size());
-    for (const Eigen::Vector3d& normal : normals)
-      piece.normals.push_back((cofactor * normal).normalized().cast<float>());
-  }
-
-  static std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& indices, int mode) {
-    std::vector<Triangle> triangles;
-    if (mode == TINYGLTF_MODE_TRIANGLES) {
-      for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-        triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
-      return triangles;
-    }
-    for (std::size_t i = 2; i < indices.size(); ++i) {
-      const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
-      const std::uint32_t first = strip ? indices[i - 2] : indices[0];
-      const bool flipped = strip && i % 2 == 1;
-      triangles.push_back(flipped ? Triangle{indices[i - 1], first, indices[i]}
-                                  : Triangle{first, indices[i - 1], indices[i]});
-    }
-    return triangles;
-  }
-
-  void read_material(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
-                     const std::string& where, FileMesh& piece) {
-    piece.material = materials_.read(primitive.material, where);
-    const Material& material = *piece.material;
-    piece.albedo = material.base_colour;
-    piece.emission = material.emission;
-    for (const auto* texture : {&material.base_colour_texture, &material.emission_texture,
-                                &material.metallic_roughness_texture, &material.normal_texture})
-      if (*texture) read_texture_coordinates(primitive, (*texture)->uv_set, where, piece);
-    if (material.normal_texture) read_tangents(primitive, world, where, piece);
-  }
-
-  void read_texture_coordinates(const tinygltf::Primitive& primitive, int set, const std::string& where,
-                                FileMesh& piece) const {
-    const std::string name = fmt::format("TEXCOORD_{}", set);
-    const auto attribute = primitive.attributes.find(name);
-    if (attribute == primitive.attributes.end())
-      throw bad(where, fmt::format("{} for the textures of its material", name), "none");
-    std::vector<Eigen::Vector2f>& uvs = piece.uvs[static_cast<std::size_t>(set)];
-    if (!uvs.empty()) return;
-    check_count(attribute->second, where + "." + name, piece);
-    uvs = reader_.texture_coordinates(attribute->second, where + "." + name);
-  }
-
-  void read_tangents(const tinygltf::Primitive& primitive, const Eigen::Affine3d& world,
-                     const std::string& where, FileMesh& piece) const {
-    if (const auto tangent = primitive.attributes.find("TANGENT"); tangent != primitive.attributes.end()) {
-      check_count(tangent->second, where + ".TANGENT", piece);
-      piece.tangents = reader_.tangents(tangent->second, where + ".TANGENT");
-      for (Eigen::Vector4f& one : piece.tangents)
-        one.head<3>() = (world.linear() * one.head<3>().cast<double>()).normalized().cast<float>();
-      return;
-    }
-    const Texture& texture = *piece.material->normal_texture;
-    std::vector<Eigen::Vector2f> uvs;
-    uvs.reserve(piece.positions_m.size());
-    for (const Eigen::Vector2f& uv : piece.uvs[static_cast<std::size_t>(texture.uv_set)])
-      uvs.emplace_back(texture.transform * Eigen::Vector3f(uv.x(), uv.y(), 1.0F));
-    piece.tangents = make_tangents(piece.positions_m, piece.normals, piece.triangles, uvs);
-  }
-
-  void check_count(int accessor, const std::string& field, const FileMesh& piece) const {
-    if (reader_.count(accessor) != static_cast<std::int64_t>(piece.positions_m.size()))
-      throw bad(field, "as many as positions", std::to_string(reader_.count(accessor)));
   }
 
   /// Both are the file's, and so may be anything; so may their product.
@@ -237,12 +108,21 @@ class NodeWalker {
   }
 
   void add_camera(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
-    if (out_.camera) return;
     if (static_cast<std::size_t>(node.camera) >= model_.cameras.size())
       throw bad(field, "a camera that exists", std::to_string(node.camera));
     const tinygltf::Camera& camera = model_.cameras[static_cast<std::size_t>(node.camera)];
-    if (camera.type != "perspective" || !(camera.perspective.yfov > 0 && camera.perspective.yfov < 3.14))
-      throw bad(field + ".camera", "a perspective camera with yfov between 0 and pi", camera.type);
+    if (camera.type != "perspective") {
+      left_out_.insert(fmt::format("a camera that is {}", printable(camera.type)));
+      return;
+    }
+    if (!(camera.perspective.yfov > 0 && camera.perspective.yfov < 3.14)) {
+      left_out_.insert("a camera without a yfov between 0 and pi");
+      return;
+    }
+    if (out_.camera) {
+      ++further_cameras_;
+      return;
+    }
     FileCamera view;
     view.position_m = world.translation();
     view.axes.col(2) = direction(world.linear().col(2), field);
@@ -275,6 +155,7 @@ class NodeWalker {
 
   void add_lamp(const tinygltf::Light& light, const Rgb& colour, const Eigen::Affine3d& world,
                 const std::string& where, const std::string& field) {
+    if (light.range > 0) left_out_.insert("the range of lights (they fall off with the square of distance)");
     FileLamp lamp{.position_m = world.translation(),
                   .intensity_w_sr = colour * static_cast<float>(light.intensity / lux_per_w_m2)};
     if (light.type == "spot") {
@@ -295,19 +176,35 @@ class NodeWalker {
 
   const tinygltf::Model& model_;
   std::string file_;
-  GltfReader reader_;
-  GltfMaterials materials_;
+  LeftOut& left_out_;
+  GltfMeshes meshes_;
   SceneFile out_;
   std::set<int> visited_;
-  int suns_ = 0;
-  std::int64_t placed_meshes_ = 0, placed_vertices_ = 0, placed_triangles_ = 0;
+  int suns_ = 0, further_cameras_ = 0;
 };
 
 }  // namespace
 
-SceneFile read_scene_file(const std::filesystem::path& path, MaterialModel materials) {
-  const tinygltf::Model model = load_gltf(path);
-  return NodeWalker(model, path.string(), materials).walk();
+SceneFile read_scene_file(const std::filesystem::path& path, MaterialModel materials,
+                          Transparency transparency) {
+  LeftOut left_out;
+  const tinygltf::Model model = load_gltf(path, left_out);
+  return NodeWalker(model, path.string(), materials, transparency, left_out).walk();
+}
+
+std::string left_out_sentence(const SceneFile& file, const std::vector<std::string>& also) {
+  std::string names;
+  for (const auto* list : {&file.left_out, &also})
+    for (const std::string& one : *list) names += (names.empty() ? "" : "; ") + one;
+  return names.empty() ? "" : fmt::format("{}: left out: {}", printable(file.file), names);
+}
+
+std::vector<std::string> camera_and_lights(const SceneFile& file) {
+  std::vector<std::string> unused;
+  if (file.camera) unused.emplace_back("its camera");
+  if (const std::size_t lights = file.suns.size() + file.lamps.size(); lights > 0)
+    unused.push_back(lights == 1 ? "its light" : fmt::format("its {} lights", lights));
+  return unused;
 }
 
 }  // namespace seamline::renderer

@@ -1,34 +1,16 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "renderer/material/material.h"
-#include "renderer/tracing/mesh.h"
+#include "renderer/scene/gltf/file_mesh.h"
+#include "renderer/scene/gltf/transparency.h"
 #include "stimuli/definition/surface/material_model.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {
-
-/// One mesh primitive of a scene file in world space.
-struct FileMesh {
-  std::string name;  ///< of the node that places it
-  std::vector<Eigen::Vector3d> positions_m;
-  std::vector<Eigen::Vector3f> normals;  ///< unit shading normals, or empty
-  std::vector<Triangle> triangles;
-  std::optional<Rgb> albedo;                      ///< base colour factor; none when the mesh has no material
-  Rgb emission = Rgb::Zero();                     ///< radiance
-  std::shared_ptr<const Material> material = {};  ///< none when the mesh has none
-  /// Of each vertex, TEXCOORD_0 and TEXCOORD_1; empty where no texture of the material asks for them.
-  std::array<std::vector<Eigen::Vector2f>, 2> uvs = {};
-  /// Of each vertex (`make_tangents`); empty without a normal texture.
-  std::vector<Eigen::Vector4f> tangents = {};
-};
 
 /// A perspective camera: axes are columns right, up, back in world space.
 struct FileCamera {
@@ -56,19 +38,29 @@ struct FileLamp {
 /// What a glTF 2.0 file holds, as far as a model of materials needs it.
 struct SceneFile {
   std::vector<FileMesh> meshes;
-  std::optional<FileCamera> camera;  ///< the first in node order
+  std::optional<FileCamera> camera;  ///< the first with a perspective, in node order
   std::vector<FileSun> suns;
   std::vector<FileLamp> lamps;
   std::string file = {};  ///< its path, for complaints
-  /// What its materials have and the diffuse model leaves out: metals, gloss, normal maps, extensions.
+  /// What its materials have and the diffuse model leaves out: metals, gloss, normal maps.
+  std::vector<std::string> left_out_of_diffuse = {};
+  /// What no model shows, in plain words: animations, points and lines, clear coats and so on.
   std::vector<std::string> left_out = {};
 };
 
-/// Reads .gltf or .glb. Throws InputError naming the file and what in it is wrong: a truncated file, an
-/// accessor that points outside its buffer, an index past the vertices, a required extension that is not
-/// known, a cycle of nodes, a material that cannot be rendered (`GltfMaterials`), a texture without
-/// coordinates.
+/// Reads .gltf or .glb; nodes stand, skins and morph weights are as the file has them at rest. Throws
+/// InputError naming the file and what in it is wrong: a truncated file, an accessor that points outside its
+/// buffer, an index past the vertices, a required extension that is not known, a cycle of nodes, a material
+/// that cannot be rendered (`GltfMaterials`).
 [[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path,
-                                        MaterialModel materials = MaterialModel::diffuse);
+                                        MaterialModel materials = MaterialModel::diffuse,
+                                        Transparency transparency = Transparency::refused);
+
+/// One line about what of the file no picture shows: "FILE: left out: ...". `also`: what of the file the
+/// caller does not use. Empty: nothing is left out.
+[[nodiscard]] std::string left_out_sentence(const SceneFile& file, const std::vector<std::string>& also = {});
+
+/// The camera and lights of a file of which only the surfaces are used.
+[[nodiscard]] std::vector<std::string> camera_and_lights(const SceneFile& file);
 
 }  // namespace seamline::renderer

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "renderer/scene/eyes.h"
 #include "renderer/scene/resting_object.h"
@@ -19,8 +20,10 @@ void set_material(const FileMesh& from, const Eigen::Matrix3f& rotation, Surface
   mesh.albedo = values.scatterer.albedo;
   mesh.f0 = values.scatterer.f0;
   mesh.alpha = values.scatterer.alpha;
-  if (from.material->is_uniform()) return;
+  mesh.f90 = values.scatterer.f90;
+  if (from.material->is_uniform() && from.colours.empty()) return;
   mesh.material = from.material;
+  mesh.colours = from.colours;
   mesh.uvs = from.uvs;
   mesh.tangents.reserve(from.tangents.size());
   for (const Eigen::Vector4f& tangent : from.tangents) {
@@ -164,13 +167,16 @@ std::vector<Lamp> scene_lamps(const SceneDefinition& definition, const SceneFile
 
 }  // namespace
 
-std::string left_out_sentence(const TruthScene& scene) {
-  if (scene.left_out.empty()) return {};
+std::vector<std::string> left_out_sentences(const TruthScene& scene) {
+  std::vector<std::string> sentences(scene.left_out.begin(), scene.left_out.end());
+  if (scene.left_out_of_diffuse.empty()) return sentences;
   std::string names;
-  for (const std::string& one : scene.left_out) names += (names.empty() ? "" : ", ") + printable(one);
-  return fmt::format(
-      "{}: its files have {}, which materials = \"{}\" leaves out; \"gltf\" is the other model",
-      scene.definition.name, names, word(scene.definition.materials));
+  for (const std::string& one : scene.left_out_of_diffuse)
+    names += (names.empty() ? "" : ", ") + printable(one);
+  sentences.push_back(
+      fmt::format("{}: its files have {}, which materials = \"{}\" leaves out; \"gltf\" is the other model",
+                  scene.definition.name, names, word(scene.definition.materials)));
+  return sentences;
 }
 
 Light scene_light(const SceneDefinition& definition, const SceneFile& file, const Eigen::Vector3d& centre_m) {
@@ -238,6 +244,27 @@ Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFi
   return at_rest.placement;
 }
 
+namespace {
+
+void note_left_out(const SceneFile& file, const std::vector<std::string>& unused, TruthScene& scene) {
+  scene.left_out_of_diffuse.insert(file.left_out_of_diffuse.begin(), file.left_out_of_diffuse.end());
+  if (std::string sentence = left_out_sentence(file, unused); !sentence.empty())
+    scene.left_out.insert(std::move(sentence));
+}
+
+/// What of the scene's own file the study's camera, suns and lamps stand for.
+std::vector<std::string> unused_of_scene(const SceneDefinition& definition, const SceneFile& file) {
+  std::vector<std::string> unused;
+  if (definition.camera && file.camera) unused.emplace_back("its camera (the study has one)");
+  if ((definition.suns || definition.sun || definition.ambient_occlusion) && !file.suns.empty())
+    unused.emplace_back("its suns (the study's stand for them)");
+  if ((definition.lamps || definition.ambient_occlusion) && !file.lamps.empty())
+    unused.emplace_back("its lamps (the study's stand for them)");
+  return unused;
+}
+
+}  // namespace
+
 TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
   TruthScene scene;
   scene.definition = definition;
@@ -248,7 +275,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.camera = view_camera(
       scene_camera(definition, background, width_px, height_px, scene.camera_position_m), definition.view);
   scene.light = scene_light(definition, background, scene.camera_position_m);
-  scene.left_out.insert(background.left_out.begin(), background.left_out.end());
+  note_left_out(background, unused_of_scene(definition, background), scene);
   scene.background =
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
@@ -258,7 +285,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
     if (file.meshes.empty())
       throw input_error(
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
-    scene.left_out.insert(file.left_out.begin(), file.left_out.end());
+    note_left_out(file, camera_and_lights(file), scene);
     for (FileMesh& mesh : file.meshes) set_layer(definition, mesh);
     scene.objects[i] = place_meshes(file, standing_placement(object, file, scene, scene.rests),
                                     scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);

@@ -25,8 +25,9 @@ struct TruthScene {
   Light light;
   std::vector<std::shared_ptr<const SurfaceMesh>> background;
   std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
-  std::vector<std::string> rests;  ///< a sentence about each object that was let down
-  std::set<std::string> left_out;  ///< of the files' materials, by the diffuse model (`SceneFile`)
+  std::vector<std::string> rests;             ///< a sentence about each object that was let down
+  std::set<std::string> left_out_of_diffuse;  ///< of the files' materials (`SceneFile`)
+  std::set<std::string> left_out;             ///< a sentence about each file that has what no picture shows
 
   /// Background and the objects listed (1 to 3): one Embree scene.
   [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
@@ -39,9 +40,8 @@ struct TruthScene {
 /// wrong, there is no camera, or a light cannot be rendered.
 [[nodiscard]] TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px);
 
-/// One line about what the files' materials have and the scene's model of materials does not use; empty:
-/// nothing.
-[[nodiscard]] std::string left_out_sentence(const TruthScene& scene);
+/// Sentences about what the scene's files have and its pictures do not show.
+[[nodiscard]] std::vector<std::string> left_out_sentences(const TruthScene& scene);
 
 /// The scene's light from outside and from lamps: the study's suns and lamps, else the file's; ambient
 /// occlusion has neither, and no bounce. `centre_m` becomes the origin.

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "renderer/scene/gltf_load.h"
+#include "renderer/scene/gltf/gltf_load.h"
 #include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"

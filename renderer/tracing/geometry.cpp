@@ -169,7 +169,7 @@ std::int64_t Geometry::own_memory_bytes() const {
     bytes += mesh->positions_m.size() * sizeof(Eigen::Vector3f) +
              mesh->normals.size() * sizeof(Eigen::Vector3f) + mesh->triangles.size() * sizeof(Triangle) +
              (mesh->uvs[0].size() + mesh->uvs[1].size()) * sizeof(Eigen::Vector2f) +
-             mesh->tangents.size() * sizeof(Eigen::Vector4f);
+             mesh->tangents.size() * sizeof(Eigen::Vector4f) + mesh->colours.size() * sizeof(Eigen::Array4f);
   if (directions_)
     bytes += directions_->triangle_of_cell.size() * sizeof(std::uint32_t) +
              directions_->triangles.size() * sizeof(CentreTriangle);

@@ -29,11 +29,13 @@ struct SurfaceMesh {
   Rgb emission = Rgb::Zero();        ///< radiance, both sides; likewise
   Rgb f0 = Rgb::Zero();              ///< of the specular layer (`Scatterer`); likewise
   float alpha = 1.0F;                ///< of the specular layer, where there is no material
+  float f90 = 1.0F;                  ///< likewise
   std::shared_ptr<const Material> material;  ///< only where it differs from point to point
   /// Texture coordinates of each vertex, of the sets that the material asks for, and where its normal
   /// texture's right lies (`make_tangents`); else empty.
   std::array<std::vector<Eigen::Vector2f>, 2> uvs;
   std::vector<Eigen::Vector4f> tangents;
+  std::vector<Eigen::Array4f> colours;  ///< of each vertex, times the base colour and alpha; empty: white
   /// Of the local scene's mesh, where it is painted: in place of `albedo`.
   std::shared_ptr<const AlbedoMap> albedo_by_direction;
 };

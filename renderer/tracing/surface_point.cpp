@@ -65,6 +65,7 @@ void set_textured(const SurfaceMesh& mesh, const SurfaceHit& hit, SurfacePoint& 
   point.albedo = values.scatterer.albedo;
   point.f0 = values.scatterer.f0;
   point.alpha = values.scatterer.alpha;
+  point.f90 = values.scatterer.f90;
   point.emission = values.emission;
   if (!mesh.tangents.empty()) point.normal = textured_normal(mesh, hit, uv, point.geometric_normal);
 }
@@ -86,6 +87,7 @@ void turn_towards(const Eigen::Vector3f& to_viewer, SurfacePoint& point) {
   }
   point.f0 = mesh.f0;
   point.alpha = mesh.alpha;
+  point.f90 = mesh.f90;
   if (mesh.material) set_textured(mesh, hit, point);
   if (!(point.f0 > 0.0F).any()) return;
   point.to_viewer = -ray.direction;
@@ -104,9 +106,11 @@ SurfaceTable surface_table(const SurfaceMesh& mesh) {
 }
 
 TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u, float v) {
-  TextureCoordinates uv{Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
-  for (std::size_t set = 0; set < uv.size(); ++set)
-    if (!mesh.uvs[set].empty()) uv[set] = between_vertices(mesh.uvs[set], mesh.triangles[triangle], u, v);
+  TextureCoordinates uv;
+  for (std::size_t set = 0; set < uv.sets.size(); ++set)
+    if (!mesh.uvs[set].empty())
+      uv.sets[set] = between_vertices(mesh.uvs[set], mesh.triangles[triangle], u, v);
+  if (!mesh.colours.empty()) uv.colour = between_vertices(mesh.colours, mesh.triangles[triangle], u, v);
   return uv;
 }
 

@@ -31,6 +31,7 @@ struct SurfacePoint {
   Rgb emission = Rgb::Zero();
   Rgb f0 = Rgb::Zero();       ///< of the specular layer; 0: there is none
   float alpha = 1.0F;         ///< of the specular layer
+  float f90 = 1.0F;           ///< of the specular layer, along the horizon
   Eigen::Vector3f to_viewer;  ///< unit, back along the ray; of glossy points only
   int object_index = 0;
   std::uint32_t mesh = 0;
@@ -38,7 +39,7 @@ struct SurfacePoint {
 
 /// What the surface does with light at a point.
 [[nodiscard]] inline Scatterer scatterer(const SurfacePoint& point) {
-  return {point.albedo, point.f0, point.alpha};
+  return {point.albedo, point.f0, point.alpha, point.f90};
 }
 
 /// Where a ray starts that leaves a surface: off the surface by 1e-5 of the distance from the camera
@@ -48,6 +49,15 @@ struct SurfacePoint {
 /// Whether a direction leaves the surface on the side it is seen from.
 [[nodiscard]] inline bool above_horizon(const SurfacePoint& point, const Eigen::Vector3f& direction) {
   return point.geometric_normal.dot(direction) > 0.0F;
+}
+
+/// A direction that scattering on a glossy surface chose, as light leaves in it: one that goes below the
+/// surface, as smooth normals make it near edges, is mirrored in the triangle, so that its light is not lost.
+[[nodiscard]] inline Eigen::Vector3f leaving_direction(const SurfacePoint& point,
+                                                       const Eigen::Vector3f& direction) {
+  const float height = point.geometric_normal.dot(direction);
+  if (height > 0.0F || !(point.f0 > 0.0F).any()) return direction;
+  return direction - 2.0F * height * point.geometric_normal;
 }
 
 /// The ray that leaves a surface point, off the surface (see `ray_start`).
@@ -79,7 +89,7 @@ struct SurfaceHit {
   std::uint32_t triangle, mesh;
 };
 
-/// Texture coordinates inside a triangle of a mesh, at barycentric (u, v).
+/// Texture coordinates and vertex colours inside a triangle of a mesh, at barycentric (u, v).
 [[nodiscard]] TextureCoordinates texture_coordinates(const SurfaceMesh& mesh, std::uint32_t triangle, float u,
                                                      float v);
 

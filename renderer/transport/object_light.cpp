@@ -51,10 +51,11 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
                {i, next->diffuse() * sky_found(light, point, next->direction) / share +
                        next->weight * suns_found(light, point, next->direction)});
     for (int number = 1; number < light.sky_rays; ++number) {
-      const Eigen::Vector3f direction = turned_direction(point.normal, sky_point, number, light.sky_rays);
+      const Eigen::Vector3f chosen = turned_direction(point.normal, sky_point, number, light.sky_rays);
+      const Eigen::Vector3f direction = leaving_direction(point, chosen);
       if (above_horizon(point, direction))
         rays.add(point, points[i].lit_past, direction, light.sky_distance_m,
-                 {i, diffuse_weight(point, direction) * light.sky(direction) / share});
+                 {i, diffuse_weight(point, chosen) * light.sky(direction) / share});
     }
   }
   trace(object, real, Coherence::scattered, rays, counts, direct);

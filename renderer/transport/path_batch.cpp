@@ -97,12 +97,13 @@ void PathBatch::add_sky_of_first() {
       }
     }
     for (int number = 1; number < rays; ++number) {
-      const Eigen::Vector3f direction = turned_direction(vertex.point.normal, points_[i], number, rays);
+      const Eigen::Vector3f chosen = turned_direction(vertex.point.normal, points_[i], number, rays);
+      const Eigen::Vector3f direction = leaving_direction(vertex.point, chosen);
       if (above_horizon(vertex.point, direction))
         ask(vertex, leaving_ray(vertex.point, direction, light_->sky_distance_m),
             {.direct = !joins_bounce,
-             .radiance = vertex.throughput * diffuse_weight(vertex.point, direction) *
-                         light_->sky(direction) / share});
+             .radiance =
+                 vertex.throughput * diffuse_weight(vertex.point, chosen) * light_->sky(direction) / share});
     }
   }
   add_what_arrives(Coherence::scattered);

@@ -52,6 +52,7 @@ SurfacePoint of_truths_material(const UncoveredPoint& point) {
   receiver.albedo = point.shaded_as->albedo;
   receiver.f0 = point.shaded_as->f0;
   receiver.alpha = point.shaded_as->alpha;
+  receiver.f90 = point.shaded_as->f90;
   receiver.to_viewer = point.shaded_as->to_viewer;
   return receiver;
 }

@@ -368,10 +368,11 @@ Split leaving_object(const ObjectQuestions& ask, const Geometry& object, const S
                      [&](const LightSample& sample) { out.mirrored += sample.mirrored; });
   const auto sky_rays = static_cast<float>(light.sky_rays);
   for (int more = 1; more < light.sky_rays; ++more) {
-    const Eigen::Vector3f direction =
+    const Eigen::Vector3f chosen =
         turned_direction(point.normal, sampler.point(dimension::direction(0)), more, light.sky_rays);
+    const Eigen::Vector3f direction = leaving_direction(point, chosen);
     if (from.sees_sky(ask.lit_past, direction))
-      out.direct += diffuse_weight(point, direction) * light.sky(direction) / sky_rays;
+      out.direct += diffuse_weight(point, chosen) * light.sky(direction) / sky_rays;
   }
   const auto next = scatter(point, sampler.point(dimension::direction(0)));
   if (!next) return out;

@@ -151,6 +151,47 @@ TEST(Material, IsMetalAndBaseByItsShare) {
   EXPECT_FALSE(is_glossy(material_at(material, {}).scatterer));
 }
 
+/// KHR_materials_ior and KHR_materials_specular: f0 and f90 by the formulas of their specifications.
+TEST(Material, ALayerOfItsOwnStrengthAndColour) {
+  Material material{.base_colour = Rgb(0.8F, 0.4F, 0.2F), .has_layer = true, .metallic = 0.0F};
+  material.dielectric_f0 = 0.25F;  // a refractive index of 3
+  material.specular_colour = Rgb(1, 2, 8);
+  material.specular = 0.5F;
+  const Scatterer half = material_at(material, {}).scatterer;
+  EXPECT_TRUE(half.f0.isApprox(Rgb(0.125F, 0.25F, 0.5F)));
+  EXPECT_FLOAT_EQ(half.f90, 0.5F);
+  EXPECT_TRUE(half.albedo.isApprox(material.base_colour));
+  material.metallic = 1.0F;
+  EXPECT_TRUE(material_at(material, {}).scatterer.f0.isApprox(material.base_colour));
+  EXPECT_FLOAT_EQ(material_at(material, {}).scatterer.f90, 1.0F);
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  EXPECT_FALSE(is_glossy(material_at(material, {}).scatterer));
+}
+
+/// KHR_materials_pbrSpecularGlossiness: diffuse (1 - max(specular)), f0 = specular, roughness = 1 -
+/// glossiness.
+TEST(Material, TheOtherModelOfGloss) {
+  const Material material{.base_colour = Rgb(0.8F, 0.4F, 0.2F),
+                          .has_layer = true,
+                          .metallic = 0.0F,
+                          .dielectric_f0 = 1.0F,
+                          .specular_colour = Rgb(0.5F, 0.25F, 0.1F),
+                          .glossiness = 0.4F};
+  const Scatterer surface = material_at(material, {}).scatterer;
+  EXPECT_TRUE(surface.f0.isApprox(Rgb(0.5F, 0.25F, 0.1F)));
+  EXPECT_TRUE(surface.albedo.isApprox(0.5F * material.base_colour));
+  EXPECT_FLOAT_EQ(surface.alpha, 0.36F);
+}
+
+TEST(Material, VertexColoursMultiplyTheBaseColourAndItsAlpha) {
+  Material material{.base_colour = Rgb(0.8F, 0.4F, 0.2F), .alpha_cutoff = 0.5F};
+  const TextureCoordinates dim{.colour = {0.5F, 1, 1, 0.4F}};
+  EXPECT_TRUE(material_at(material, dim).scatterer.albedo.isApprox(Rgb(0.4F, 0.4F, 0.2F)));
+  EXPECT_TRUE(cut_away(material, dim));
+  EXPECT_FALSE(cut_away(material, {}));
+}
+
 TEST(Material, ABlackMetalStillHasALayer) {
   const Material material{.base_colour = Rgb::Zero(), .has_layer = true};
   EXPECT_TRUE(is_glossy(material_at(material, {}).scatterer));
@@ -161,7 +202,7 @@ TEST(Material, ItsTexturesMultiplyItsNumbers) {
   material.base_colour_texture = four_texels();
   material.emission_texture = four_texels();
   material.metallic_roughness_texture = four_texels();
-  const TextureCoordinates red{Eigen::Vector2f(0.75F, 0.25F), Eigen::Vector2f::Zero()};
+  const TextureCoordinates red{.sets = {Eigen::Vector2f(0.75F, 0.25F), Eigen::Vector2f::Zero()}};
   const MaterialValues values = material_at(material, red);
   EXPECT_TRUE(values.emission.isApprox(Rgb(2, 0, 0)));
   EXPECT_TRUE(values.scatterer.albedo.isApprox(Rgb(0.5F, 0, 0)));  // blue of the texture: no metal
@@ -170,7 +211,7 @@ TEST(Material, ItsTexturesMultiplyItsNumbers) {
 
 TEST(Material, HolesAreWhereAlphaIsBelowTheCutoff) {
   Material material{.base_colour_texture = four_texels()};
-  const TextureCoordinates red{Eigen::Vector2f(0.75F, 0.25F), Eigen::Vector2f::Zero()};
+  const TextureCoordinates red{.sets = {Eigen::Vector2f(0.75F, 0.25F), Eigen::Vector2f::Zero()}};
   EXPECT_FALSE(cut_away(material, red));
   material.alpha_cutoff = 0.3F;
   EXPECT_TRUE(cut_away(material, red));

@@ -86,6 +86,7 @@ PlacedModel model_of(const CompositeOptions& options, const Given& given) {
   }
   model.rest = options.rest;
   model.materials = options.materials == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
+  model.transparency = transparency_of(options.transparent).value_or(Transparency::refused);
   model.albedo = options.object_albedo;
   if (given("--metallic")) model.metallic = options.metallic;
   if (given("--roughness")) model.roughness = options.roughness;
@@ -133,6 +134,9 @@ void take_objects(const CompositeOptions& options, const Given& given, Composite
   }
   const ObjectsFile file = read_objects_file(options.objects, options.asset_root);
   request.objects = file.objects;
+  if (const auto transparency = transparency_of(options.transparent))
+    for (PlacedModel& model : request.objects)
+      if (model.transparency == Transparency::refused) model.transparency = *transparency;
   if (!file.has_light) return;
   if (request.light.has_given)
     throw input_error({.file = options.objects,

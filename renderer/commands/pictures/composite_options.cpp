@@ -4,6 +4,7 @@
 #include <string>
 
 #include "renderer/commands/pictures/asset_root_option.h"
+#include "renderer/commands/pictures/transparent_option.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/number_option.h"
@@ -127,6 +128,7 @@ void add_object_options(CLI::App& command, CompositeOptions& options) {
                   "of the object: gltf (metals, gloss, textures) or diffuse (base colours alone)")
       ->check(CLI::IsMember({"gltf", "diffuse"}))
       ->capture_default_str();
+  add_transparent_option(command, options.transparent, "of the objects");
   add_number(command, "--object-albedo", options.object_albedo, {0, 1}, "of its meshes without a material")
       ->capture_default_str();
   add_number(command, "--metallic", options.metallic, {0, 1},

@@ -14,6 +14,7 @@
 
 #include "renderer/commands/pictures/mesh_options.h"
 #include "renderer/commands/pictures/sun_options.h"
+#include "renderer/commands/pictures/transparent_option.h"
 #include "renderer/commands/pictures/view_options.h"
 #include "renderer/common/parallel.h"
 #include "renderer/composite/objects_file.h"
@@ -40,7 +41,7 @@ using Three = std::array<double, 3>;
 constexpr double usual_picture_fov_deg = 50;
 
 struct PictureOptions {
-  std::string scene, out, materials = "gltf", environment_map, objects;
+  std::string scene, out, materials = "gltf", transparent, environment_map, objects;
   Three at_m{0, 0, 0}, look_at_m{0, 0, -1}, environment{0, 0, 0};
   SunOptions sun;
   std::optional<double> fov_deg;
@@ -142,16 +143,29 @@ void add_objects(const PictureOptions& options, const Eigen::Vector3d& centre_m,
                          .wanted = "objects that stay at their place: things come to rest in `composite`",
                          .found = "true"});
     model.position_m += centre_m;
+    if (model.transparency == Transparency::refused)
+      model.transparency = transparency_of(options.transparent).value_or(Transparency::refused);
   }
   const PhotoObjects placed = place_objects(file.objects, centre_m);
   for (const std::string& sentence : placed.left_out) fmt::print("{}\n", sentence);
   meshes.insert(meshes.end(), placed.meshes.begin(), placed.meshes.end());
 }
 
-void print_left_out(const SceneFile& file) {
-  if (file.left_out.empty()) return;
+/// What the options stand for of the file's own camera and lights.
+std::vector<std::string> unused_of_file(const SceneFile& file, const PictureOptions& options) {
+  std::vector<std::string> unused;
+  if (file.camera && options.has_place) unused.emplace_back("its camera (--at stands for it)");
+  if (!file.suns.empty() && options.has_sun) unused.emplace_back("its suns (--to-sun stands for them)");
+  return unused;
+}
+
+void print_left_out(const SceneFile& file, const PictureOptions& options) {
+  if (const std::string sentence = left_out_sentence(file, unused_of_file(file, options)); !sentence.empty())
+    fmt::print("{}\n", sentence);
+  if (file.left_out_of_diffuse.empty()) return;
   std::string names;
-  for (const std::string& one : file.left_out) names += (names.empty() ? "" : ", ") + printable(one);
+  for (const std::string& one : file.left_out_of_diffuse)
+    names += (names.empty() ? "" : ", ") + printable(one);
   fmt::print("{} has {}, which --materials diffuse leaves out\n", printable(file.file), names);
 }
 
@@ -190,7 +204,8 @@ void run_picture(const PictureOptions& options) {
         {.field = "--fov", .wanted = "no --panorama beside it, which looks everywhere", .found = "both"});
   const std::filesystem::path path = resolve_named_file(options.scene, "SCENE");
   SceneDefinition scene = scene_of(options, path);
-  const SceneFile file = read_scene_file(path, scene.materials);
+  const Transparency transparency = transparency_of(options.transparent).value_or(Transparency::refused);
+  const SceneFile file = read_scene_file(path, scene.materials, transparency);
   if (file.meshes.empty())
     throw input_error({.file = options.scene, .wanted = "a scene with triangles", .found = "none"});
   scene.camera = camera_of(file, options);
@@ -205,7 +220,7 @@ void run_picture(const PictureOptions& options) {
   add_glowing(meshes, light);
   require_light(light, options);
   if (!options.has_place) print_framing(file, scene.camera);
-  print_left_out(file);
+  print_left_out(file, options);
   const Geometry geometry(meshes);
   const double fov_deg =
       2 * std::atan(static_cast<double>(camera.tan_half_horizontal)) * 180 / std::numbers::pi;
@@ -300,6 +315,7 @@ void add_picture_command(CLI::App& app) {
                    "gltf: metals, gloss and normal maps; diffuse: base colours alone")
       ->check(CLI::IsMember({"gltf", "diffuse"}))
       ->capture_default_str();
+  add_transparent_option(*command, options->transparent, "of the scene and the objects");
   add_number(*command, "--albedo", options->albedo, {0, 1}, "of meshes without a material")
       ->capture_default_str();
   add_number(*command, "--bounces", options->bounces, {0, 1024}, "further scatterings after the first")

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ class GltfReader {
   [[nodiscard]] std::vector<Eigen::Vector2f> texture_coordinates(int index, const std::string& field) const;
   /// Accessor `index` as tangents with their sign; throws InputError unless it is VEC4 of finite numbers.
   [[nodiscard]] std::vector<Eigen::Vector4f> tangents(int index, const std::string& field) const;
+  /// Accessor `index` as 4-vectors: rotations, joints, weights. Throws InputError unless it is VEC4 of finite
+  /// numbers.
+  [[nodiscard]] std::vector<Eigen::Vector4d> quadruples(int index, const std::string& field) const;
+  /// Accessor `index` as linear red, green, blue and alpha, 0 to 1; alpha is 1 where it has none. Whole
+  /// numbers are shares of their type's largest. Throws InputError unless it is VEC3 or VEC4 of finite
+  /// numbers.
+  [[nodiscard]] std::vector<Eigen::Array4f> colours(int index, const std::string& field) const;
+  /// Accessor `index` as transforms; throws InputError unless it is MAT4 of finite numbers.
+  [[nodiscard]] std::vector<Eigen::Affine3d> transforms(int index, const std::string& field) const;
   /// Accessor `index` as unsigned scalars; throws InputError unless it is SCALAR of unsigned integers.
   [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
 

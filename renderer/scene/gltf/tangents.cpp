@@ -1,4 +1,4 @@
-#include "renderer/scene/tangents.h"
+#include "renderer/scene/gltf/tangents.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

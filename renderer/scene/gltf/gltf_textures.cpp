@@ -1,16 +1,19 @@
-#include "renderer/scene/gltf_textures.h"
+#include "renderer/scene/gltf/gltf_textures.h"
 
 #include <fmt/core.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "renderer/scene/gltf_load.h"
+#include "renderer/scene/gltf/gltf_uri.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
+#include "support/text/printable.h"
 
 namespace seamline::renderer {
 namespace {
@@ -36,6 +39,25 @@ double number(const tinygltf::Value& table, const char* key, std::size_t index, 
   const tinygltf::Value& value = table.Get(key);
   const tinygltf::Value& one = value.IsArray() ? value.Get(index) : value;
   return one.IsNumber() ? one.GetNumberAsDouble() : usual;
+}
+
+/// Throws InputError for a picture of a format that only extensions of glTF allow, with the way round.
+void require_png_or_jpeg(std::string_view bytes, const std::string& name) {
+  const char* format = nullptr;
+  if (bytes.starts_with("\xABKTX 20\xBB"))
+    format = "KTX2 (`gltf-transform ktxdecompress IN OUT` makes PNG of it)";
+  if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8).starts_with("WEBP"))
+    format = "WebP (`gltf-transform png IN OUT` makes PNG of it)";
+  if (bytes.starts_with("DDS ")) format = "DDS";
+  if (bytes.substr(std::min<std::size_t>(4, bytes.size())).starts_with("ftypavif"))
+    format = "AVIF (`gltf-transform png IN OUT` makes PNG of it)";
+  if (format != nullptr)
+    throw input_error({.file = name, .wanted = "a PNG or JPEG picture", .found = format});
+}
+
+ByteImage decoded_picture(std::string_view bytes, const std::string& name) {
+  require_png_or_jpeg(bytes, name);
+  return decode_texture(bytes, name);
 }
 
 }  // namespace
@@ -65,14 +87,13 @@ std::shared_ptr<const ByteImage> GltfTextures::picture(int index, const std::str
   const std::string name = fmt::format("{}: {}", file_.string(), where);
   ByteImage decoded;
   if (image.uri.empty()) {
-    decoded = decode_texture(bytes_in_view(image.bufferView, where), name);
-  } else if (tinygltf::IsDataURI(image.uri)) {
-    std::vector<unsigned char> bytes;
-    std::string kind;
-    if (!tinygltf::DecodeDataURI(&bytes, kind, image.uri, 0, false))
+    decoded = decoded_picture(bytes_in_view(image.bufferView, where), name);
+  } else if (is_data_uri(image.uri)) {
+    const std::optional<std::string> bytes = data_of_uri(image.uri);
+    if (!bytes)
       throw input_error(
           {.file = file_.string(), .field = where, .wanted = "a picture in base64", .found = "none"});
-    decoded = decode_texture({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    decoded = decoded_picture(*bytes, name);
   } else {
     const fs::path path =
         path_below(file_.parent_path(), file_of_uri(image.uri), {.file = file_.string(), .field = where});
@@ -81,8 +102,8 @@ std::shared_ptr<const ByteImage> GltfTextures::picture(int index, const std::str
       throw input_error({.file = file_.string(),
                          .field = where,
                          .wanted = "a picture beside the file",
-                         .found = fmt::format("no file \"{}\"", path.string())});
-    decoded = decode_texture(read_file(path, limits::largest_texture_file_bytes), path.string());
+                         .found = fmt::format("no file \"{}\"", printable(path.string()))});
+    decoded = decoded_picture(read_file(path, limits::largest_texture_file_bytes), path.string());
   }
   decoded_bytes_ += static_cast<std::int64_t>(decoded.values.size());
   if (decoded_bytes_ > limits::largest_texture_bytes)

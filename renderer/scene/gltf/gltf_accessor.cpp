@@ -1,4 +1,4 @@
-#include "renderer/scene/gltf_accessor.h"
+#include "renderer/scene/gltf/gltf_accessor.h"
 
 #include <fmt/core.h>
 #include <tiny_gltf.h>
@@ -191,6 +191,46 @@ std::vector<Eigen::Vector2f> GltfReader::texture_coordinates(int index, const st
 
 std::vector<Eigen::Vector4f> GltfReader::tangents(int index, const std::string& field) const {
   return finite_vectors<Eigen::Vector4f>(index, field);
+}
+
+std::vector<Eigen::Vector4d> GltfReader::quadruples(int index, const std::string& field) const {
+  return finite_vectors<Eigen::Vector4d>(index, field);
+}
+
+std::vector<Eigen::Array4f> GltfReader::colours(int index, const std::string& field) const {
+  const bool exists = index >= 0 && static_cast<std::size_t>(index) < model_.accessors.size();
+  const bool has_alpha =
+      !exists || model_.accessors[static_cast<std::size_t>(index)].type != TINYGLTF_TYPE_VEC3;
+  std::vector<Eigen::Array4f> out;
+  if (has_alpha) {
+    for (const Eigen::Vector4d& colour : finite_vectors<Eigen::Vector4d>(index, field))
+      out.emplace_back(colour.cast<float>().array());
+  } else {
+    for (const Eigen::Vector3d& colour : finite_vectors<Eigen::Vector3d>(index, field))
+      out.emplace_back(colour.homogeneous().cast<float>().array());
+  }
+  // Some writers forget to say that their bytes are shares.
+  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const bool are_bytes = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+             are_words = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  const float scale = accessor.normalized ? 1.0F : are_bytes ? 1.0F / 255 : are_words ? 1.0F / 65535 : 1.0F;
+  for (Eigen::Array4f& colour : out) {
+    colour.head<3>() *= scale;
+    if (has_alpha) colour[3] *= scale;
+    colour = colour.max(0.0F).min(1.0F);
+  }
+  return out;
+}
+
+std::vector<Eigen::Affine3d> GltfReader::transforms(int index, const std::string& field) const {
+  using Numbers = Eigen::Matrix<double, 16, 1>;
+  std::vector<Eigen::Affine3d> out;
+  for (const Numbers& numbers : finite_vectors<Numbers>(index, field)) {
+    Eigen::Affine3d& transform = out.emplace_back();
+    transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(numbers.data());
+    transform.makeAffine();
+  }
+  return out;
 }
 
 std::vector<std::uint32_t> GltfReader::indices(int index, const std::string& field) const {
