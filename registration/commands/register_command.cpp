@@ -17,11 +17,13 @@
 #include "registration/pictures/points_picture.h"
 #include "registration/pictures/section.h"
 #include "registration/points/register_by_points.h"
+#include "sensors/files/depth_values.h"
 #include "sensors/repair/repair.h"
 #include "sensors/repair/several_frames.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
+#include "support/text/printable.h"
 
 namespace seamline::registration {
 namespace {
@@ -79,11 +81,9 @@ void check(const RegisterOptions& options) {
     refuse("--repair-after", "a repair beside it", "--repair none");
 }
 
-RegistrationRig rig_of(const RegisterOptions& options) {
+CameraFile cameras_of(const RegisterOptions& options) {
   const bool preset = is_preset(options.camera) && !fs::exists(options.camera);
-  const CameraFile cameras =
-      preset ? camera_file_of_preset(options.camera, "--camera") : read_camera_file(options.camera);
-  return registration_rig(cameras, options.camera);
+  return preset ? camera_file_of_preset(options.camera, "--camera") : read_camera_file(options.camera);
 }
 
 sensors::RepairMethod method_of(const std::string& repair) {
@@ -145,10 +145,24 @@ void write_all(const fs::path& folder, const RegistrationRig& rig, const Registe
                       in_world ? "world frame" : "colour camera's frame: x right, y down, z forward"));
 }
 
-sensors::DepthFrame read_depth(const RegisterOptions& options, const RegistrationRig& rig) {
+/// `nothing`: values that stand for no depth; none: 65535 of whole numbers of 16 bits.
+sensors::DepthFrame read_depth(const RegisterOptions& options, const RegistrationRig& rig,
+                               const std::optional<std::vector<double>>& nothing) {
   std::vector<sensors::DepthFrame> frames;
-  for (const std::string& path : options.depth)
-    frames.push_back(sensors::read_depth_file(path, rig.depth_form).frame);
+  for (const std::string& path : options.depth) {
+    const sensors::RawDepth raw =
+        sensors::read_raw_depth(path, {.channel = {}, .packing = rig.depth_form.packing});
+    sensors::DepthMeaning meaning;
+    if (nothing)
+      meaning.nothing = *nothing;
+    else if (raw.whole && raw.bits == 16)
+      meaning.nothing = {65535};
+    sensors::DepthFromValues read = sensors::depth_of_values(raw, path, rig.depth_form, meaning);
+    if (read.why.coded > 0)
+      fmt::print(stderr, "note: {}: {} pixels hold a value that stands for nothing\n", printable(path),
+                 read.why.coded);
+    frames.push_back(std::move(read.file.frame));
+  }
   return sensors::mean_of_frames(frames, "--depth");
 }
 
@@ -185,8 +199,9 @@ void print_count(const char* what, std::int64_t count, std::size_t of) {
 void run_register(const RegisterOptions& options) {
   check(options);
   Stopwatch stopwatch;
-  const RegistrationRig rig = rig_of(options);
-  const sensors::DepthFrame measured = read_depth(options, rig);
+  const CameraFile cameras = cameras_of(options);
+  const RegistrationRig rig = registration_rig(cameras, options.camera);
+  const sensors::DepthFrame measured = read_depth(options, rig, cameras.nothing);
   const Image photograph = read_photograph(options.colour, rig.colour);
   std::optional<sensors::DepthFrame> truth;
   if (!options.true_depth.empty()) truth = read_true_depth(options.true_depth, rig);
