@@ -145,7 +145,7 @@ void add_evaluation(Evaluation& sum, const Evaluation& other) {
   sum.hessian += other.hessian;
 }
 
-Evaluation of_person(const PlacedProblem& problem, std::size_t person, const Eigen::VectorXd& theta) {
+Evaluation of_placed_person(const PlacedProblem& problem, std::size_t person, const Eigen::VectorXd& theta) {
   Evaluation sum = nothing_known(problem.model);
   for (const OneCurve& one : problem.curves)
     if (one.people[person].cells.sum() > 0) add_integral(problem, one, one.people[person], theta, sum);
@@ -168,7 +168,7 @@ Evaluation placed_penalty(const JointModel& model, const Eigen::VectorXd& theta)
 Evaluation placed_objective(const PlacedProblem& problem, const Eigen::VectorXd& theta, int without) {
   Evaluation sum = placed_penalty(problem.model, theta);
   for (std::size_t p = 0; p < problem.references.size(); ++p)
-    if (static_cast<int>(p) != without) add_evaluation(sum, of_person(problem, p, theta));
+    if (static_cast<int>(p) != without) add_evaluation(sum, of_placed_person(problem, p, theta));
   return sum;
 }
 
@@ -224,7 +224,7 @@ JointJackknife leave_placed_people_out(const JointFit& fit, const JointData& dat
         return;
       }
     }
-    const Evaluation own = of_person(problem, static_cast<std::size_t>(p), fit.theta);
+    const Evaluation own = of_placed_person(problem, static_cast<std::size_t>(p), fit.theta);
     Eigen::LLT<Eigen::MatrixXd> curvature(own.hessian - fit.hessian);
     if (curvature.info() != Eigen::Success) curvature.compute(-fit.hessian);
     left.theta.row(p) = (fit.theta - curvature.solve(own.gradient)).transpose();

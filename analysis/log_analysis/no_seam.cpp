@@ -29,7 +29,7 @@ double rating_of_guesses(const JointData& data) {
 }
 
 /// The formula score of each person who answered in a cell.
-std::vector<double> formula_scores(const JointData& data, std::size_t cell, double guess_rating) {
+std::vector<double> scores_without_guesses(const JointData& data, std::size_t cell, double guess_rating) {
   const double chance = data.cells[cell].chance, taken = chance / (1 - chance) * guess_rating;
   std::vector<double> scores;
   for (Eigen::Index person = 0; person < data.answers.rows(); ++person) {
@@ -61,7 +61,7 @@ std::vector<std::string> no_seam_sentences(const Analysis& analysis, double leve
     for (const double tested : scores.level) {
       const std::size_t here = cell++;
       if (tested != level) continue;
-      const std::vector<double> of_people = formula_scores(data, here, guess_rating);
+      const std::vector<double> of_people = scores_without_guesses(data, here, guess_rating);
       const std::string place = fmt::format("'{}'{} at {}", word(scores.artifact),
                                             in_condition(scores.condition), tested_text(axis, level));
       if (of_people.size() < 2) {

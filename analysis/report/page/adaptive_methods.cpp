@@ -13,7 +13,7 @@ namespace seamline::analysis {
 
 namespace {
 
-std::string sigmoid_words(Sigmoid sigmoid) {
+std::string sigmoid_in_words(Sigmoid sigmoid) {
   switch (sigmoid) {
     case Sigmoid::logistic:
       return "the logistic function";
@@ -29,7 +29,7 @@ std::string function_text(const QuestPlusDefinition& quest) {
   const std::string z =
       fmt::format("z = ({}) / s, x the level on the {} axis, t threshold, s scale and F {}",
                   quest.direction == Direction::decreasing ? "t - x" : "x - t",
-                  quest.axis == Axis::log2 ? "log2" : "linear", sigmoid_words(quest.sigmoid));
+                  quest.axis == Axis::log2 ? "log2" : "linear", sigmoid_in_words(quest.sigmoid));
   switch (quest.outcome) {
     case PlacementOutcome::correct:
       return "It learns from right and wrong choices, P(right) = g + (1 - g - l) F(z) with " + z +
