@@ -119,7 +119,7 @@ The studies that come with Seamline.
 .TP
 .I ../share/doc/seamline/documentation
 The documentation; begin with
-.IR tutorials/tutorial.md .
+.IR tutorials/first_study.md .
 )";
 
 }  // namespace

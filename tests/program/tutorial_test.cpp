@@ -1,5 +1,5 @@
-// documentation/tutorials/tutorial.md does what it says: its study, in smaller pictures, and its commands, as
-// they stand on the page, in a folder that holds nothing but the scene.
+// The tutorials do what they say: their files and commands, as they stand on the pages, in a folder that
+// holds nothing but the scene; the studies in smaller pictures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,45 +12,75 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const fs::path documentation = fs::path(SEAMLINE_SOURCE_DIR) / "documentation/tutorials";
+const fs::path tutorials = fs::path(SEAMLINE_SOURCE_DIR) / "documentation/tutorials";
 
-/// The page's study in smaller pictures, of fewer samples: what its commands do does not depend on them.
-std::string smaller(const std::string& study) {
-  return test::with_replaced(study,
-                             {{"width_px = 480", "width_px = 96"},
-                              {"height_px = 270", "height_px = 54"},
-                              {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"}});
+/// Smaller pictures of fewer samples: what the commands do does not depend on them.
+std::string smaller(std::string text) {
+  const std::vector<std::pair<std::string, std::string>> replacements = {
+      {"width_px = 480", "width_px = 96"},
+      {"height_px = 270", "height_px = 54"},
+      {"samples_per_pixel = 16", "samples_per_pixel = 2\nmesh_tolerance = 1e-2"},
+      {"--width 1024 --height 512 --spp 64", "--width 256 --height 128 --spp 4"},
+      {"--view 480x270", "--spp 2 --view 96x54"},
+      {"--studies 50", "--studies 10"}};
+  for (const auto& [from, to] : replacements)
+    if (const std::size_t at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
+  return text;
 }
 
-TEST(Tutorial, EveryCommandOfThePageWorksInAnEmptyFolder) {
-  const fs::path folder = test::fresh_folder("tutorial");
-  fs::copy(documentation / "tutorial" / "room.gltf", folder);
-  int studies = 0, lines_run = 0, by_hand = 0;
-  for (const test::PageBlock& block : test::read_manual_page(documentation / "tutorial.md").blocks) {
-    if (block.kind == "toml") {
-      test::write_text(folder / "my_study.toml", smaller(block.text));
-      ++studies;
-    } else if (block.kind == "sh by hand") {
-      ++by_hand;
+void run_line(const fs::path& folder, const std::string& line) {
+  test::write_text(folder / "command", "set -e\ncd '" + folder.string() + "'\nPATH='" +
+                                           fs::path(SEAMLINE_PROGRAM).parent_path().string() + "':$PATH\n" +
+                                           smaller(line) + "\n");
+  const test::Outcome outcome = test::run_program("bash", (folder / "command").string());
+  ASSERT_EQ(outcome.status, 0) << line << "\n" << outcome.output;
+}
+
+/// Does what a page says. Behind a fence stands what its block is: `sh` for commands, `sh by hand` for those
+/// that need a person, `toml FILE` and `csv FILE` for a file to write, `toml append FILE` for lines to add to
+/// one, nothing for what the program says.
+void follow(const std::string& page, const fs::path& folder) {
+  int lines_run = 0;
+  for (const test::PageBlock& block : test::read_manual_page(tutorials / page).blocks) {
+    std::istringstream words(block.kind);
+    std::string language, name;
+    words >> language >> name;
+    if (language == "toml" || language == "csv") {
+      const bool append = name == "append";
+      if (append) words >> name;
+      ASSERT_NE(name, "") << page << ": a file without a name";
+      const fs::path file = folder / name;
+      test::write_text(file, (append ? test::read_text(file) + "\n" : "") + smaller(block.text));
     } else if (block.kind == "sh") {
       std::istringstream lines(block.text);
-      for (std::string line; std::getline(lines, line);) {
-        test::write_text(folder / "command", "set -e\ncd '" + folder.string() + "'\nPATH='" +
-                                                 fs::path(SEAMLINE_PROGRAM).parent_path().string() +
-                                                 "':$PATH\n" + line + "\n");
-        const test::Outcome outcome = test::run_program("bash", (folder / "command").string());
-        ASSERT_EQ(outcome.status, 0) << line << "\n" << outcome.output;
-        ++lines_run;
-      }
+      for (std::string line; std::getline(lines, line); ++lines_run) run_line(folder, line);
     } else {
-      EXPECT_EQ(block.kind, "");  // what the program says
+      EXPECT_TRUE(block.kind.empty() || block.kind == "sh by hand") << page << ": " << block.kind;
     }
   }
-  EXPECT_EQ(studies, 1);
-  EXPECT_EQ(by_hand, 1);
-  EXPECT_GE(lines_run, 6);
+  EXPECT_GE(lines_run, 2) << page;
+}
+
+TEST(Tutorial, AStudyGoesFromAnEmptyFolderThroughLabAndBrowserToAReport) {
+  const fs::path folder = test::fresh_folder("tutorial");
+  fs::copy(tutorials / "room/room.gltf", folder);
+  follow("first_study.md", folder);
   EXPECT_TRUE(fs::is_regular_file(folder / "my_set" / "contact-receiver.png"));
   EXPECT_THAT(test::read_text(folder / "report" / "report.html"), HasSubstr("20 simulated observers"));
+  follow("lab_session.md", folder);
+  EXPECT_THAT(test::read_text(folder / "people_report" / "report.html"), HasSubstr("18 simulated observers"));
+  follow("online_study.md", folder);
+  EXPECT_TRUE(fs::is_regular_file(folder / "page" / "index.html"));
+}
+
+TEST(Tutorial, AnObjectComesIntoAPhotograph) {
+  const fs::path folder = test::fresh_folder("tutorial-photograph");
+  follow("object_in_photograph.md", folder);
+  EXPECT_TRUE(fs::is_regular_file(folder / "seamless.png"));
+}
+
+TEST(Tutorial, CountsBecomeAThreshold) {
+  follow("counts_to_threshold.md", test::fresh_folder("tutorial-counts"));
 }
 
 }  // namespace
