@@ -27,7 +27,7 @@ enum class PlacementTrack {
 };
 
 /// QUEST+ (Watson 2017): the next condition is the one whose answer is expected to leave the least entropy in
-/// the posterior over the parameters' grid. documentation/how-to/adaptive_placement.md has the equations.
+/// the posterior over the parameters' grid. documentation/explanation/quest_plus.md has the equations.
 struct QuestPlusDefinition {
   PlacementOutcome outcome = PlacementOutcome::correct;
   PlacementTrack track = PlacementTrack::artifact;

@@ -5,7 +5,7 @@ namespace seamline::inline stimuli {
 
 // LDR-FLIP, the difference that people see when they flip between two pictures (Andersson, Nilsson,
 // Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
-// Images", HPG 2020). documentation/how-to/predict_and_plan.md has the equations.
+// Images", HPG 2020). documentation/explanation/image_observer.md has the equations.
 
 /// What FLIP needs to know of one picture: made once for a reference and compared with many.
 struct FlipPicture {

@@ -46,7 +46,7 @@ TEST(Flip, APictureDiffersFromItselfNowhere) {
   for (const float value : flip_difference(image, image, ppd).values) EXPECT_EQ(value, 0.0F);
 }
 
-/// By hand from the equations: see documentation/how-to/predict_and_plan.md for black and white.
+/// By hand from the equations: see documentation/explanation/image_observer.md for black and white.
 TEST(Flip, ConstantPairsAreTheColourDifferenceByHand) {
   EXPECT_NEAR(middle_flip({0, 0, 0}, {255, 255, 255}), 0.967379761, 1e-5);
   EXPECT_NEAR(middle_flip({0, 255, 0}, {0, 0, 255}), 1.0, 1e-5);
@@ -98,7 +98,7 @@ ByteImage black_and_white(const White& white) {
 }
 
 /// Against black. Both are grey and constant along y, so every filter is a sum of one line of weights: the
-/// values follow by hand (documentation/how-to/predict_and_plan.md). At a line the point detector is the
+/// values follow by hand (documentation/explanation/image_observer.md). At a line the point detector is the
 /// stronger, at a step the edge detector.
 TEST(Flip, AStepAndALineByHand) {
   const ByteImage black = constant_picture(61, 21, {0, 0, 0});
