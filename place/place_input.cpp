@@ -60,6 +60,7 @@ Asked asked(const FrameInput& input, const Rect& picture, const renderer::PlaceP
             const renderer::Placing& placing, Dragging& dragging) {
   if (input.close || (input.pressed(Key::escape) && !input.key->repeated)) return {{}, Wish::leave};
   if (input.pressed_letter('s') || input.pressed_letter('s', true)) return {{}, Wish::save};
+  if (input.pressed_letter('f')) return {{}, Wish::floor};
   if (auto action = by_key(input)) return {std::move(action), Wish::nothing};
   return {by_mouse(input, picture, preview, placing, dragging), Wish::nothing};
 }

@@ -3,10 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "place/place_input.h"
 #include "renderer/composite/photo_world.h"
@@ -16,6 +20,7 @@
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/shell_word.h"
 #include "window/canvas.h"
 #include "window/find_font.h"
 #include "window/look.h"
@@ -29,17 +34,21 @@ constexpr double longest_wait_s = 0.25;  ///< after which Ctrl-C in the terminal
 constexpr double type_px = 18, bar_px = 64, margin_px = 8;
 constexpr const char* help =
     "Drag: onto a surface    Wheel: turn    Shift+wheel: size    Arrows, Page Up/Down: shift (Shift: "
-    "further)    Tab: next    D: another    Delete    Ctrl+Z: take back    S: save    Esc: leave";
+    "further)    Tab: next    D: another    F: floor    Delete    Ctrl+Z: take back    S: save    Esc: leave";
+constexpr double grid_m = 0.5;
 
-/// Where the objects begin that were named beside those of the file: on the surface in the picture's middle.
-void put_in_middle(const renderer::PlacePreview& preview, std::vector<renderer::PlacedModel>& objects) {
-  const auto seen = preview.look(0.5, 0.6);
-  double aside_m = 0;
-  for (renderer::PlacedModel& object : objects) {
-    if (seen.real_m) object.position_m = *seen.real_m;
-    object.position_m.x() += aside_m;
-    aside_m += 0.4;
-  }
+/// Marks the floor's grid in a picture of any size. `width_px`, `height_px`: of `lines`.
+void mark_floor(const std::vector<std::uint8_t>& lines, int width_px, int height_px, ByteImage& picture) {
+  constexpr std::array green = {60, 220, 130};
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) {
+      const int row = y * height_px / picture.height_px, column = x * width_px / picture.width_px;
+      if (lines[static_cast<std::size_t>(row * width_px + column)] == 0) continue;
+      for (int c = 0; c < 3; ++c) {
+        std::uint8_t& code = picture.values[static_cast<std::size_t>((y * picture.width_px + x) * 3 + c)];
+        code = static_cast<std::uint8_t>((code + green[static_cast<std::size_t>(c)]) / 2);
+      }
+    }
 }
 
 /// A picture of this shape, as large as fits above the bar.
@@ -86,16 +95,28 @@ class Placer {
     canvas_.set_font(font);
     texture_.smooth(true);
     placing_.objects = std::move(opened.objects);
-    std::vector<renderer::PlacedModel> added;
-    for (const std::string& named : request.added)
-      added.push_back(renderer::new_object(named, request.objects_file));
-    put_in_middle(preview_, added);
-    saving_.changed = !added.empty();
-    placing_.objects.insert(placing_.objects.end(), added.begin(), added.end());
+    for (const std::string& named : request.added) placing_.objects.push_back(renderer::new_object(named));
+    saving_.changed = !request.added.empty();
+    for (const std::string& sentence : preview_.stand(placing_.objects)) fmt::print("{}\n", sentence);
+    const std::filesystem::path outside = renderer::name_for(request.objects_file, placing_.objects);
+    command_ = request.command + " --objects " + shell_word(request.objects_file);
+    if (!outside.empty()) command_ += " --asset-root " + shell_word(outside.string());
+    command_ += " --out " +
+                shell_word(std::filesystem::path(request.objects_file).replace_extension(".png").string());
+    floor_ = preview_.floor();
+    if (floor_)
+      fmt::print(
+          "the floor: {:.2f} m {} the camera, {:.0f} % of the picture, {:.1f} to {:.1f} m away; its grid is of {} m\n",
+          std::abs(floor_->height_m - world.seen.centre_m.y()),
+          floor_->height_m < world.seen.centre_m.y() ? "below" : "above", 100 * floor_->share,
+          floor_->nearest_m, floor_->farthest_m, grid_m);
+    else
+      fmt::print("no floor is seen: no surface of the picture is level\n");
+    shows_floor_ = floor_.has_value();
   }
 
   void run() {
-    preview_.set_objects(placing_.objects);
+    set_objects();
     show();
     const std::int64_t begun_ns = monotonic_ns();
     bool more = preview_.refine(), first = true;
@@ -109,7 +130,7 @@ class Placer {
       bool changed = false;
       FrameInput input = window_.next_input(more ? 0.0 : longest_wait_s);
       for (; stays && input.anything; input = window_.next_input(0.0)) stays = take(input, changed);
-      if (changed) preview_.set_objects(placing_.objects);
+      if (changed) set_objects();
       more = stays && preview_.refine();
     }
   }
@@ -124,10 +145,14 @@ class Placer {
       saving_ = {.changed = true};
     }
     if (wanted.wish == Wish::save) {
-      renderer::save_objects(request_.objects_file, head_, placing_.objects);
+      renderer::save_objects(request_.objects_file, head_, command_, placing_.objects);
       saving_ = {.said = "saved"};
-      fmt::print("saved {}\n", printable(request_.objects_file));
+      fmt::print("saved {}; its picture is made by\n  {}\n", printable(request_.objects_file), command_);
       std::fflush(stdout);
+    }
+    if (wanted.wish == Wish::floor) {
+      shows_floor_ = floor_ && !shows_floor_;
+      mark();
     }
     if (wanted.wish != Wish::leave) return true;
     if (!saving_.changed || saving_.warned) return false;
@@ -135,8 +160,19 @@ class Placer {
     return true;
   }
 
+  void set_objects() {
+    preview_.set_objects(placing_.objects);
+    mark();
+  }
+  /// Where the grid's lines are: objects hide them.
+  void mark() {
+    if (shows_floor_) grid_ = preview_.grid_on(*floor_, grid_m);
+  }
+
   void show() {
-    texture_.upload(display_image(preview_.picture(), request_.photo.exposure_ev));
+    ByteImage picture = display_image(preview_.picture(), request_.photo.exposure_ev);
+    if (shows_floor_) mark_floor(grid_, preview_.finest_width_px(), preview_.finest_height_px(), picture);
+    texture_.upload(picture);
     const Size screen_px = window_.framebuffer_px();
     canvas_.begin(screen_px);
     draw(canvas_, picture_in(screen_px, aspect_), texture_, screen_px,
@@ -147,7 +183,7 @@ class Placer {
   }
 
   const renderer::PlaceRequest& request_;
-  std::string head_;
+  std::string head_, command_;
   double aspect_;
   Window window_;
   Canvas canvas_;
@@ -156,6 +192,9 @@ class Placer {
   renderer::Placing placing_;
   Dragging dragging_;
   Saving saving_;
+  std::optional<renderer::FloorInView> floor_;
+  bool shows_floor_ = false;
+  std::vector<std::uint8_t> grid_;
 };
 
 }  // namespace
@@ -168,10 +207,6 @@ void place_in_window(const renderer::PlaceRequest& asked_for) {
   renderer::OpenedObjects opened;
   if (std::filesystem::exists(request.objects_file))
     opened = renderer::open_objects(request.objects_file, request.asset_root);
-  if (opened.objects.empty() && request.added.empty())
-    throw input_error({.file = request.objects_file,
-                       .wanted = "a file of objects, or --add OBJECT to begin one",
-                       .found = "neither"});
   renderer::Notes notes;
   renderer::PhotoWorld world;
   world.seen = renderer::see(request.photo, notes);

@@ -18,7 +18,7 @@
 #include "registration/pictures/section.h"
 #include "registration/points/register_by_points.h"
 #include "sensors/files/depth_values.h"
-#include "sensors/repair/repair.h"
+#include "sensors/repair/named_repair.h"
 #include "sensors/repair/several_frames.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
@@ -84,14 +84,6 @@ void check(const RegisterOptions& options) {
 CameraFile cameras_of(const RegisterOptions& options) {
   const bool preset = is_preset(options.camera) && !fs::exists(options.camera);
   return preset ? camera_file_of_preset(options.camera, "--camera") : read_camera_file(options.camera);
-}
-
-sensors::RepairMethod method_of(const std::string& repair) {
-  if (repair == "nearest") return sensors::NearestRepair{};
-  if (repair == "median") return sensors::MedianRepair{.radius_px = 2, .fills = true};
-  if (repair == "joint_bilateral") return sensors::JointBilateralRepair{};
-  if (repair == "planes") return sensors::PlaneRepair{};
-  return sensors::NoRepair{};
 }
 
 /// `colour_from_camera`: from the camera whose pixels are repaired into the photograph's, by which one filter
@@ -206,7 +198,7 @@ void run_register(const RegisterOptions& options) {
   std::optional<sensors::DepthFrame> truth;
   if (!options.true_depth.empty()) truth = read_true_depth(options.true_depth, rig);
   const double read_s = stopwatch.lap_s();
-  const sensors::RepairMethod method = method_of(options.repair);
+  const sensors::RepairMethod method = sensors::named_repair(options.repair);
   sensors::Repaired mended = options.repair_after
                                  ? sensors::without_repair(measured)
                                  : repaired(method, measured, rig.colour_from_depth, rig, photograph);

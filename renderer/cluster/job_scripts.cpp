@@ -10,21 +10,15 @@
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/shell_word.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
 namespace {
 
-/// A word of the shell, whatever it holds.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 /// `folder` as a word of the shell, with a name in it.
 std::string quoted(const fs::path& folder, const char* name) {
-  return quoted((folder / name).string());
+  return shell_quoted((folder / name).string());
 }
 
 /// A study's name where Slurm wants a word.
@@ -57,7 +51,7 @@ int memory_limit_mb(std::int64_t bytes) {
 void write_task(const JobPlace& place, const RenderJob& job) {
   const fs::path self = fs::read_symlink("/proc/self/exe");
   std::string options;
-  for (const std::string& option : place.options) options += " " + quoted(option);
+  for (const std::string& option : place.options) options += " " + shell_quoted(option);
   write_script(
       place.folder / "task",
       fmt::format("#!/bin/bash\n"
@@ -67,8 +61,9 @@ void write_task(const JobPlace& place, const RenderJob& job) {
                   "  exit 1\n"
                   "fi\n"
                   "exec {} render {} --out={} --threads={}{} --job={} --element=\"$1\"\n",
-                  quoted(self.string()), quoted(place.study.string()), quoted(place.set_folder.string()),
-                  job.threads, options, quoted(place.folder.string())));
+                  shell_quoted(self.string()), shell_quoted(place.study.string()),
+                  shell_quoted(place.set_folder.string()), job.threads, options,
+                  shell_quoted(place.folder.string())));
 }
 
 /// `limits` are `#SBATCH` lines, `command` what a piece runs.
@@ -180,7 +175,7 @@ void write_parallel_scripts(const JobPlace& place, const RenderJob& job) {
   check_parallel_folder(place.folder);
   prepare_output_folder(place.folder / "logs");
   write_task(place, job);
-  const std::string folder = quoted(place.folder.string());
+  const std::string folder = shell_quoted(place.folder.string());
   write_script(
       place.folder / "run",
       fmt::format(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "renderer/composite/light/clipped_sources.h"
 #include "renderer/composite/photo_light.h"
 #include "renderer/scene/truth_scene.h"
 #include "support/text/error.h"
@@ -34,6 +35,39 @@ Light given_light(const CompositeRequest& request, const SeenPhoto& seen) {
   file.suns = seen.scene.suns;
   file.lamps = seen.scene.lamps;
   return scene_light(definition, file, seen.centre_m);
+}
+
+/// Makes clipped sources of a panorama of codes as bright as its surfaces say, or as was asked.
+void raise_clipped(const CompositeRequest& request, const Geometry& depth, float white, Image& panorama,
+                   Notes& notes) {
+  constexpr double worth_it = 1.05;
+  if (request.light.clipped_factor) {
+    raise_clipped_sources(panorama, white, *request.light.clipped_factor);
+    return;
+  }
+  const ClippedSources found = find_clipped_sources(panorama, depth, white, request.threads);
+  if (found.factor < worth_it) return;
+  raise_clipped_sources(panorama, white, found.factor);
+  notes.say(fmt::format(
+      "what is white in the panorama ({:.2g} % of all directions) is taken as light sources {:.3g} "
+      "times as bright, since surfaces there would be whiter than white otherwise "
+      "(--clipped-light says another factor; 1: as it is shown)",
+      100 * found.share, found.factor));
+}
+
+/// The light that exists only with the objects; none where it does not shine.
+std::optional<Light> added_light(const CompositeRequest& request, const SeenPhoto& seen) {
+  SceneDefinition definition = request.light.added;
+  definition.name = "virtual light";
+  definition.environment_radiance = {0, 0, 0};
+  definition.bounces = request.bounces;
+  Light light = scene_light(definition, {}, seen.centre_m);
+  const auto is_black = [](const Rgb& light_of) { return !(light_of > 0.0F).any(); };
+  std::erase_if(light.suns, [&](const Sun& sun) { return is_black(sun.irradiance_w_m2); });
+  std::erase_if(light.lamps, [&](const Lamp& lamp) { return is_black(lamp.intensity_w_sr); });
+  light.skips_sky = true;
+  if (light.suns.empty() && light.lamps.empty()) return std::nullopt;
+  return light;
 }
 
 void describe(const Light& light, std::vector<std::string>& text) {
@@ -87,8 +121,10 @@ Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, std
 
 }  // namespace
 
-KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, const Geometry& depth,
-                       Notes& notes) {
+namespace {
+
+KnownLight real_light(const CompositeRequest& request, const SeenPhoto& seen, const Geometry& depth,
+                      Notes& notes) {
   KnownLight known{.light = given_light(request, seen), .text = {}};
   const bool has_given = shines(known.light);
   const bool from_photograph = request.light.from_photograph || !request.light.panorama.empty() ||
@@ -109,6 +145,7 @@ KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, c
                        .found = "an environment"});
   Image panorama = light_panorama(request, seen, known.panorama_white, notes);
   for (float& value : panorama.values) value = std::max(0.0F, value);
+  if (known.panorama_white) raise_clipped(request, depth, *known.panorama_white, panorama, notes);
   known.photographed = true;
   describe(known.light, known.text);
   known.text.insert(known.text.begin(),
@@ -125,6 +162,19 @@ KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, c
     }
   }
   known.light.environment = std::make_shared<EnvironmentMap>(std::move(panorama), 0.0F);
+  return known;
+}
+
+}  // namespace
+
+KnownLight known_light(const CompositeRequest& request, const SeenPhoto& seen, const Geometry& depth,
+                       Notes& notes) {
+  KnownLight known = real_light(request, seen, depth, notes);
+  known.added = added_light(request, seen);
+  if (known.added) {
+    known.text.emplace_back("and virtual ones, which exist only with the objects:");
+    describe(*known.added, known.text);
+  }
   return known;
 }
 

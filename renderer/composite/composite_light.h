@@ -12,6 +12,7 @@ namespace seamline::renderer {
 struct KnownLight {
   Light light;                               ///< what was given, or the panorama's sky and sun
   bool photographed = false;                 ///< the local scene sends what the panorama shows of it
+  std::optional<Light> added = {};           ///< that exists only with the objects; none that is black
   std::optional<float> panorama_white = {};  ///< radiance of white, of a panorama of codes
   std::vector<std::string> text;             ///< what there is, a line each
 };

@@ -51,7 +51,7 @@ std::string facts(const CompositeRequest& request, const MadeComposite& made) {
   text += row("triangles of the local scene", fmt::format("{}", made.triangles));
   for (const std::string& light : made.light) text += row("light", light);
   for (const std::string& answer : made.answers) text += row("given", answer);
-  text += row("estimator", fmt::format("{}, {} samples a pixel", made.estimator, made.spp));
+  text += row("estimator", made.estimator + ", " + samples_text(made.taken));
   text += row("estimated error", error_text(made));
   text += row("seconds", fmt::format("{:.1f} for the local scene, {:.1f} for the picture", made.mesh_seconds,
                                      made.picture_seconds));
@@ -90,6 +90,11 @@ std::string against_full(const CompositeRequest& request, const MadeComposite& m
 }
 
 }  // namespace
+
+std::string samples_text(const SamplesTaken& taken) {
+  if (taken.least == taken.most) return fmt::format("{} samples a pixel", taken.most);
+  return fmt::format("{} to {} samples a pixel, {:.1f} in the mean", taken.least, taken.most, taken.mean);
+}
 
 void write_composite_report(const CompositeRequest& request, const MadeComposite& made,
                             const std::optional<FullDepth>& full) {

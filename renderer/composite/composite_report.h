@@ -5,6 +5,7 @@
 
 #include "renderer/composite/composite_request.h"
 #include "renderer/composite/seamless_width.h"
+#include "renderer/error/samples_taken.h"
 #include "renderer/picture/composite.h"
 
 namespace seamline::renderer {
@@ -15,7 +16,7 @@ struct MadeComposite {
   Image local_scene;  ///< shaded, as the camera sees it
   Composite picture;
   std::string estimator;
-  int spp = 0;
+  SamplesTaken taken;
   std::optional<double> error, worst_tile;  ///< display units
   std::size_t triangles = 0, changed_pixels = 0;
   double mesh_seconds = 0, picture_seconds = 0;
@@ -31,6 +32,9 @@ struct FullDepth {
   std::size_t triangles = 0;
   double seconds = 0;
 };
+
+/// "64 samples a pixel", or "8 to 512 samples a pixel, 23.4 in the mean".
+[[nodiscard]] std::string samples_text(const SamplesTaken& taken);
 
 /// Writes a self-contained page: pictures, depth used, triangles, seconds, and FLIP against full depth as a
 /// map.

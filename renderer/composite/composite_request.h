@@ -23,6 +23,11 @@ struct PhotoLightRequest {
   bool from_photograph = false;  ///< also where something was given
   std::string panorama;          ///< taken at the photograph's place; empty: the photograph itself
   bool splits_sun = true;        ///< of a panorama that is the light
+  /// How many times as bright a panorama's clipped light sources are; none: so that no surface has to be
+  /// more than white (`find_clipped_sources`).
+  std::optional<double> clipped_factor = {};
+  /// Light that exists only with the objects, and falls on real surfaces too; its environment says nothing.
+  SceneDefinition added = {};
 };
 
 /// Everything that a composite is made from. documentation/how-to/composite.md says what each means.
@@ -31,12 +36,14 @@ struct CompositeRequest {
   std::string layer;                     ///< of an EXR photograph with several; empty: by its name
   std::optional<Projection> projection;  ///< none: by its shape
   PhotoDepthRequest depth;
+  std::string repair;  ///< of depth of the photograph's own view, as of `register`; empty: none
   std::vector<PlacedModel> objects;
   std::string scene_file;  ///< glTF: camera, suns and lamps; empty: none
 
   std::optional<std::pair<int, int>> view_px;  ///< of a panorama; none: the panorama itself
   std::optional<Eigen::Vector3d> look_at_m;    ///< none: (0, 0, -1)
   std::optional<double> fov_deg;               ///< horizontal; none: 60
+  double roll_deg = 0;  ///< by which the camera is turned about its axis, clockwise as seen from behind it
 
   PhotoLightRequest light;
   double albedo = 0.5;  ///< of the local scene

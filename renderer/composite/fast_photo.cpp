@@ -62,7 +62,7 @@ std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, doubl
 }
 
 bool fast_can_render(const PhotoScene& scene) {
-  if (scene.occlusion.nothing_hides || !scene.shadows) return false;
+  if (scene.occlusion.nothing_hides || !scene.shadows || scene.added != nullptr) return false;
   const Camera& camera = scene.camera;
   if (!camera.directions) return true;
   const auto right = static_cast<float>(camera.width_px), lower = static_cast<float>(camera.height_px);
@@ -101,7 +101,7 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
                             .target = error ? std::optional(ErrorTarget{*error}) : std::nullopt,
                             .filter = choices.filters.size() > 1 ? choices.filters[1] : no_filter,
                             .progress = options.progress});
-  return {std::move(made.sums), std::move(made.error)};
+  return {{std::move(made.sums)}, std::move(made.error), made.taken};
 }
 
 }  // namespace seamline::renderer

@@ -13,8 +13,8 @@ struct PhotoMeshes {
 /// The local scene as a mesh of a scene file.
 [[nodiscard]] std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, double albedo);
 
-/// Whether the fast estimator can render a scene: something real hides and shades the objects, and the lens
-/// shows something everywhere.
+/// Whether the fast estimator can render a scene: something real hides and shades the objects, no light is
+/// added with them, and the lens shows something everywhere.
 [[nodiscard]] bool fast_can_render(const PhotoScene& scene);
 
 /// By the fast estimator of studies: the photograph is given and without error, everything else is asked of

@@ -7,11 +7,13 @@
 
 #include "renderer/common/parallel.h"
 #include "renderer/common/stopwatch.h"
+#include "renderer/composite/change_probe.h"
 #include "renderer/composite/composite_light.h"
 #include "renderer/composite/composite_report.h"
 #include "renderer/composite/composite_request.h"
 #include "renderer/composite/fast_photo.h"
 #include "renderer/composite/photo_world.h"
+#include "renderer/composite/placing.h"
 #include "renderer/composite/seamless_width.h"
 #include "renderer/set/set_layers.h"
 #include "support/running/progress.h"
@@ -75,6 +77,20 @@ std::vector<std::string> answers_text(const CompositeRequest& request) {
   return text;
 }
 
+/// Of objects of which the picture would show nothing: before it is rendered.
+[[noreturn]] void refuse_without_effect(const ObjectSight& sight, bool shadows) {
+  const std::string where =
+      sight.pixels == 0 ? std::string("none: they are outside of the picture, or smaller than a pixel")
+                        : fmt::format("none: they are hidden, {:.3g} m away, by real surfaces {:.3g} m away",
+                                      sight.nearest_m, sight.scene_there_m);
+  throw input_error(
+      {.field = "--position",
+       .wanted = "objects that change the picture (--look-at shows another part of a panorama; without "
+                 "--position an object is put into the picture's middle)",
+       .found = where +
+                (shadows ? ", and of their shadow and light less than a ten-thousandth falls into it" : "")});
+}
+
 /// Says where objects are that are seen badly, and whether they can be seen at all.
 void judge_sight(const ObjectSight& sight, Notes& notes) {
   if (sight.pixels == 0) {
@@ -118,7 +134,7 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
     throw input_error(
         {.field = "--estimator",
          .wanted = "path beside --occlusion none, where nothing real shades the objects, beside --shadows "
-                   "none and beside a lens that leaves the picture's corners empty",
+                   "none, virtual light and beside a lens that leaves the picture's corners empty",
          .found = "fast"});
   Progress progress(title, 1.0);
   const PassOptions pass{.spp = request.spp,
@@ -235,13 +251,23 @@ void make_composite(const CompositeRequest& asked) {
   const PhotoDepth& depth = world.depth;
   const KnownLight& known = world.known;
   PhotoLocalScene& local = world.local;
-  if (std::any_of(request.objects.begin(), request.objects.end(),
-                  [](const PlacedModel& m) { return m.rest; }))
+  std::vector<double> half_widths_m;
+  for (const PhotoObjects::Size& size : objects.sizes) half_widths_m.push_back(half_width_m(size));
+  const auto put = stand_in_view(request.objects, half_widths_m, seen.camera, *local.geometry, seen.centre_m);
+  for (const PlacedModel& model : request.objects)
+    if (!model.has_place)
+      throw input_error({.field = "--position",
+                         .wanted = "the object's place, since the picture shows no depth around its middle "
+                                   "to put it on",
+                         .found = "none"});
+  if (!put.empty() || std::any_of(request.objects.begin(), request.objects.end(),
+                                  [](const PlacedModel& m) { return m.rest; }))
     objects = place_objects(request.objects, seen.centre_m, &local.mesh);
   for (const PhotoObjects::Size& size : objects.sizes) made.objects.push_back(model_text(size));
   made.light = known.text;
   for (const std::string& light : made.light) fmt::print("light: {}\n", light);
   for (const std::string& object : made.objects) fmt::print("object {}\n", object);
+  for (const std::string& sentence : put) fmt::print("{}\n", sentence);
   for (const std::string& sentence : objects.rests) fmt::print("{}\n", sentence);
 
   const Geometry object_geometry(objects.meshes);
@@ -259,9 +285,12 @@ void make_composite(const CompositeRequest& asked) {
                       .light = scene.light,
                       .occlusion = given.occlusion(request.occlusion),
                       .shadow_matte = given.shadow_matte ? &*given.shadow_matte : nullptr,
+                      .added = known.added ? &*known.added : nullptr,
                       .shadows = request.shadows};
   };
-  judge_sight(look_at_objects(seen.camera, *local.geometry, object_geometry, objects), notes);
+  const ObjectSight sight = look_at_objects(seen.camera, *local.geometry, object_geometry, objects);
+  if (!may_change(photo_scene(local), sight, request.threads)) refuse_without_effect(sight, request.shadows);
+  if (!objects.meshes.empty()) judge_sight(sight, notes);
 
   const ChosenWidth chosen = choose_width(request, photo_scene(local), notes);
   made.width = chosen.by_thresholds;
@@ -291,8 +320,8 @@ void make_composite(const CompositeRequest& asked) {
   };
   const Compositing compositing = request.additive ? Compositing::additive : Compositing::ratio;
   Rendered rendered = render(request, scene, meshes_of(local), "composite");
-  const StimulusSums& sums = rendered.estimate.sums;
-  made.picture = compose(sums, compositing, request.threads);
+  const PhotoSums& sums = rendered.estimate.sums;
+  made.picture = compose_photo(sums, compositing, request.threads);
   made.changed_pixels = keep_untouched(*made.photograph, made.picture.picture);
   if (made.changed_pixels == 0)
     throw input_error({.field = "--position",
@@ -302,7 +331,7 @@ void make_composite(const CompositeRequest& asked) {
       !objects_are_lit(sums))
     notes.say("no light reaches the objects: they are black");
   made.estimator = word(rendered.by);
-  made.spp = sums.spp;
+  made.taken = rendered.estimate.taken;
   if (!rendered.estimate.error.tiles.empty()) {
     made.error = rendered.estimate.error.rmse();
     made.worst_tile = rendered.estimate.error.worst_tile();
@@ -323,15 +352,16 @@ void make_composite(const CompositeRequest& asked) {
     std::optional<FullDepth> full;
     if (finest) {
       Rendered finer = render(request, photo_scene(*finest), meshes_of(*finest), "full depth");
-      full = FullDepth{compose(finer.estimate.sums, compositing, request.threads),
+      full = FullDepth{compose_photo(finer.estimate.sums, compositing, request.threads),
                        finest->mesh.triangles.size(), finer.seconds + finest->seconds};
       keep_untouched(*made.photograph, full->picture.picture);
     }
     write_composite_report(request, made, full);
   }
-  fmt::print("{}: {} x {} pixels, {} of them changed; {} triangles; {}, {} samples a pixel{}; {:.1f} s\n",
-             request.out, scene.camera.width_px, scene.camera.height_px, made.changed_pixels, made.triangles,
-             made.estimator, made.spp, made.error ? fmt::format(", estimated error {:.4f}", *made.error) : "",
+  fmt::print("{}: {} x {} pixels, {} of them changed; {} triangles; {}, {}{}; {:.1f} s\n", request.out,
+             scene.camera.width_px, scene.camera.height_px, made.changed_pixels, made.triangles,
+             made.estimator, samples_text(made.taken),
+             made.error ? fmt::format(", estimated error {:.4f}", *made.error) : "",
              made.mesh_seconds + made.picture_seconds);
   fmt::print("{} pixels had too little light for a ratio, {} were clamped\n",
              made.picture.tiny_denominators.floored_pixels, made.picture.tiny_denominators.clamped_pixels);

@@ -44,16 +44,16 @@ PlacedModel read_object(const TomlTable& table, const AssetFolders& folders) {
   PlacedModel model;
   model.file = table.text("file");
   model.path = resolve_asset(model.file, folders, table.field("file"));
-  if (!table.has("position_m"))
-    throw table.complaint("position_m", "where the object is, [right, up, back] in metres", "nothing");
-  model.position_m =
-      vector_at(table, "position_m", {-limits::farthest_place_m, limits::farthest_place_m, "m"});
+  model.has_place = table.has("position_m");
+  if (model.has_place)
+    model.position_m =
+        vector_at(table, "position_m", {-limits::farthest_place_m, limits::farthest_place_m, "m"});
   model.rotation_deg = vector_at(table, "rotation_deg", {-1e9, 1e9, "degrees"});
   if (table.has("scale") && table.has("height_m"))
     throw table.complaint("height_m", "scale or height_m, not both", "both");
   model.scale = table.number("scale", 1, {1e-9, 1e9});
   if (table.has("height_m")) model.height_m = table.number("height_m", 1, {1e-9, 1e9, "m"});
-  model.stands = table.boolean("stands", model.height_m.has_value());
+  model.stands = table.boolean("stands", model.height_m.has_value() || !model.has_place);
   model.rest = table.boolean("rest", false);
   read_material(table, model);
   table.finish();
@@ -71,6 +71,20 @@ void refuse_options(const TomlTable& table) {
     if (table.has(key)) throw table.complaint(key, "keys of light and tables [[object]]", "a key of studies");
 }
 
+/// Suns and lamps that exist only with the objects.
+SceneDefinition read_added(const TomlTable& table, const AssetFolders& folders) {
+  refuse_options(table);
+  for (const char* key :
+       {"environment", "environment_radiance", "environment_strength", "environment_rotation_deg"})
+    if (table.has(key))
+      throw table.complaint(key, "suns and lamps, which exist only with the objects", "an environment");
+  SceneDefinition added;
+  read_light(table, folders, AssetCheck::must_exist, added);
+  table.finish();
+  if (!added.suns && !added.lamps) throw table.complaint("lamps", "suns or lamps", "neither");
+  return added;
+}
+
 ObjectsFile read_objects(const TomlTable& table, const std::filesystem::path& path,
                          const std::filesystem::path& asset_root) {
   const AssetFolders folders{.study_file = path, .asset_root = asset_root};
@@ -80,8 +94,10 @@ ObjectsFile read_objects(const TomlTable& table, const std::filesystem::path& pa
     file.has_light = file.has_light || table.has(key);
   file.light.environment_radiance = {0, 0, 0};
   read_light(table, folders, AssetCheck::must_exist, file.light);
+  if (const auto added = table.table("virtual_light")) file.added = read_added(*added, folders);
   for (const TomlTable& object : table.tables("object")) file.objects.push_back(read_object(object, folders));
-  if (file.objects.empty()) throw table.complaint("object", "at least one table [[object]]", "none");
+  if (file.objects.empty() && !file.added)
+    throw table.complaint("object", "at least one table [[object]]", "none");
   table.finish();
   return file;
 }

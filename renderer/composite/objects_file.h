@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "renderer/composite/photo_objects.h"
@@ -11,7 +12,8 @@ namespace seamline::renderer {
 struct ObjectsFile {
   std::vector<PlacedModel> objects;
   bool has_light = false;
-  SceneDefinition light;  ///< suns, lamps and environment, where `has_light`
+  SceneDefinition light;                 ///< suns, lamps and environment, where `has_light`
+  std::optional<SceneDefinition> added;  ///< suns and lamps that exist only with the objects
 };
 
 /// Reads a TOML file of objects (documentation/how-to/composite.md). Files are looked for beside it, and

@@ -56,6 +56,11 @@ void add_left_out(const SceneFile& file, std::vector<std::string>& sentences) {
 
 }  // namespace
 
+double half_width_m(const PhotoObjects::Size& size) {
+  const Eigen::Vector3d sides = size.high_m - size.low_m;
+  return 0.5 * std::max(sides.x(), sides.z());
+}
+
 PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::Vector3d& centre_m,
                            const DepthMesh* ground) {
   KnownModels known;

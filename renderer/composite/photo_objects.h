@@ -20,8 +20,9 @@ struct PlacedModel {
   Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< pitch about X, yaw about Y, roll about Z
   double scale = 1;
   std::optional<double> height_m = {};  ///< it is scaled to be so tall; `scale` then says nothing
-  bool stands = false;  ///< `position_m` is the middle of its lowest level, not the origin of its file
-  bool rest = false;    ///< it is let down from there, and stands where it comes to rest on the depth map
+  bool stands = false;    ///< `position_m` is the middle of its lowest level, not the origin of its file
+  bool has_place = true;  ///< else it is put where the view shows a real surface (`stand_in_view`)
+  bool rest = false;      ///< it is let down from there, and stands where it comes to rest on the depth map
   MaterialModel materials = MaterialModel::gltf;
   Transparency transparency = Transparency::refused;    ///< of its half-transparent surfaces
   double albedo = 0.5;                                  ///< of its meshes without a material
@@ -43,6 +44,9 @@ struct PhotoObjects {
   std::vector<std::string> rests;     ///< sentences about what was let down
   std::vector<std::string> left_out;  ///< sentences about what of the files is not shown, once a file
 };
+
+/// Half of an object's larger side across.
+[[nodiscard]] double half_width_m(const PhotoObjects::Size& size);
 
 /// Reads and places objects. `centre_m`: the camera's place in the world. Throws InputError naming the file
 /// where it is wrong, has no triangles, is flat where a height is wanted, or has a material that cannot be

@@ -33,7 +33,11 @@ Camera pinhole_camera(const CompositeRequest& request, SeenPhoto& seen, int widt
     scene.camera = CameraDefinition{Eigen::Vector3d::Zero(),
                                     request.look_at_m.value_or(Eigen::Vector3d(-Eigen::Vector3d::UnitZ())),
                                     request.fov_deg.value_or(usual_photograph_fov_deg)};
-  const Camera camera = scene_camera(scene, seen.scene, width_px, height_px, seen.centre_m);
+  Camera camera = scene_camera(scene, seen.scene, width_px, height_px, seen.centre_m);
+  if (request.roll_deg != 0) {
+    const auto roll_rad = static_cast<float>(-request.roll_deg * std::numbers::pi / 180);
+    camera.axes = camera.axes * Eigen::AngleAxisf(roll_rad, Eigen::Vector3f::UnitZ()).toRotationMatrix();
+  }
   seen.fov_deg = 2 * std::atan(double{camera.tan_half_horizontal}) * 180 / std::numbers::pi;
   return camera;
 }
@@ -47,6 +51,7 @@ void refuse_view_of_whole(const CompositeRequest& request) {
   };
   if (request.look_at_m) refuse("--look-at");
   if (request.fov_deg) refuse("--fov");
+  if (request.roll_deg != 0) refuse("--roll");
 }
 
 void require_one_pose(const CompositeRequest& request) {

@@ -1,32 +1,17 @@
 #include "renderer/composite/place_preview.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "renderer/composite/change_probe.h"
+#include "renderer/composite/placing.h"
 
 namespace seamline::renderer {
 namespace {
 
 constexpr int coarsening = 8, most_preview_spp = 256;
 
-/// The same camera with other pixels.
-Camera preview_sized(const Camera& camera, int width_px) {
-  Camera small = camera;
-  small.width_px = std::min(width_px, camera.width_px);
-  small.height_px = std::max(
-      1, static_cast<int>(std::lround(double{1} * small.width_px * camera.height_px / camera.width_px)));
-  if (camera.directions) {
-    const float across = static_cast<float>(camera.width_px) / static_cast<float>(small.width_px);
-    const float down = static_cast<float>(camera.height_px) / static_cast<float>(small.height_px);
-    small.directions =
-        std::make_shared<const ImageDirections>([large = camera.directions, across, down](float x, float y) {
-          return (*large)(x * across, y * down);
-        });
-  }
-  return small;
-}
-
 /// Mean over what each pixel covers.
-Image preview_sized(const Image& image, int width_px, int height_px) {
+Image photograph_sized(const Image& image, int width_px, int height_px) {
   Image small(width_px, height_px, 3);
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
@@ -49,10 +34,29 @@ PlacePreview::PlacePreview(const PhotoWorld& world, int width_px, int threads)
   for (int divisor = coarsening; divisor >= 1; divisor /= 2) {
     Level level{preview_sized(world.seen.camera, std::max(1, width_px / divisor)), {}};
     level.photograph =
-        preview_sized(world.seen.photograph.radiance, level.camera.width_px, level.camera.height_px);
+        photograph_sized(world.seen.photograph.radiance, level.camera.width_px, level.camera.height_px);
     levels_.push_back(std::move(level));
   }
   picture_ = levels_.back().photograph;
+}
+
+std::vector<std::string> PlacePreview::stand(std::vector<PlacedModel>& models) {
+  const PhotoObjects placed = place_objects(models, world_.seen.centre_m, nullptr, known_);
+  std::vector<double> half_widths_m;
+  for (const PhotoObjects::Size& size : placed.sizes) half_widths_m.push_back(renderer::half_width_m(size));
+  auto put =
+      stand_in_view(models, half_widths_m, world_.seen.camera, *world_.local.geometry, world_.seen.centre_m);
+  for (PlacedModel& model : models) model.has_place = true;
+  return put;
+}
+
+std::optional<FloorInView> PlacePreview::floor() const {
+  return floor_in_view(levels_.back().camera, *world_.local.geometry, world_.seen.centre_m);
+}
+
+std::vector<std::uint8_t> PlacePreview::grid_on(const FloorInView& floor, double spacing_m) const {
+  return floor_grid(levels_.back().camera, *world_.local.geometry, objects_.get(), floor,
+                    world_.seen.centre_m, spacing_m, threads_);
 }
 
 void PlacePreview::set_objects(const std::vector<PlacedModel>& models) {
@@ -71,11 +75,12 @@ bool PlacePreview::refine() {
                          .camera = level.camera,
                          .depth = *world_.local.geometry,
                          .objects = *objects_,
-                         .light = world_.local.light};
-  StimulusSums sums = sums_ ? std::move(*sums_) : empty_photo_sums(scene, threads_);
+                         .light = world_.local.light,
+                         .added = world_.known.added ? &*world_.known.added : nullptr};
+  PhotoSums sums = sums_ ? std::move(*sums_) : empty_photo_sums(scene, threads_);
   const int so_far = sums.spp;
   add_photo_samples(scene, so_far, {.spp = so_far + 1, .seed = 1, .threads = threads_, .progress = {}}, sums);
-  picture_ = compose(sums, Compositing::ratio, threads_).picture;
+  picture_ = compose_photo(sums, Compositing::ratio, threads_).picture;
   if (finest)
     sums_ = std::move(sums);
   else
@@ -112,8 +117,7 @@ PlacePreview::Sight PlacePreview::look(double x_share, double y_share) const {
 }
 
 double PlacePreview::half_width_m(std::size_t object) const {
-  const Eigen::Vector3d sides = placed_.sizes[object].high_m - placed_.sizes[object].low_m;
-  return 0.5 * std::max(sides.x(), sides.z());
+  return renderer::half_width_m(placed_.sizes[object]);
 }
 
 }  // namespace seamline::renderer

@@ -7,6 +7,7 @@
 
 #include "renderer/composite/photo_composite.h"
 #include "renderer/composite/photo_world.h"
+#include "renderer/composite/view/standing_place.h"
 
 namespace seamline::renderer {
 
@@ -17,12 +18,20 @@ class PlacePreview {
   /// `world` and what it holds stay alive. `width_px`: of the finest picture.
   PlacePreview(const PhotoWorld& world, int width_px, int threads);
 
+  /// Gives objects without a place one in the view (`stand_in_view`), where it shows a surface.
+  [[nodiscard]] std::vector<std::string> stand(std::vector<PlacedModel>& models);
   /// Begins again with objects as they stand now. Throws InputError as `place_objects` does.
   void set_objects(const std::vector<PlacedModel>& models);
   /// One more picture: a finer one, or one of more samples. Returns whether there is anything left to do.
   bool refine();
   /// The picture so far, linear; the photograph alone before the first.
   [[nodiscard]] const Image& picture() const { return picture_; }
+  /// The floor that the view shows, and the flags of a grid on it, of `spacing_m`, in the finest picture's
+  /// pixels (`floor_grid`).
+  [[nodiscard]] std::optional<FloorInView> floor() const;
+  [[nodiscard]] std::vector<std::uint8_t> grid_on(const FloorInView& floor, double spacing_m) const;
+  [[nodiscard]] int finest_width_px() const { return levels_.back().camera.width_px; }
+  [[nodiscard]] int finest_height_px() const { return levels_.back().camera.height_px; }
 
   /// What is seen through a place of the picture, in shares of its width and height.
   struct Sight {
@@ -47,7 +56,7 @@ class PlacePreview {
   PhotoObjects placed_;
   std::unique_ptr<Geometry> objects_;
   std::size_t level_ = 0;
-  std::optional<StimulusSums> sums_;  ///< of the finest level
+  std::optional<PhotoSums> sums_;  ///< of the finest level
   Image picture_;
 };
 

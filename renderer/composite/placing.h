@@ -49,6 +49,15 @@ bool act(Placing& placing, const PlaceAction& action);
 /// "statue: 0.400 -1.300 -3.000 m, turned 25 degrees, 1.20 m tall".
 [[nodiscard]] std::string placing_text(const PlacedModel& model);
 
+/// Puts objects that have no place yet onto real surfaces that the picture shows (`place_in_view`), the first
+/// one in its middle, others beside it; beside a steep one they keep half their width away. `half_widths_m`:
+/// of each object. Returns a sentence for each that was put; where the picture shows no surface there, it
+/// stays without a place.
+[[nodiscard]] std::vector<std::string> stand_in_view(std::vector<PlacedModel>& objects,
+                                                     const std::vector<double>& half_widths_m,
+                                                     const Camera& camera, const Geometry& depth,
+                                                     const Eigen::Vector3d& centre_m);
+
 /// A file of objects as it is opened to be changed: its objects, and the light before them, as it is written.
 struct OpenedObjects {
   std::vector<PlacedModel> objects;
@@ -59,12 +68,18 @@ struct OpenedObjects {
 [[nodiscard]] OpenedObjects open_objects(const std::filesystem::path& file,
                                          const std::filesystem::path& asset_root);
 
-/// An object that was named on the command line, as a file of objects names it: relative to that file.
-/// Throws InputError where it is not there, or not below the file's folder.
-[[nodiscard]] PlacedModel new_object(const std::string& named, const std::filesystem::path& objects_file);
+/// An object that was named on the command line, half a metre tall and without a place. Throws InputError
+/// where its file is not there.
+[[nodiscard]] PlacedModel new_object(const std::string& named);
 
-/// Writes the file again, whole or not at all.
-void save_objects(const std::filesystem::path& file, const std::string& head,
+/// Names the objects' files as a file of objects names them: relative to its folder what lies in or below it,
+/// all else by its whole path. Returns the folder in which those others lie, for --asset-root; empty: none.
+[[nodiscard]] std::filesystem::path name_for(const std::filesystem::path& objects_file,
+                                             std::vector<PlacedModel>& objects);
+
+/// Writes the file again, whole or not at all. `command`: makes the picture of it, and stands in its first
+/// line as a remark, in place of the one before.
+void save_objects(const std::filesystem::path& file, const std::string& head, const std::string& command,
                   const std::vector<PlacedModel>& objects);
 
 }  // namespace seamline::renderer

@@ -1,5 +1,5 @@
 // Through a window, other places see sky that the panorama's own place does not.
-#include "renderer/composite/hidden_sky.h"
+#include "renderer/composite/light/hidden_sky.h"
 
 #include <gtest/gtest.h>
 

@@ -146,11 +146,63 @@ TEST_F(MakeComposite, AnObjectThatChangesNothingIsRefusedAndNoPictureIsWritten) 
   fs::remove(folder_ / "nothing.exr");
   CompositeRequest request = view();
   request.out = in("nothing.exr");
-  request.objects[0].position_m = {0, -1, -30};  // behind the wall
+  request.objects[0].position_m = {0, -2.5, -6};  // behind the wall
   request.light.given.environment_radiance = {0, 0, 0};
   request.light.given.suns = {SunDefinition{Eigen::Vector3d(0, 1, 0), {1, 1, 1}, 0}};
-  EXPECT_THAT(said(request), HasSubstr("not one pixel"));
+  EXPECT_THAT(said(request), HasSubstr("hidden"));
   EXPECT_FALSE(fs::exists(folder_ / "nothing.exr"));
+}
+
+TEST_F(MakeComposite, ARenderingThatWouldChangeNothingIsRefusedBeforeItBegins) {
+  CompositeRequest request = view();
+  request.spp = 65536;  // nobody waits for these
+  request.objects[0].position_m = {0, -1, 30};
+  request.light.given.environment_radiance = {0, 0, 0};
+  request.light.given.suns = {SunDefinition{Eigen::Vector3d(0, 1, 0), {1, 1, 1}, 0}};
+  EXPECT_THAT(said(request), AllOf(HasSubstr("outside of the picture"), HasSubstr("--look-at")));
+  request.objects[0].position_m = {0, -2.5, -6};
+  EXPECT_THAT(said(request), HasSubstr("hidden"));
+  request.objects[0].position_m = {0, -1, 30};
+  request.shadows = false;
+  EXPECT_THAT(said(request), HasSubstr("outside of the picture"));
+}
+
+TEST_F(MakeComposite, AnObjectWithoutAPlaceStandsInTheMiddleOfTheView) {
+  CompositeRequest request = view();
+  request.objects[0].has_place = false;
+  request.objects[0].height_m = 0.3;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(said(request), "no complaint");
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("has no position: it is put at "));
+  const Image made = read_image(folder_ / "out.exr");
+  int changed = 0;
+  for (int y = 8; y < 22; ++y)
+    for (int x = 14; x < 26; ++x) changed += std::abs(made.at(x, y) - 0.5F) > 1e-3F ? 1 : 0;
+  EXPECT_GT(changed, 20);
+}
+
+TEST_F(MakeComposite, ACameraThatIsRolledTurnsThePictureRoundItsMiddle) {
+  CompositeRequest request = panorama();
+  request.view_px = std::pair(40, 40);
+  request.objects[0].position_m = {0.6, 0, -2};
+  request.shadows = false;
+  request.spp = 16;
+  request.light.given.environment_radiance = {0, 0, 0};
+  const auto middle_of_change = [&](double roll_deg) {
+    request.roll_deg = roll_deg;
+    EXPECT_EQ(said(request), "no complaint");
+    const Image made = read_image(folder_ / "out.exr");
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double count = 0;
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x)
+        if (std::abs(made.at(x, y) - 0.5F) > 1e-3F) sum += Eigen::Vector2d(x - 19.5, y - 19.5), count += 1;
+    return Eigen::Vector2d(sum / count);
+  };
+  const Eigen::Vector2d upright = middle_of_change(0), rolled = middle_of_change(90);
+  // The camera is turned clockwise, what it shows the other way: from the right to the top.
+  EXPECT_NEAR(rolled.x(), upright.y(), 1);
+  EXPECT_NEAR(rolled.y(), -upright.x(), 1);
 }
 
 TEST_F(MakeComposite, DepthThatIsNoneOrOfAnotherShapeIsRefused) {
@@ -290,7 +342,9 @@ TEST(ObjectsFile, IsReadAsItWasWrittenAndRefusesWhatItDoesNotKnow) {
   EXPECT_THAT(said(object + "hight_m = 1\n"), AllOf(HasSubstr("object[0].hight_m"), HasSubstr("height_m")));
   EXPECT_THAT(said(object + "height_m = 1\nscale = 2\n"), HasSubstr("not both"));
   EXPECT_THAT(said(object + "materials = \"diffuse\"\nroughness = 0.2\n"), HasSubstr("roughness"));
-  EXPECT_THAT(said("[[object]]\nfile = \"builtin:lion\"\n"), HasSubstr("position_m"));
+  const auto unplaced = parse_objects_file("[[object]]\nfile = \"builtin:lion\"\n", path, {});
+  EXPECT_FALSE(unplaced.objects.at(0).has_place);
+  EXPECT_TRUE(unplaced.objects.at(0).stands);
   EXPECT_THAT(said("[[object]]\nfile = \"none.glb\"\nposition_m = [0, 0, 0]\n"), HasSubstr("none.glb"));
   EXPECT_THAT(said(""), HasSubstr("[[object]]"));
   EXPECT_THAT(said("albedo = 0.3\n" + object), HasSubstr("--albedo"));

@@ -98,17 +98,20 @@ TEST(Placing, WhatIsSavedIsReadAgainWithTheLightThatStoodBeforeIt) {
   Placing placing;
   placing.objects = opened.objects;
   act(placing, Shifted{{0.1, 0, 0}});
-  save_objects(file, opened.head, placing.objects);
-  EXPECT_EQ(read_file(file).rfind("# two lines\nenvironment_radiance", 0), 0U);
+  save_objects(file, opened.head, "seamline composite --out a.png", placing.objects);
+  EXPECT_EQ(read_file(file).rfind(
+                "# made by: seamline composite --out a.png\n# two lines\nenvironment_radiance", 0),
+            0U);
   const ObjectsFile again = read_objects_file(file, {});
   EXPECT_TRUE(again.has_light);
   ASSERT_EQ(again.objects.size(), 1U);
   EXPECT_EQ(again.objects[0].position_m, Eigen::Vector3d(1.1, 2, 3));
   EXPECT_EQ(again.objects[0].scale, 0.25);
   EXPECT_EQ(again.objects[0].roughness, 0.125);
-  save_objects(file, open_objects(file, {}).head, again.objects);
+  save_objects(file, open_objects(file, {}).head, "seamline", again.objects);
   const std::string once = read_file(file);
-  save_objects(file, open_objects(file, {}).head, open_objects(file, {}).objects);
+  EXPECT_EQ(once.rfind("# made by: seamline\n# two lines", 0), 0U) << "in place of the command before";
+  save_objects(file, open_objects(file, {}).head, "seamline", open_objects(file, {}).objects);
   EXPECT_EQ(read_file(file), once);
 }
 
@@ -118,9 +121,34 @@ TEST(Placing, RefusesWhatSavingWouldLose) {
       file,
       "[[object]]\nfile = \"builtin:statue\"\n\n[[suns]]\nto_sun = [0, 1, 0]\nirradiance_w_m2 = [1, 1, 1]\n");
   EXPECT_THROW((void)open_objects(file, {}), InputError);
-  EXPECT_THROW((void)new_object("/etc/hostname", file), InputError) << "not below the file's folder";
-  EXPECT_THROW((void)new_object("builtin:kettle", file), InputError);
-  EXPECT_EQ(new_object("builtin:teapot", file).file, "builtin:teapot");
+  EXPECT_THROW((void)new_object("builtin:kettle"), InputError);
+  EXPECT_THROW((void)new_object("/nowhere/vase.glb"), InputError);
+}
+
+TEST(Placing, FilesFromAnywhereAreNamedSoThatTheCommandFindsThem) {
+  namespace fs = std::filesystem;
+  const fs::path beside = folder() / "project", elsewhere = folder() / "elsewhere";
+  fs::create_directories(beside / "models");
+  fs::create_directories(elsewhere / "vases");
+  for (const fs::path& file : {beside / "models/a.glb", elsewhere / "vases/b.glb", elsewhere / "c.glb"})
+    write_file_atomically(file, "of no meaning");
+  const fs::path file = beside / "objects.toml";
+  std::vector<PlacedModel> objects;
+  for (const fs::path& named : {beside / "models/a.glb", elsewhere / "vases/b.glb", elsewhere / "c.glb"})
+    objects.push_back(new_object(named.string()));
+  objects.push_back(new_object("builtin:teapot"));
+  const fs::path root = name_for(file, objects);
+  EXPECT_EQ(root, fs::weakly_canonical(elsewhere));
+  EXPECT_EQ(objects[0].file, "models/a.glb");
+  EXPECT_EQ(objects[3].file, "builtin:teapot");
+  save_objects(file, "", "seamline", objects);
+  const ObjectsFile read = read_objects_file(file, root);
+  ASSERT_EQ(read.objects.size(), 4U);
+  EXPECT_TRUE(fs::equivalent(read.objects[1].path, elsewhere / "vases/b.glb"));
+  EXPECT_THROW((void)read_objects_file(file, {}), InputError)
+      << "without --asset-root files elsewhere are not read";
+  std::vector<PlacedModel> below = {objects[0]};
+  EXPECT_TRUE(name_for(file, below).empty());
 }
 
 }  // namespace

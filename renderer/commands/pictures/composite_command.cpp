@@ -12,6 +12,7 @@
 #include "support/files/assets.h"
 #include "support/text/command_help.h"
 #include "support/text/error.h"
+#include "support/text/shell_word.h"
 
 namespace seamline::renderer {
 namespace {
@@ -39,14 +40,12 @@ class Given {
 
 void check_given(const CompositeOptions& options, const Given& given) {
   const bool camera = given("--camera");
-  const char* file = "the TOML file of --objects, which says it of each object";
+  const bool in_file = given("--objects");
+  const char* where =
+      in_file ? "the TOML file of --objects, which says it of each object" : "--object beside it";
   given.refuse({"--position", "--rotation", "--scale", "--height", "--materials", "--object-albedo",
                 "--metallic", "--roughness", "--rest"},
-               !given("--objects"), file, "--objects " + options.objects);
-  if (given("--object") == given("--objects"))
-    throw input_error({.field = "--object",
-                       .wanted = "one of --object FILE and --objects FILE.toml",
-                       .found = given("--object") ? "both" : "neither"});
+               given("--object") && !in_file, where, in_file ? "--objects " + options.objects : "none");
   given.refuse({"--scale"}, !given("--height"), "--scale or --height, not both", "both");
   given.refuse({"--metallic", "--roughness"}, options.materials == "gltf", "--materials gltf beside it",
                "--materials diffuse");
@@ -78,12 +77,11 @@ PlacedModel model_of(const CompositeOptions& options, const Given& given) {
   model.file = options.object;
   model.path = resolve_named_file(options.object, "--object");
   model.position_m = as_vector(options.position_m);
+  model.has_place = given("--position");
   model.rotation_deg = as_vector(options.rotation_deg);
   model.scale = options.scale;
-  if (given("--height")) {
-    model.height_m = options.height_m;
-    model.stands = true;
-  }
+  if (given("--height")) model.height_m = options.height_m;
+  model.stands = given("--height") || !model.has_place;
   model.rest = options.rest;
   model.materials = options.materials == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
   model.transparency = transparency_of(options.transparent).value_or(Transparency::refused);
@@ -93,15 +91,14 @@ PlacedModel model_of(const CompositeOptions& options, const Given& given) {
   return model;
 }
 
-LampDefinition lamp_of(const std::array<double, 6>& values) {
+LampDefinition lamp_of(const std::array<double, 6>& values, const char* option) {
   LampDefinition lamp;
   lamp.position_m = {values[0], values[1], values[2]};
   lamp.intensity_w_sr = {values[3], values[4], values[5]};
   for (const double intensity : lamp.intensity_w_sr)
     if (intensity < 0)
-      throw input_error({.field = "--lamp",
-                         .wanted = "an intensity of at least 0 W/sr",
-                         .found = std::to_string(intensity)});
+      throw input_error(
+          {.field = option, .wanted = "an intensity of at least 0 W/sr", .found = std::to_string(intensity)});
   return lamp;
 }
 
@@ -119,24 +116,46 @@ void take_light(const CompositeOptions& options, const Given& given, PhotoLightR
         .file = options.environment_map,
         .path = resolve_named_file(options.environment_map, "--environment-map", BuiltinKind::environment),
         .rotation_deg = options.rotation_of_map_deg};
-  if (given("--lamp")) scene.lamps = {lamp_of(options.lamp)};
+  if (given("--lamp")) scene.lamps = {lamp_of(options.lamp, "--lamp")};
   light.has_given =
       given("--to-sun") || given("--environment") || given("--environment-map") || given("--lamp");
   light.splits_sun = !options.keeps_sun;
 }
 
+/// Light of the options that exists only with the objects.
+void take_added_light(const CompositeOptions& options, const Given& given, SceneDefinition& added) {
+  if (given("--virtual-lamp")) added.lamps = {lamp_of(options.virtual_lamp, "--virtual-lamp")};
+  if (!given("--virtual-sun")) return;
+  const auto& v = options.virtual_sun;
+  const Eigen::Vector3d to_sun(v[0], v[1], v[2]);
+  if (!(to_sun.norm() > 0) || v[3] < 0 || v[4] < 0 || v[5] < 0)
+    throw input_error({.field = "--virtual-sun",
+                       .wanted = "a direction, and an irradiance of at least 0 W/m2",
+                       .found = "a direction of no length, or less than 0"});
+  added.suns = {SunDefinition{to_sun.normalized(), {v[3], v[4], v[5]}, 0}};
+}
+
 void take_objects(const CompositeOptions& options, const Given& given, CompositeRequest& request) {
   take_light(options, given, request.light);
-  if (given("--objects") && options.objects.empty()) return;  // place: a file that is not there yet
-  if (!given("--objects")) {
+  take_added_light(options, given, request.light.added);
+  if (given("--object")) {
     request.objects = {model_of(options, given)};
     return;
   }
+  if (options.objects.empty()) return;  // place: a file that is not there yet
   const ObjectsFile file = read_objects_file(options.objects, options.asset_root);
   request.objects = file.objects;
   if (const auto transparency = transparency_of(options.transparent))
     for (PlacedModel& model : request.objects)
       if (model.transparency == Transparency::refused) model.transparency = *transparency;
+  if (file.added) {
+    if (request.light.added.suns || request.light.added.lamps)
+      throw input_error({.file = options.objects,
+                         .field = "virtual_light",
+                         .wanted = "virtual light in the file or in the options, not in both",
+                         .found = "both"});
+    request.light.added = *file.added;
+  }
   if (!file.has_light) return;
   if (request.light.has_given)
     throw input_error({.file = options.objects,
@@ -172,6 +191,7 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
                       : options.occlusion == "mesh"       ? PhotoOcclusion::mesh
                                                           : PhotoOcclusion::depth_buffer;
   request.shadows = options.shadows == "cast";
+  if (options.repair != "none") request.repair = options.repair;
   if (given("--depth-width")) {
     if (options.depth_width_px % 2 != 0)
       throw input_error({.field = "--depth-width",
@@ -191,6 +211,11 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
 
 void run_composite(const CompositeOptions& options, const CLI::App& command) {
   const Given given(command);
+  const bool has_added = given("--virtual-lamp") || given("--virtual-sun");
+  if (given("--object") == given("--objects") && !(has_added && !given("--object")))
+    throw input_error({.field = "--object",
+                       .wanted = "one of --object FILE and --objects FILE.toml, or a virtual light alone",
+                       .found = given("--object") ? "both" : "neither"});
   need_extension(options.request.out, {".png", ".exr"});
   if (given("--layers")) need_extension(options.request.layers, {".exr"}, "--layers");
   if (given("--local-scene")) need_extension(options.request.local_scene, {".png"}, "--local-scene");
@@ -203,6 +228,19 @@ constexpr std::array left_to_composite = {
     "--object",  "--out",       "--layers",      "--report",   "--local-scene",    "--error",
     "--spp",     "--estimator", "--depth-width", "--seamless", "--occlusion-mask", "--shadow-matte",
     "--shadows", "--occlusion", "--seed",        "--condition"};
+
+/// The command line of `composite` with what `place` was given, but for its objects.
+std::string shared_command(const CLI::App& place) {
+  std::string line = "seamline composite";
+  for (const CLI::Option* option : place.get_options()) {
+    const std::string name = "--" + option->get_single_name();
+    if (option->count() == 0 || name == "--objects" || name == "--add" || name == "--asset-root") continue;
+    line += " " + name;
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    for (const std::string& value : option->results()) line += " " + shell_word(value);
+  }
+  return line;
+}
 
 void run_place(const CompositeOptions& options, const std::vector<std::string>& added,
                const CLI::App& command, PlaceInWindow in_window) {
@@ -217,11 +255,15 @@ void run_place(const CompositeOptions& options, const std::vector<std::string>& 
       throw input_error({.field = name,
                          .wanted = "options of photograph, depth, camera and light",
                          .found = "one of composite"});
-  PlaceRequest request{
-      .photo = {}, .objects_file = options.objects, .asset_root = options.asset_root, .added = added};
+  PlaceRequest request{.photo = {},
+                       .objects_file = options.objects,
+                       .asset_root = options.asset_root,
+                       .command = shared_command(command),
+                       .added = added};
   CompositeOptions photo = options;
   const bool is_there = std::filesystem::exists(options.objects);
   if (!is_there) photo.objects.clear();
+  if (!is_there && added.empty()) request.added = {"builtin:statue"};
   request.photo = request_of(photo, command, given);
   in_window(request);
 }
@@ -230,16 +272,16 @@ void run_place(const CompositeOptions& options, const std::vector<std::string>& 
 void group_composite_options(CLI::App& command) {
   group_options(
       command,
-      {{"Photograph", {"--projection", "--layer", "--camera", "--scene"}},
+      {{"Photograph", {"--projection", "--layer", "--roll", "--camera", "--scene"}},
        {"Depth map",
         {"--depth-view", "--depth-kind", "--mesh", "--tolerance", "--yaw", "--jumps", "--jump-ratio",
-         "--depth-width", "--condition", "--depth-channel", "--nothing"}},
+         "--repair", "--depth-width", "--condition", "--depth-channel", "--nothing"}},
        {"Estimated depth",
         {"--depth-value", "--depth-scale", "--depth-shift", "--depth-point", "--depth-reference"}},
        {"Object's surface", {"--materials", "--object-albedo", "--metallic", "--roughness", "--asset-root"}},
        {"Light",
         {"--sun-radius", "--lamp", "--environment", "--environment-rotation", "--light-panorama",
-         "--keep-sun", "--albedo", "--bounces"}},
+         "--keep-sun", "--clipped-light", "--virtual-lamp", "--virtual-sun", "--albedo", "--bounces"}},
        {"Who is in front, and shadows",
         {"--occlusion", "--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far",
          "--occlusion-mask", "--shadows", "--shadow-matte"}},
@@ -257,12 +299,15 @@ void add_place_command(CLI::App& app, PlaceInWindow in_window) {
   add_composite_options(*command, *options);
   group_composite_options(*command);
   for (const char* name : left_to_composite) command->get_option(name)->group("")->required(false);
+  options->objects = "objects.toml";
   command->get_option("--objects")
-      ->required()
       ->description(
-          "the file that is changed (TOML, documentation/how-to/composite.md); it need not be there beside --add");
-  command->add_option("--add", *added,
-                      "an object to put there besides: .glb, .gltf or builtin:NAME; may be given again");
+          "the file that is changed (TOML, documentation/how-to/composite.md), or made where it is not there")
+      ->capture_default_str();
+  command->add_option(
+      "--add", *added,
+      "an object to put there besides: .glb, .gltf or builtin:NAME; may be given again (a new file without any "
+      "begins with builtin:statue)");
   command->callback(
       [options, added, command, in_window] { run_place(*options, *added, *command, in_window); });
 }

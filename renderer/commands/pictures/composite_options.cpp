@@ -45,6 +45,10 @@ void add_photograph_options(CLI::App& command, CompositeOptions& options) {
   add_number(command, "--fov", options.fov_deg, {1, 170, "degrees"},
              "horizontal field of view of a perspective photograph without --camera, or of --view")
       ->capture_default_str();
+  add_number(
+      command, "--roll", request.roll_deg, {-180, 180, "degrees"},
+      "of the camera about its axis, clockwise as seen from behind it: the picture's horizon leans to the "
+      "left");
   command.add_option(
       "--camera", request.depth.camera,
       "the photograph's camera (TOML file or preset, as of register): then --depth has its pixels, as "
@@ -87,6 +91,13 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
   add_number(command, "--jump-ratio", options.jump_ratio, {1.0001, 1000},
              "of depths between which --jumps cut cuts")
       ->capture_default_str();
+  command
+      .add_option(
+          "--repair", options.repair,
+          "of depth of the photograph's own view, whose noise would be shaded: none, nearest (holes alone), "
+          "median, joint_bilateral (guided by the photograph) or planes")
+      ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
+      ->capture_default_str();
   add_number(
       command, "--depth-width", options.depth_width_px, {2, 16384, "px"},
       "see the local scene through a panorama so wide, captured from the whole depth map (default: the whole "
@@ -110,8 +121,8 @@ void add_object_options(CLI::App& command, CompositeOptions& options) {
   add_number(
       command, "--position", options.position_m, any_place_m,
       "where the object's origin is (with --height: the middle of its lowest level), from the panorama's "
-      "centre or the camera: right, up, back; with --scene in that file's world")
-      ->capture_default_str();
+      "centre or the camera: right, up, back; with --scene in that file's world (default: it stands on the "
+      "real surface that the picture's middle shows, and where is printed)");
   add_number(command, "--rotation", options.rotation_deg, {-1e9, 1e9, "degrees"},
              "pitch about X, yaw about Y, roll about Z")
       ->capture_default_str();
@@ -148,6 +159,13 @@ void add_light_options(CLI::App& command, CompositeOptions& options) {
       command, "--lamp", options.lamp, {-limits::strongest_light, limits::strongest_light},
       "a lamp without size: its place X Y Z in metres, as --position, and R G B in W/sr; several go into "
       "the file of --objects");
+  add_number(
+      command, "--virtual-lamp", options.virtual_lamp, {-limits::strongest_light, limits::strongest_light},
+      "a lamp that exists only with the objects, so that real surfaces brighten: X Y Z and R G B as of "
+      "--lamp; no object is needed beside it");
+  add_number(
+      command, "--virtual-sun", options.virtual_sun, {-limits::strongest_light, limits::strongest_light},
+      "a sun that exists only with the objects: X Y Z towards it, and R G B in W/m2 on a plane facing it");
   CLI::Option* constant =
       add_number(command, "--environment", options.environment, {0, limits::strongest_light, "W/m2/sr"},
                  "radiance R G B from every direction in which the depth map has nothing (default: black)");
@@ -166,6 +184,10 @@ void add_light_options(CLI::App& command, CompositeOptions& options) {
       "panoramas where no light is given; beside it a sun may be given");
   command.add_option("--light-panorama", request.light.panorama,
                      "the same by another panorama, taken at the photograph's place; scaled to be as bright");
+  add_number(
+      command, "--clipped-light", request.light.clipped_factor, {1, 1e6},
+      "how many times as bright as shown the white light sources of a panorama of codes are (default: so that "
+      "no surface has to be whiter than white, which is said)");
   command.add_flag("--keep-sun", options.keeps_sun,
                    "leave a panorama's sun in it (default: it is split off, and printed)");
   add_number(command, "--albedo", request.albedo, {0, 1}, "of the local scene's surfaces, which are diffuse")

@@ -15,12 +15,12 @@ struct CompositeOptions {
   MeshCommandOptions mesh;
   DepthOptions depth;
   std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
-              occlusion = "mesh", shadows = "cast", estimator = "auto", seamless, asset_root;
+              occlusion = "mesh", shadows = "cast", repair = "none", estimator = "auto", seamless, asset_root;
   std::string object, objects, materials = "gltf", transparent, environment_map;
   std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1},
       environment{0, 0, 0};
   SunOptions sun;
-  std::array<double, 6> lamp{0, 0, 0, 0, 0, 0};
+  std::array<double, 6> lamp{0, 0, 0, 0, 0, 0}, virtual_lamp = lamp, virtual_sun = lamp;
   bool rest = false;
   double scale = 1, height_m = 1, fov_deg = 60, object_albedo = 0.5, metallic = 0, roughness = 0,
          rotation_of_map_deg = 0, jump_ratio = 1.1, error = 0.0039;

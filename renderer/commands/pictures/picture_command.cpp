@@ -131,12 +131,17 @@ void add_objects(const PictureOptions& options, const Eigen::Vector3d& centre_m,
                  std::vector<std::shared_ptr<const SurfaceMesh>>& meshes) {
   if (options.objects.empty()) return;
   ObjectsFile file = read_objects_file(options.objects, {});
-  if (file.has_light)
+  if (file.has_light || file.added)
     throw input_error({.file = options.objects,
                        .field = "light",
                        .wanted = "objects alone: the scene has its own light",
                        .found = "light"});
   for (PlacedModel& model : file.objects) {
+    if (!model.has_place)
+      throw input_error({.file = options.objects,
+                         .field = "position_m",
+                         .wanted = "where each object is: only `composite` puts one into the view's middle",
+                         .found = "none of " + printable(model.file)});
     if (model.rest)
       throw input_error({.file = options.objects,
                          .field = "rest",

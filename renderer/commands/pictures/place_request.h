@@ -10,6 +10,7 @@ namespace seamline::renderer {
 struct PlaceRequest {
   CompositeRequest photo;  ///< photograph, depth and light; its objects and outputs say nothing
   std::string objects_file, asset_root;
+  std::string command;             ///< of `composite`, with the options that both share
   std::vector<std::string> added;  ///< objects beside those of the file: files or "builtin:NAME"
 };
 

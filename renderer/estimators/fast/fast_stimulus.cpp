@@ -79,6 +79,7 @@ class StimulusRounds {
       looks_for_bias = true;
     }
     out.saved = savings();
+    out.taken = taken();
     if (choices_.asks_untouched_tiles) out.sums = with_untouched_tiles();
     return out;
   }
@@ -150,6 +151,21 @@ class StimulusRounds {
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
     return assembled(filters());
+  }
+
+  [[nodiscard]] SamplesTaken taken() const {
+    SamplesTaken taken;
+    double sum = 0, pixels = 0;
+    for (std::size_t b = 0; b < depth_.spp.uncovered.size(); ++b) {
+      const int most = std::max(depth_.spp.uncovered[b], depth_.spp.object[b]);
+      taken.least = b == 0 ? most : std::min(taken.least, most);
+      taken.most = std::max(taken.most, most);
+      const auto of_block = static_cast<double>(depth_.blocks().pixels(static_cast<int>(b)));
+      sum += of_block * most;
+      pixels += of_block;
+    }
+    taken.mean = pixels > 0 ? sum / pixels : 0;
+    return taken;
   }
 
   [[nodiscard]] Savings savings() const {

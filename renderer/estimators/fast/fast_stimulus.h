@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "renderer/error/samples_taken.h"
 #include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/estimators/fast/fast_depth_pass.h"
@@ -20,7 +21,8 @@ struct FastStimulusOptions {
 struct FastStimulus {
   StimulusSums sums;
   ErrorEstimate error;
-  Savings saved;  ///< what concerns this stimulus alone
+  Savings saved;       ///< what concerns this stimulus alone
+  SamplesTaken taken;  ///< of the depth mesh, by the samples of a block's pixels that had most
 };
 
 /// Renders one stimulus from the truth's sums and what the depth mesh answers. The photograph and what the

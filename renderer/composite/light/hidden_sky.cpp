@@ -1,4 +1,4 @@
-#include "renderer/composite/hidden_sky.h"
+#include "renderer/composite/light/hidden_sky.h"
 
 #include <algorithm>
 #include <cstdint>
