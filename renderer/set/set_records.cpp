@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/scene/gltf/gltf_load.h"
+#include "renderer/scene/gltf/gltf_uri.h"
 #include "renderer/tracing/ray_device.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -41,7 +42,7 @@ std::string scene_file_hash(const fs::path& path) {
     for (const Json& named : json[table]) {
       if (!named.is_object() || !named.contains("uri") || !named["uri"].is_string()) continue;
       const std::string uri = named["uri"];
-      if (uri.starts_with("data:")) continue;
+      if (is_data_uri(uri)) continue;
       const fs::path file = path.parent_path() / file_of_uri(uri);
       std::error_code error;
       if (fs::is_regular_file(file, error) && lies_below(file, path.parent_path()))
