@@ -6,7 +6,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int probe_width_px = 128, probe_spp = 4;
+constexpr int change_probe_width_px = 128, change_probe_spp = 4;
 constexpr double least_probed_change = 1e-4;  ///< of the picture's light
 
 /// Whether a corner of an object that no pixel's middle shows is seen: a thing thinner than a pixel.
@@ -53,7 +53,7 @@ bool may_change(const PhotoScene& scene, const ObjectSight& sight, int threads) 
   const bool mesh_hides = scene.occlusion.test == nullptr && !scene.occlusion.nothing_hides;
   if ((mesh_hides ? sight.visible_pixels : sight.pixels) > 0 || shows_object_corner(scene)) return true;
   if (!scene.shadows) return false;
-  const Camera camera = preview_sized(scene.camera, probe_width_px);
+  const Camera camera = preview_sized(scene.camera, change_probe_width_px);
   const Image photograph(camera.width_px, camera.height_px, 3, 1.0F);
   const PhotoScene small{.photograph = photograph,
                          .camera = camera,
@@ -64,7 +64,7 @@ bool may_change(const PhotoScene& scene, const ObjectSight& sight, int threads) 
                          .shadow_matte = scene.shadow_matte,
                          .added = scene.added};
   PhotoSums sums = empty_photo_sums(small, threads);
-  add_photo_samples(small, 0, {.spp = probe_spp, .seed = 1, .threads = threads, .progress = {}}, sums);
+  add_photo_samples(small, 0, {.spp = change_probe_spp, .seed = 1, .threads = threads, .progress = {}}, sums);
   double light = 0, change = 0;
   for (std::size_t half = 0; half < 2; ++half)
     for (std::size_t i = 0; i < sums.halves[half].size(); ++i) {
