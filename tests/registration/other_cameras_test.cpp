@@ -14,7 +14,7 @@ namespace {
 
 using sensors::FisheyeCamera;
 using sensors::PinholeCamera;
-using test::complaint_of;
+using seamline::test::complaint_of;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 

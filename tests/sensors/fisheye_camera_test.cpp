@@ -12,7 +12,7 @@
 namespace seamline::sensors {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double fisheye_pi = std::numbers::pi;
 
 FisheyeCamera test_lens() {
   return {.width_px = 816,
@@ -32,7 +32,7 @@ TEST(FisheyeCameras, DirectionsComeBack) {
   const FisheyeCamera lens = test_lens();
   Random random(7);
   for (int i = 0; i < 2000; ++i) {
-    const double theta = 1.4 * random.uniform(), azimuth = 2 * pi * random.uniform();
+    const double theta = 1.4 * random.uniform(), azimuth = 2 * fisheye_pi * random.uniform();
     const Eigen::Vector3d direction(std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth),
                                     std::cos(theta));
     const auto place_px = project(lens, 3.7 * direction);
@@ -46,7 +46,7 @@ TEST(FisheyeCameras, DirectionsComeBack) {
 TEST(FisheyeCameras, AnglesAreWhatTheLawSays) {
   // Without terms the distance from the middle is the angle, also behind the camera.
   const FisheyeCamera even{.fx_px = 100, .fy_px = 100, .cx_px = 320, .cy_px = 240};
-  for (const double theta : {0.0, 0.3, 1.0, pi / 2, 2.5}) {
+  for (const double theta : {0.0, 0.3, 1.0, fisheye_pi / 2, 2.5}) {
     const auto place_px = project(even, {std::sin(theta), 0, std::cos(theta)});
     ASSERT_TRUE(place_px);
     EXPECT_NEAR(place_px->x(), 320 + 100 * theta, 1e-9);
