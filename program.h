@@ -9,8 +9,8 @@ class App;
 
 namespace seamline {
 
-/// Seamline's command line: every command with its options. `any_case_failed` says after `lab stability` whether
-/// it should end with another status than 0.
+/// Seamline's command line: every command with its options. `any_case_failed` says after `lab stability`
+/// whether it should end with another status than 0.
 [[nodiscard]] std::unique_ptr<CLI::App> program(bool& any_case_failed);
 
 /// What was typed after the program's name, with commands that have moved spelled as they are today. Says so

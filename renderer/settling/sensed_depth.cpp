@@ -25,8 +25,7 @@ SensedDepth sense_depth(const DepthSubject& request) {
       see_truth(scene.truth, rig.depth, seen_from, sight_for(rig.noise, rig.projector_m), threads));
   SensedDepth depth;
   depth.world_from_depth = Eigen::Translation3d(scene.centre_m) * seen_from;
-  depth.measured = [=, noise = rig.noise, scale = request.noise_scale,
-                    seed = request.seed](int frame) {
+  depth.measured = [=, noise = rig.noise, scale = request.noise_scale, seed = request.seed](int frame) {
     return sensors::measure(*seen, noise, {seed, static_cast<std::uint64_t>(frame)}, scale, threads).frame;
   };
   depth.exact = [exact = sensors::true_depth(*seen, sensors::convention_of(rig.noise))](int) {

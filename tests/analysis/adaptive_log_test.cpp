@@ -122,7 +122,9 @@ TEST(AnalysisOfAStudyFile, SaysWhatCurvesShareAndWhoLeads) {
   EXPECT_TRUE(own.joint->fit.model.sharing.criteria);
   EXPECT_EQ(own.options.compare, std::vector<std::string>{"vision"});
   EXPECT_THAT(own.notes, Contains("Each curve of the joint model has its own scale."));
-  const Analysis also = analyze(own.log, false, {.replicates = 100, .threads = 1}, {.own_criteria = true});
+  AnalysisOptions options;
+  options.own_criteria = true;
+  const Analysis also = analyze(own.log, false, {.replicates = 100, .threads = 1}, options);
   EXPECT_FALSE(also.joint->fit.model.sharing.scale || also.joint->fit.model.sharing.criteria);
   EXPECT_THAT(also.notes, Contains("Each curve of the joint model has its own scale, rating criteria."));
   const Analysis paper = analysis_of("", "[analysis]\nmodel = \"paper\"\n");

@@ -12,9 +12,9 @@
 namespace seamline::registration {
 namespace {
 
+using seamline::test::complaint_of;
 using sensors::FisheyeCamera;
 using sensors::PinholeCamera;
-using seamline::test::complaint_of;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 

@@ -147,7 +147,7 @@ TEST_F(DamagedPictures, OtherFormatsAreOneSentence) {
 
 TEST_F(DamagedPictures, EveryKindOfPngIsStillRead) {
   struct Kind {
-    std::string header;  ///< bits, colour, interlaced
+    std::string header;       ///< bits, colour, interlaced
     int channels, row_bytes;  ///< channels: those that are read, without colours' alpha
   };
   for (const Kind& kind :

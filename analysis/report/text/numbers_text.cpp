@@ -67,7 +67,8 @@ std::string times_text(const ReportNumbers& numbers) {
 std::string numbers_text(const Analysis& analysis, const ReportNumbers& numbers) {
   std::string text = choices_text(numbers);
   if (!numbers.tracks.empty()) text += "\n" + study::tracks_text(numbers.tracks);
-  return text + "\n" + replication_text(analysis) + comparisons_text(analysis, numbers) + "\n" + times_text(numbers);
+  return text + "\n" + replication_text(analysis) + comparisons_text(analysis, numbers) + "\n" +
+         times_text(numbers);
 }
 
 }  // namespace seamline::analysis
