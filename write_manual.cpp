@@ -1,4 +1,5 @@
-// A build tool: writes the manual pages and the completion of bash from the program's own list of options.
+// A build tool: writes the manual pages, the page of all commands and the completion of bash from the
+// program's own list of options.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -7,6 +8,7 @@
 #include "packaging/bash_completion.h"
 #include "packaging/command_line.h"
 #include "packaging/manual_page.h"
+#include "packaging/reference_page.h"
 #include "program.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -29,6 +31,7 @@ int main(int argc, char** argv) {
     for (const seamline::packaging::Command& command : line.commands)
       seamline::write_file_atomically(folder / "man1" / (seamline::packaging::page_name(command) + ".1"),
                                       seamline::packaging::command_page(command, version));
+    seamline::write_file_atomically(folder / "commands.md", seamline::packaging::reference_page(line));
     seamline::write_file_atomically(folder / "seamline.bash", seamline::packaging::bash_completion(line));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_manual: %s\n", error.what());

@@ -1,0 +1,95 @@
+// The pages of documentation/reference are those of this program: every command and option, every key that a
+// study file may have.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <regex>
+#include <set>
+
+#include "packaging/reference_page.h"
+#include "pages.h"
+#include "program.h"
+#include "stimuli/definition/artifact.h"
+#include "stimuli/definition/interface_texts.h"
+#include "stimuli/definition/quantity.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path& source_folder() {
+  static const fs::path root = SEAMLINE_SOURCE_DIR;
+  return root;
+}
+
+TEST(Reference, CommandsAreThoseOfTheProgram) {
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  EXPECT_EQ(test::read_text(source_folder() / "documentation/reference/commands.md"),
+            packaging::reference_page(packaging::command_line(*app)))
+      << "copy manual/commands.md of the build folder";
+}
+
+/// Keys in the code of the reader: the first text that a function of a table is given, and lists of keys.
+std::set<std::string> keys_of_the_reader() {
+  const std::regex asked(
+      R"re((?:\.|->)(?:has|is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts|table|tables)\(\s*"([a-z0-9_]+)")re"),
+      helped(
+          R"re((?:number|one_of<[\w:]+>|read_range|read_layer|read_even_width|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
+  std::set<std::string> keys;
+  for (const auto& entry : fs::directory_iterator(source_folder() / "stimuli/study_file")) {
+    if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;
+    const std::string text = test::read_text(entry.path());
+    for (const std::regex& expression : {asked, helped})
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), expression); it != std::sregex_iterator();
+           ++it)
+        if (!(*it)[1].str().ends_with('_')) keys.insert((*it)[1]);
+  }
+  for (const PhraseEntry& phrase : every_phrase()) keys.insert(std::string(phrase.key));
+  for (const Quantity quantity : every_quantity) keys.insert(std::string(facts(quantity).key));
+  return keys;
+}
+
+/// Keys in the first cells of the page's tables.
+std::set<std::string> keys_of_the_page(const std::string& page) {
+  const std::regex row(R"re(^\|((?: *`[a-z0-9_]+`,?)+) *\|)re"), key(R"re(`([a-z0-9_]+)`)re");
+  std::set<std::string> keys;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch cell;
+    if (!std::regex_search(line, cell, row)) continue;
+    const std::string first = cell[1];
+    for (auto it = std::sregex_iterator(first.begin(), first.end(), key); it != std::sregex_iterator(); ++it)
+      keys.insert((*it)[1]);
+  }
+  return keys;
+}
+
+/// Whether code holds a key: as a text, or without the unit that is put behind it.
+bool code_has(const std::string& code, const std::string& key) {
+  const std::string stem = key.substr(0, key.rfind('_'));
+  return code.find("\"" + key + "\"") != std::string::npos ||
+         code.find("\"" + stem + "\"") != std::string::npos ||
+         code.find("\"" + stem + "_\"") != std::string::npos;
+}
+
+TEST(Reference, TheStudyFilesPageHasEveryKeyThatIsReadAndNoOther) {
+  const std::string page = test::read_text(source_folder() / "documentation/reference/study_file.md");
+  const std::set<std::string> read = keys_of_the_reader(), listed = keys_of_the_page(page);
+  EXPECT_GE(read.size(), 250U);
+  EXPECT_GE(listed.size(), 250U);
+  for (const std::string& key : read)
+    EXPECT_TRUE(page.find("`" + key + "`") != std::string::npos ||
+                page.find("[" + key + "]") != std::string::npos)
+        << key << " is not on the page";
+  std::string code;
+  for (const char* folder : {"stimuli/study_file", "stimuli/definition"})
+    for (const auto& entry : fs::directory_iterator(source_folder() / folder))
+      if (entry.is_regular_file()) code += test::read_text(entry.path());
+  for (const std::string& key : listed) EXPECT_TRUE(code_has(code, key)) << key << " is on the page only";
+}
+
+}  // namespace
+}  // namespace seamline
