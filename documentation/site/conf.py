@@ -19,3 +19,8 @@ html_show_sourcelink = False
 html_last_updated_fmt = None
 pygments_style = "tango"
 pygments_dark_style = "monokai"
+
+
+def setup(app):
+    from pygments.lexers import TextLexer
+    app.add_lexer("csv", TextLexer)  # Pygments has none
