@@ -8,8 +8,8 @@
 
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/page/adaptive_methods.h"
 #include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/text/adaptive_methods.h"
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/replication_text.h"
 #include "analysis/scores/level_words.h"

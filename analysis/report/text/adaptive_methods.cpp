@@ -1,4 +1,4 @@
-#include "analysis/report/page/adaptive_methods.h"
+#include "analysis/report/text/adaptive_methods.h"
 
 #include <fmt/format.h>
 
