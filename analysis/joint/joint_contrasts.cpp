@@ -66,6 +66,7 @@ double jackknife_degrees(const JointJackknife& left_out, const Eigen::VectorXd& 
   const auto n = static_cast<double>(left_out.theta.rows());
   const Eigen::ArrayXd value = (left_out.theta * weights).array();
   const Eigen::ArrayXd square = (value - value.mean()).square();
+  if (!(square.mean() > 0)) return n - 1;  // the curves have the same answers
   const double excess = square.square().mean() / (square.mean() * square.mean()) - 3;
   if (!(excess > 0)) return n - 1;
   return std::max(fewest, 2 / (2 / (n - 1) + excess / n));
