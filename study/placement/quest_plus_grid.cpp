@@ -8,7 +8,8 @@
 namespace seamline::study {
 namespace {
 
-/// With them intervals were seen to hold the truth of unlike people (documentation/adaptive_placement.md).
+/// With them intervals were seen to hold the truth of unlike people
+/// (documentation/how-to/adaptive_placement.md).
 const std::vector<double> joint_first_ratings = {-2, -1.2, -0.4, 0.4, 1.2, 2},
                           joint_guess_ratings = {0.05, 0.2};
 

@@ -28,9 +28,9 @@ namespace seamline::study {
 /// when the outcome is binary. The lines below it say of the same person: in a share l / (1 - g) of the
 /// trials they do not look, and who guesses right without having seen rates 1.
 ///
-/// With outcome `joint` they are those of the joint model (documentation/joint_model.md): seen with psi,
-/// rated by a cumulative link whose first criterion lies f scales and further ones steps r beyond the
-/// threshold, or guessed and rated by g(k), proportional to the (k - 1)th power of the guess rating:
+/// With outcome `joint` they are those of the joint model (documentation/explanation/joint_model.md): seen
+/// with psi, rated by a cumulative link whose first criterion lies f scales and further ones steps r beyond
+/// the threshold, or guessed and rated by g(k), proportional to the (k - 1)th power of the guess rating:
 ///
 ///     psi = (1 - l) F(d (a(x) - t) / s),     Q(k) = F((d (a(x) - t) - (k - 2) r) / s - f),   k = 2, 3, 4
 ///     P(0) = (1 - psi) (1 - g),    P(k) = psi (Q(k) - Q(k + 1)) + (1 - psi) g g(k),   Q(1) = 1, Q(5) = 0
