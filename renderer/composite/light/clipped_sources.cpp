@@ -93,10 +93,10 @@ ClippedSources find_clipped_sources(const Image& panorama, const Geometry& local
   }
   if (!(found.share > 0)) return found;
   const PartedLight light = parted_light(panorama, local, white);
-  std::vector<std::optional<AskedFactor>> asked(clipped_map_px * clipped_map_rows);
+  std::vector<std::optional<AskedFactor>> asked(std::size_t{clipped_map_px} * std::size_t{clipped_map_rows});
   parallel_for(clipped_map_rows, threads, [&](int row) {
     for (int column = 0; column < clipped_map_px; ++column)
-      asked[static_cast<std::size_t>(row * clipped_map_px + column)] =
+      asked[static_cast<std::size_t>(row) * std::size_t{clipped_map_px} + static_cast<std::size_t>(column)] =
           clipped_factor_at(light, local, panorama, white, column, row);
   });
   std::vector<AskedFactor> factors;

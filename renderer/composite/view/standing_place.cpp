@@ -35,7 +35,7 @@ std::optional<RealPlace> place_in_view(const Camera& camera, const Geometry& dep
                                        const Eigen::Vector3d& centre_m, double across) {
   std::optional<RealPlace> any;
   for (int row = view_rows_asked / 2; row < view_rows_asked; ++row) {
-    const auto place = real_place_in(camera, depth, centre_m, across, double{1} * row / view_rows_asked);
+    auto place = real_place_in(camera, depth, centre_m, across, double{1} * row / view_rows_asked);
     if (!place) continue;
     if (place->normal.y() >= gentle_rise) return place;
     if (!any) any = place;
