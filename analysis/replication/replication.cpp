@@ -123,6 +123,7 @@ struct OrderedCurve {
 
 std::vector<std::string> artifacts_of(const std::vector<OrderedCurve>& curves) {
   std::vector<std::string> names;
+  names.reserve(curves.size());
   for (const OrderedCurve& curve : curves) names.push_back(curve.artifact);
   return names;
 }

@@ -113,10 +113,10 @@ std::vector<KnownValue> known_by_reference(const RawDepth& raw, const StatedDept
   for (int row = 0; row < measured.height_px; ++row)
     for (int column = 0; column < measured.width_px; ++column) {
       const float depth_m = reference.at(column, row);
-      const auto x =
-          static_cast<std::size_t>((2 * std::int64_t{column} + 1) * raw.width_px / (2 * measured.width_px));
-      const auto y =
-          static_cast<std::size_t>((2 * std::int64_t{row} + 1) * raw.height_px / (2 * measured.height_px));
+      const auto x = static_cast<std::size_t>((2 * std::int64_t{column} + 1) * raw.width_px /
+                                              (std::int64_t{2} * measured.width_px));
+      const auto y = static_cast<std::size_t>((2 * std::int64_t{row} + 1) * raw.height_px /
+                                              (std::int64_t{2} * measured.height_px));
       const float value = raw.values[y * static_cast<std::size_t>(raw.width_px) + x];
       if (DepthFrame::is_hole(depth_m) || !std::isfinite(value) || stands_for_nothing(form, value)) continue;
       known.push_back({static_cast<double>(value), static_cast<double>(depth_m)});

@@ -228,7 +228,8 @@ RawDepth read_array(const fs::path& path, ArrayKind kind,
       const char* at = &bytes[static_cast<std::size_t>(index * form.channels * form.bytes)];
       const float value = number_at(at, form);
       for (int c = 1; c < form.channels; ++c)
-        if (const float other = number_at(at + c * form.bytes, form); other != value && !std::isnan(value))
+        if (const float other = number_at(at + std::ptrdiff_t{c} * form.bytes, form);
+            other != value && !std::isnan(value))
           throw file.wrong("one channel, or three of equal values",
                            fmt::format("{:g} and {:g} in ({}, {})", value, other, column, row));
       raw.values[static_cast<std::size_t>(row * form.width_px + column)] = value;

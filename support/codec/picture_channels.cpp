@@ -85,6 +85,7 @@ const ColourLayer* usual_layer(const std::vector<ColourLayer>& layers) {
 
 std::string layers_text(const std::vector<ColourLayer>& layers) {
   std::vector<std::string> names;
+  names.reserve(layers.size());
   for (const ColourLayer& layer : layers) names.push_back(layer.name.empty() ? "(unnamed)" : layer.name);
   return names_text(names);
 }

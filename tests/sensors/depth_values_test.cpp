@@ -184,10 +184,12 @@ TEST_F(DepthValues, AnEstimateBecomesMetresByPointsAndByAReference) {
   EXPECT_THAT(by_map.notes,
               ElementsAre(HasSubstr("1 / distance = 0.004 value + 0.05, least squares on 24 pixels")));
   estimate.reference.clear();
-  for (const std::size_t at : {3U, 20U})
-    estimate.points.push_back({.x_px = static_cast<double>(at % 6) + 0.5,
-                               .y_px = static_cast<double>(at / 6) + 0.5,
+  for (const std::size_t at : {3U, 20U}) {
+    const std::size_t row = at / 6, column = at % 6;
+    estimate.points.push_back({.x_px = static_cast<double>(column) + 0.5,
+                               .y_px = static_cast<double>(row) + 0.5,
                                .depth_m = static_cast<double>(metres.values[at])});
+  }
   expect_metres(read(raw, {.estimate = estimate}));
   estimate.points.clear();
   estimate.stated = DepthLine{.scale = scale, .shift = shift};

@@ -53,7 +53,8 @@ InputError GltfMeshes::bad(const std::string& field, const std::string& wanted,
 /// Counts before the memory is taken: one mesh may be placed by many nodes.
 void GltfMeshes::take(std::int64_t& total, std::int64_t more, std::int64_t most, const char* what,
                       const std::string& where) const {
-  if (more <= most && (total += more) <= most) return;
+  if (more <= most) total += more;
+  if (more <= most && total <= most) return;
   throw bad(where, fmt::format("at most {} {} in a file", most, what), "more");
 }
 
