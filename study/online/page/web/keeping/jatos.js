@@ -54,11 +54,20 @@ function loadScript() {
   }).finally(() => listening.abort());
 }
 
+/** Throws where a file is refused. The browser asks for it anew. */
+async function requireFile(file, cache) {
+  const response = await fetch(file, { cache, signal: AbortSignal.timeout(START_PATIENCE_MS) });
+  const no = verdict(response.status, { of: file });
+  if (no) throw no;
+}
+
+let loads = 0;
+
 /** JATOS's own script, with what it knows of the run. Whatever else answers, it is waited for. */
 export async function loadJatos() {
-  const response = await fetch("jatos.js", { cache: "no-cache", signal: AbortSignal.timeout(START_PATIENCE_MS) });
-  const no = verdict(response.status, { of: "jatos.js" });
-  if (no) throw no;
+  await requireFile("jatos.js", "no-cache");
+  // The browser keeps some refusals (410) for good, and would give jatos.js the one of the load before.
+  if (loads++ > 0) await requireFile("initData", "reload");
   loadPartsByAddress();
   const jatos = await within(START_PATIENCE_MS, loadScript());
   if (jatos.studyLength === null) throw new NotNow("JATOS: no data of this run");
