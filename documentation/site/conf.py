@@ -9,6 +9,7 @@ extensions = ["myst_parser"]
 myst_heading_anchors = 4
 myst_enable_extensions = ["html_image"]
 root_doc = "index"
+highlight_language = "none"  # what commands print is not code
 html_theme = "furo"
 html_title = "Seamline"
 html_static_path = [os.path.join(os.path.dirname(__file__), "static")]

@@ -7,3 +7,13 @@ document.addEventListener("click", (event) => {
 document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") document.querySelector("article img.large")?.classList.remove("large");
 });
+
+// Debian's Furo has no style sheet for its theme "auto" in the dark: the page says which one it is.
+const dark = matchMedia("(prefers-color-scheme: dark)");
+function settleTheme() {
+  if (document.body.dataset.theme === "auto" && dark.matches) document.body.dataset.theme = "dark";
+}
+addEventListener("DOMContentLoaded", () => {
+  new MutationObserver(settleTheme).observe(document.body, { attributeFilter: ["data-theme"] });
+  settleTheme();
+});
