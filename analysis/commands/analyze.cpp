@@ -19,6 +19,7 @@
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/threshold_text.h"
+#include "stimuli/definition/methods/analysis_definition.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/temporary_folder.h"
@@ -28,16 +29,12 @@ namespace seamline::analysis {
 
 namespace {
 
-void set_own(AnalysisOptions& options, const std::string& what) {
-  bool* own = what == "scale"           ? &options.own_scale
-              : what == "criteria"      ? &options.own_criteria
-              : what == "lapse"         ? &options.own_lapse
-              : what == "guess_ratings" ? &options.own_guess_ratings
-                                        : nullptr;
-  if (own == nullptr)
-    throw input_error(
-        {.field = "--own", .wanted = "scale, criteria, lapse or guess_ratings", .found = "\"" + what + "\""});
-  *own = true;
+void require_shared_blocks(const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (shared_block(word) == nullptr)
+      throw input_error({.field = "--own",
+                         .wanted = "scale, criteria, lapse or guess_ratings",
+                         .found = "\"" + word + "\""});
 }
 
 /// Published thresholds beside those of the joint model. Throws InputError where they name what is not there.
@@ -80,7 +77,8 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   options.exclude_inattentive = request.exclude_inattentive;
   options.exclude_uncorrected = request.exclude_uncorrected;
   options.compare = request.compare;
-  for (const std::string& what : request.own) set_own(options, what);
+  require_shared_blocks(request.own);
+  options.own = request.own;
   std::optional<Archive> archive;
   std::optional<PublishedThresholds> published;
   if (!request.published.empty()) published = read_published(request.published);

@@ -139,11 +139,8 @@ AnalysisDefinition asked_of_log(const study::LogContents& log) {
 /// `[analysis]` of the study that the log keeps, what is usual where that cannot be read, and the options.
 AnalysisDefinition asked_of(const Analysis& analysis) {
   AnalysisDefinition asked = asked_of_log(analysis.log);
-  const AnalysisOptions& options = analysis.options;
-  asked.share_scale = asked.share_scale && !options.own_scale;
-  asked.share_criteria = asked.share_criteria && !options.own_criteria;
-  asked.share_lapse = asked.share_lapse && !options.own_lapse;
-  asked.share_guess_ratings = asked.share_guess_ratings && !options.own_guess_ratings;
+  for (const std::string& word : analysis.options.own)
+    if (const SharedBlock* block = shared_block(word)) asked.*block->shared = false;
   return asked;
 }
 

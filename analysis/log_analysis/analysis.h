@@ -36,8 +36,9 @@ struct AnalysisOptions {
   bool exclude_screened = false;     ///< leave out whom any screen names; else they are named and used
   bool exclude_inattentive = false;  ///< leave out whom catch trials name
   bool exclude_uncorrected = false;  ///< leave out whose vision is neither normal nor corrected
-  /// What each curve of the joint model has of its own, beside what the study file says.
-  bool own_scale = false, own_criteria = false, own_lapse = false, own_guess_ratings = false;
+  /// What each curve of the joint model has of its own, beside what the study file says: words of
+  /// `shared_blocks`.
+  std::vector<std::string> own = {};
   std::vector<std::string> compare = {};                ///< what people are grouped by (`compare_groups`)
   std::map<std::string, study::ShownOn> displays = {};  ///< by participant (`read_displays`); may be empty
   std::vector<ReferenceAnswer> references;              ///< where nothing was inserted, besides the log's own

@@ -27,19 +27,18 @@ std::string channels_text(int channels) {
   return channels == 1 ? "one channel" : fmt::format("{} channels", channels);
 }
 
+/// Of so many pixels, whose values are not read yet.
+RawDepth whole_numbers(int width_px, int height_px) {
+  return {.width_px = width_px, .height_px = height_px, .values = {}, .whole = true, .notes = {}};
+}
+
 RawDepth raw_pgm(const fs::path& path, const RawDepthForm& form, const AcceptRaw& accept) {
   const Pgm pgm = read_pgm(path, [&](const Pgm& header) {
     if (header.largest <= 255 && !form.eight_bits)
       throw wrong_file(path, "depths of 16 bits", fmt::format("8 bits (its maximum is {})", header.largest));
-    if (accept)
-      accept({.width_px = header.width_px,
-              .height_px = header.height_px,
-              .values = {},
-              .whole = true,
-              .notes = {}});
+    if (accept) accept(whole_numbers(header.width_px, header.height_px));
   });
-  RawDepth raw{
-      .width_px = pgm.width_px, .height_px = pgm.height_px, .values = {}, .whole = true, .notes = {}};
+  RawDepth raw = whole_numbers(pgm.width_px, pgm.height_px);
   raw.bits = pgm.largest > 255 ? 16 : 8;
   raw.values.assign(pgm.values.begin(), pgm.values.end());
   return raw;
@@ -50,19 +49,10 @@ RawDepth raw_red_green(const fs::path& path, const AcceptRaw& accept) {
     if (header.channels != 3 || header.bits != 8)
       throw wrong_file(path, "an RGB picture of 8 bits, whose red and green hold the depth",
                        fmt::format("{} of {} bits", channels_text(header.channels), header.bits));
-    if (accept)
-      accept({.width_px = header.width_px,
-              .height_px = header.height_px,
-              .values = {},
-              .whole = true,
-              .notes = {}});
+    if (accept) accept(whole_numbers(header.width_px, header.height_px));
   });
-  RawDepth raw{.width_px = image.width_px,
-               .height_px = image.height_px,
-               .values = {},
-               .whole = true,
-               .bits = 16,
-               .notes = {}};
+  RawDepth raw = whole_numbers(image.width_px, image.height_px);
+  raw.bits = 16;
   raw.values.reserve(image.values.size() / 3);
   for (std::size_t i = 0; i + 2 < image.values.size(); i += 3)
     raw.values.push_back(static_cast<float>(image.values[i] << 8 | image.values[i + 1]));

@@ -66,20 +66,16 @@ AnalysisDefinition read_analysis(const TomlTable& analysis) {
     if (!read.joint)
       throw analysis.complaint("share", "model = \"joint\" beside it (straight lines share nothing)",
                                "model = \"paper\"");
-    read.share_scale = read.share_criteria = read.share_lapse = read.share_guess_ratings = false;
-    const std::vector<std::string> blocks = analysis.texts("share");
-    for (const std::string& what : blocks) {
-      if (blocks.size() == 1 && what == "nothing") break;
-      bool* shared = what == "scale"           ? &read.share_scale
-                     : what == "criteria"      ? &read.share_criteria
-                     : what == "lapse"         ? &read.share_lapse
-                     : what == "guess_ratings" ? &read.share_guess_ratings
-                                               : nullptr;
-      if (shared == nullptr || *shared)
+    for (const SharedBlock& block : shared_blocks) read.*block.shared = false;
+    const std::vector<std::string> words = analysis.texts("share");
+    for (const std::string& word : words) {
+      if (words.size() == 1 && word == "nothing") break;
+      const SharedBlock* block = shared_block(word);
+      if (block == nullptr || read.*block->shared)
         throw analysis.complaint("share",
                                  "each of \"scale\", \"criteria\", \"lapse\", \"guess_ratings\" at most once",
-                                 "\"" + what + "\"");
-      *shared = true;
+                                 "\"" + word + "\"");
+      read.*block->shared = true;
     }
   }
   if (analysis.has("compare")) read.compare = analysis.texts("compare");

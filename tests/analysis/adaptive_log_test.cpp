@@ -123,7 +123,7 @@ TEST(AnalysisOfAStudyFile, SaysWhatCurvesShareAndWhoLeads) {
   EXPECT_EQ(own.options.compare, std::vector<std::string>{"vision"});
   EXPECT_THAT(own.notes, Contains("Each curve of the joint model has its own scale."));
   AnalysisOptions options;
-  options.own_criteria = true;
+  options.own = {"criteria"};
   const Analysis also = analyze(own.log, false, {.replicates = 100, .threads = 1}, options);
   EXPECT_FALSE(also.joint->fit.model.sharing.scale || also.joint->fit.model.sharing.criteria);
   EXPECT_THAT(also.notes, Contains("Each curve of the joint model has its own scale, rating criteria."));

@@ -4,19 +4,20 @@
 
 namespace seamline::inline stimuli {
 
+const SharedBlock* shared_block(std::string_view word) {
+  for (const SharedBlock& block : shared_blocks)
+    if (block.word == word) return &block;
+  return nullptr;
+}
+
 std::vector<std::string> sentences_of(const AnalysisDefinition& analysis) {
   if (!analysis.joint)
     return {
         "Thresholds of record are those of straight lines between the tested levels, the paper's way; no joint "
         "model is fitted."};
   std::string own;
-  const auto add = [&](bool shared, const char* what) {
-    if (!shared) own += (own.empty() ? "" : ", ") + std::string(what);
-  };
-  add(analysis.share_scale, "scale");
-  add(analysis.share_criteria, "rating criteria");
-  add(analysis.share_lapse, "lapse rate");
-  add(analysis.share_guess_ratings, "guess ratings");
+  for (const SharedBlock& block : shared_blocks)
+    if (!(analysis.*block.shared)) own += (own.empty() ? "" : ", ") + std::string(block.name);
   if (own.empty()) return {};
   return {fmt::format("Each curve of the joint model has its own {}.", own)};
 }

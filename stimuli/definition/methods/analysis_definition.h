@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace seamline::inline stimuli {
@@ -15,6 +17,21 @@ struct AnalysisDefinition {
 
   bool operator==(const AnalysisDefinition&) const = default;
 };
+
+/// A block of parameters that curves share or have of their own.
+struct SharedBlock {
+  std::string_view word;  ///< in study files and on the command line
+  std::string_view name;  ///< for readers
+  bool AnalysisDefinition::*shared;
+};
+inline constexpr std::array<SharedBlock, 4> shared_blocks = {
+    {{"scale", "scale", &AnalysisDefinition::share_scale},
+     {"criteria", "rating criteria", &AnalysisDefinition::share_criteria},
+     {"lapse", "lapse rate", &AnalysisDefinition::share_lapse},
+     {"guess_ratings", "guess ratings", &AnalysisDefinition::share_guess_ratings}}};
+
+/// The block of a word; null for any other word.
+[[nodiscard]] const SharedBlock* shared_block(std::string_view word);
 
 /// What is not as it is without `[analysis]`, a sentence each; what people are compared by is not said.
 [[nodiscard]] std::vector<std::string> sentences_of(const AnalysisDefinition& analysis);
