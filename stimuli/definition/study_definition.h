@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,14 @@
 #include "stimuli/definition/views/view.h"
 
 namespace seamline::inline stimuli {
+
+// Parts that most studies do not name. Each is described in a header of its own and is held by a pointer, so
+// that a change of one part meets only the files that use it.
+struct ClipDefinition;         // clip_definition.h
+struct LanguageDefinitions;    // language_definition.h
+struct LookDefinition;         // look_definition.h
+struct RecruitmentDefinition;  // recruitment_definition.h
+struct TaskDefinition;         // task_definition.h
 
 /// An object put into a scene: which file, and where. Applied to the file's vertices as
 /// position + R(rotation) * (scale * vertex), R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, +Y up.
@@ -141,7 +150,9 @@ struct ConditionDefinition {
   std::string name;  ///< unique; lower-case letters, digits and _
   Isolation isolation = Isolation::query;
   DepthSettings depth;
-  std::vector<SceneDefinition> scenes;  ///< the study's, with this condition's light
+  std::vector<SceneDefinition> scenes;              ///< the study's, with this condition's light
+  std::shared_ptr<const TaskDefinition> task = {};  ///< none: the study's
+  std::shared_ptr<const LookDefinition> look = {};  ///< none: the study's
 };
 
 /// A whole study: everything that decides what people are shown. Defaults are the paper's where it has any.
@@ -166,6 +177,11 @@ struct StudyDefinition {
   std::vector<FormField> form = default_form();
   std::vector<InstructionPage> instructions = default_instructions();
   InterfaceTexts texts;
+  std::shared_ptr<const TaskDefinition> task = {};  ///< none: which of three objects was inserted
+  std::shared_ptr<const ClipDefinition> clip = {};  ///< none: stills
+  std::shared_ptr<const LookDefinition> look = {};  ///< none: one fixed view
+  std::shared_ptr<const RecruitmentDefinition> recruitment = {};  ///< none: nobody is matched or sent back
+  std::shared_ptr<const LanguageDefinitions> languages = {};      ///< none: one language, `texts`
 };
 
 [[nodiscard]] std::string_view word(MeshDensity density);
