@@ -1,5 +1,6 @@
 # The manual as a site, from the pages that `stage` has prepared (Sphinx, MyST, Furo). `build` runs it.
 import os
+import re
 
 project = "Seamline"
 author = "The Seamline developers"
@@ -22,6 +23,15 @@ pygments_style = "tango"
 pygments_dark_style = "monokai"
 
 
+def whole_options(app, page, template, context, doctree):
+    """A browser may break a line after each hyphen; an option of a command stays whole."""
+    def block(match):
+        return re.sub(r"(?<![\w&;-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
+    context["body"] = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
+
+
 def setup(app):
     from pygments.lexers import TextLexer
-    app.add_lexer("csv", TextLexer)  # Pygments has none
+    for language in ("csv", "sh"):  # Pygments has no csv, and colours half of a number in a command
+        app.add_lexer(language, TextLexer)
+    app.connect("html-page-context", whole_options)
