@@ -9,122 +9,14 @@
 namespace seamline::inline stimuli {
 namespace {
 
-using sensors::GenericNoise;
-using sensors::StructuredLightNoise;
-using sensors::TimeOfFlightNoise;
-
-void simplify(DepthSource& source) {
-  // The generic model is errors and nothing else; the others are instruments, which stay.
-  const auto drop_noise = [](std::optional<SourceNoise>& noise) {
-    if (noise && noise->scale == 0 && std::holds_alternative<GenericNoise>(noise->model)) noise.reset();
-  };
-  if (auto* panorama = std::get_if<PanoramaSource>(&source)) {
-    drop_noise(panorama->noise);
-    if (panorama->reduction_factor == 1) panorama->reduction = Reduction::sample;
-    if (panorama->reduction == Reduction::sample) panorama->reduction_factor = 1;
-  }
-  if (auto* pinhole = std::get_if<PinholeSource>(&source)) {
-    if (pinhole->noise) pinhole->convention = sensors::convention_of(pinhole->noise->model);
-    drop_noise(pinhole->noise);
-    if (!pinhole->noise || !std::holds_alternative<StructuredLightNoise>(pinhole->noise->model))
-      pinhole->projector_m.reset();
-  }
-}
-
 int even(double value) {
   return 2 * static_cast<int>(std::lround(value / 2));
 }
 
-bool is_still(const DepthChain& chain) {
-  return chain.delay_ms == 0 || chain.velocity_m_s == std::array<double, 3>{0, 0, 0};
-}
-
 }  // namespace
-
-std::string_view word(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::sample:
-      return "sample";
-    case Reduction::minimum:
-      return "minimum";
-    case Reduction::maximum:
-      return "maximum";
-    case Reduction::median:
-      return "median";
-    case Reduction::edge_aware:
-      return "edge_aware";
-    case Reduction::boxes:
-      return "boxes";
-  }
-  return {};
-}
-
-std::string_view word(RepairGuide guide) {
-  switch (guide) {
-    case RepairGuide::own_light:
-      return "own_light";
-    case RepairGuide::photograph:
-      return "photograph";
-  }
-  return {};
-}
-
-std::string_view word(Registration registration) {
-  switch (registration) {
-    case Registration::none:
-      return "none";
-    case Registration::points:
-      return "points";
-    case Registration::mesh:
-      return "mesh";
-  }
-  return {};
-}
-
-std::string_view word(Jumps jumps) {
-  switch (jumps) {
-    case Jumps::stretch:
-      return "stretch";
-    case Jumps::cut:
-      return "cut";
-    case Jumps::layer:
-      return "layer";
-  }
-  return {};
-}
-
-std::string_view word(const OcclusionMethod& occlusion) {
-  return std::visit(Overloaded{[](const MeshOcclusion&) { return "mesh"; },
-                               [](const DepthTestOcclusion&) { return "depth_test"; },
-                               [](const sensors::DepthBuffer&) { return "depth_buffer"; }},
-                    occlusion);
-}
 
 bool tests_pixels(const OcclusionMethod& occlusion) {
   return !std::holds_alternative<MeshOcclusion>(occlusion);
-}
-
-std::string_view kind_of(const DepthSource& source) {
-  return std::visit(
-      Overloaded{[](const PanoramaSource&) { return "panorama"; },
-                 [](const PinholeSource&) { return "pinhole"; }, [](const FileSource&) { return "file"; }},
-      source);
-}
-
-std::string_view word(const sensors::RepairMethod& repair) {
-  return std::visit(Overloaded{[](const sensors::NoRepair&) { return "none"; },
-                               [](const sensors::NearestRepair&) { return "nearest"; },
-                               [](const sensors::MedianRepair&) { return "median"; },
-                               [](const sensors::JointBilateralRepair&) { return "joint_bilateral"; },
-                               [](const sensors::PlaneRepair&) { return "planes"; }},
-                    repair);
-}
-
-std::string_view word(const sensors::NoiseModel& model) {
-  return std::visit(Overloaded{[](const GenericNoise&) { return "generic"; },
-                               [](const TimeOfFlightNoise&) { return "time_of_flight"; },
-                               [](const StructuredLightNoise&) { return "structured_light"; }},
-                    model);
 }
 
 bool is_panorama(const DepthChain& chain) {
@@ -174,26 +66,6 @@ bool guided_by_photograph(const DepthChain& chain) {
 bool has_boxes(const DepthChain& chain) {
   const auto* panorama = std::get_if<PanoramaSource>(&chain.sources.front());
   return panorama != nullptr && panorama->reduction == Reduction::boxes;
-}
-
-std::optional<DepthChain> meaningful(DepthChain chain) {
-  const DepthChain usual;
-  for (DepthSource& source : chain.sources) simplify(source);
-  const bool exact_pose = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
-  if (!std::holds_alternative<sensors::JointBilateralRepair>(chain.repair)) chain.guide = usual.guide;
-  if (std::holds_alternative<sensors::NoRepair>(chain.repair) || chain.registration == Registration::none)
-    chain.repair_after = usual.repair_after;
-  if (!has_noise(chain)) chain.noise_sigmas = usual.noise_sigmas;
-  if (!has_noise(chain) && exact_pose) chain.seed = usual.seed;
-  if (chain.registration != Registration::mesh) chain.border_extrusion_px = usual.border_extrusion_px;
-  if (chain.jumps == Jumps::stretch) chain.jump_ratio = usual.jump_ratio;
-  if (chain.jumps != Jumps::layer) chain.layer_px = usual.layer_px;
-  if (is_still(chain)) {
-    chain.delay_ms = 0;
-    chain.velocity_m_s = {0, 0, 0};
-  }
-  if (chain == usual) return std::nullopt;
-  return chain;
 }
 
 sensors::PinholeCamera with_field_of_view(const sensors::PinholeCamera& camera,

@@ -9,28 +9,20 @@
 #include <set>
 #include <utility>
 
+#include "stimuli/definition/at_level.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
-SourceNoise* noise_of(DepthSource& source) {
-  return const_cast<SourceNoise*>(stimuli::noise_of(std::as_const(source)));
-}
-
 std::optional<DepthChain> chain_at(DepthChain chain, Quantity quantity, double level) {
   for (DepthSource& source : chain.sources) {
-    SourceNoise* noise = noise_of(source);
-    if (noise != nullptr && quantity == Quantity::depth_noise) noise->scale = level;
-    if (noise != nullptr && quantity == Quantity::outlier_share)
-      std::visit([&](auto& model) { model.outliers.share = level; }, noise->model);
     auto* pinhole = std::get_if<PinholeSource>(&source);
     if (pinhole != nullptr && quantity == Quantity::depth_field_of_view_deg)
       pinhole->camera = with_field_of_view(pinhole->camera, level);
     if (pinhole != nullptr && quantity == Quantity::texels_per_degree)
       pinhole->camera = with_texels_per_degree(pinhole->camera, level);
   }
-  if (quantity == Quantity::calibration_error_deg) chain.calibration_error_deg = level;
-  if (quantity == Quantity::calibration_error_m) chain.calibration_error_m = level;
-  if (quantity == Quantity::depth_delay_ms) chain.delay_ms = level;
+  set_level(chain, quantity, level);
   return meaningful(std::move(chain));
 }
 
@@ -58,19 +50,11 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
     case Quantity::sun_radius_deg:
       break;
     case Quantity::shadow_map_px:
-      depth.pipeline.shadow_map_px = static_cast<int>(level);
-      break;
     case Quantity::shadow_bias_texels:
-      depth.pipeline.shadow_bias_texels = level;
-      break;
     case Quantity::light_count:
-      depth.pipeline.light_count = static_cast<int>(level);
-      break;
     case Quantity::field_bands:
-      depth.pipeline.field_bands = static_cast<int>(level);
-      break;
     case Quantity::field_shells:
-      depth.pipeline.field_shells = static_cast<int>(level);
+      set_level(depth.pipeline, quantity, level);
       break;
     case Quantity::depth_noise:
     case Quantity::outlier_share:

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "sensors/rig/presets.h"
+#include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/study_file_noise.h"
 #include "stimuli/study_file/study_file_words.h"
 #include "support/text/suggest.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr Range side_range{2, 8192, "px"}, distance_range{0, 1e9, "m"};
 constexpr std::size_t most_sources = 8;
+constexpr int usual_reduction_factor = 4;
 
 // Keys of one source, by what they are for.
 constexpr std::array camera_keys = {
@@ -87,10 +90,11 @@ sensors::PinholeCamera read_camera(const TomlTable& table, const sensors::Pinhol
   sensors::PinholeCamera camera = usual;
   read_size(table, known, camera);
   read_focal_lengths(table, known, camera);
-  constexpr Range place{-1e6, 1e6, "pixels"};
-  camera.cx_px = table.number("cx", known ? camera.cx_px : 0.5 * camera.width_px, place);
-  camera.cy_px = table.number("cy", known ? camera.cy_px : 0.5 * camera.height_px, place);
-  camera.skew_px = table.number("skew", camera.skew_px, place);
+  if (!known) {
+    camera.cx_px = 0.5 * camera.width_px;
+    camera.cy_px = 0.5 * camera.height_px;
+  }
+  read_settings(table, camera);
   if (table.has("distortion")) {
     const std::vector<double> k = table.numbers("distortion", {-1e3, 1e3});
     if (k.size() != 5)
@@ -103,17 +107,10 @@ sensors::PinholeCamera read_camera(const TomlTable& table, const sensors::Pinhol
 SensorPose read_pose(const TomlTable& table, const SensorPose& usual) {
   const auto pose = table.table("pose");
   if (!pose) return usual;
-  const SensorPose read{
-      .position_m = pose->triple("position_m", usual.position_m, {-1e3, 1e3, "m"}),
-      .rotation_deg = pose->triple("rotation_deg", usual.rotation_deg, {-360, 360, "degrees"})};
+  SensorPose read = usual;
+  read_settings(*pose, read);
   pose->finish();
   return read;
-}
-
-sensors::DepthConvention read_convention(const TomlTable& table, sensors::DepthConvention usual) {
-  using sensors::DepthConvention;
-  return one_of<DepthConvention>(table, "convention", usual,
-                                 {{"radial", DepthConvention::radial}, {"planar", DepthConvention::planar}});
 }
 
 /// Angles R = Ry(yaw) Rx(pitch) Rz(roll) of a rotation.
@@ -180,20 +177,14 @@ PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
     std::get<sensors::GenericNoise>(source.noise->model).convention = sensors::DepthConvention::radial;
   if (table.has("projector_m"))
     throw table.complaint("projector_m", "the model \"structured_light\" of a pinhole", "a panorama");
-  source.reduction = one_of<Reduction>(table, "reduction", source.reduction,
-                                       {{"sample", Reduction::sample},
-                                        {"minimum", Reduction::minimum},
-                                        {"maximum", Reduction::maximum},
-                                        {"median", Reduction::median},
-                                        {"edge_aware", Reduction::edge_aware},
-                                        {"boxes", Reduction::boxes}});
+  read_settings(table, source);
   if (source.reduction == Reduction::sample) {
     if (table.has("reduction_factor"))
       throw table.complaint("reduction_factor", "a reduction from a finer map", "reduction = \"sample\"");
     source.reduction_factor = 1;
   } else {
-    source.reduction_factor =
-        table.integer("reduction_factor", source.reduction_factor > 1 ? source.reduction_factor : 4, {2, 64});
+    if (source.reduction_factor == 1) source.reduction_factor = usual_reduction_factor;
+    read_setting(table, "reduction_factor", source);
   }
   return source;
 }
@@ -219,7 +210,7 @@ PinholeSource read_pinhole(const TomlTable& table, PinholeSource source, bool kn
   if (table.has("convention") && model != nullptr && !std::holds_alternative<sensors::GenericNoise>(*model))
     throw table.complaint("convention", fmt::format("nothing: the model \"{}\" has its own", word(*model)),
                           "a setting of its own");
-  source.convention = read_convention(table, source.convention);
+  read_setting(table, "convention", source);
   if (source.noise)
     if (auto* generic = std::get_if<sensors::GenericNoise>(&source.noise->model))
       generic->convention = source.convention;
@@ -227,7 +218,7 @@ PinholeSource read_pinhole(const TomlTable& table, PinholeSource source, bool kn
     if (model == nullptr || !std::holds_alternative<sensors::StructuredLightNoise>(*model))
       throw table.complaint("projector_m", "the noise model \"structured_light\" beside it",
                             "another or none");
-    source.projector_m = table.triple("projector_m", {0, 0, 0}, {-1e3, 1e3, "m"});
+    read_setting(table, "projector_m", source);
   }
   return source;
 }
@@ -241,43 +232,25 @@ FileSource read_file_source(const TomlTable& table, FileSource source, bool know
   source.camera = read_camera(table, source.camera, known);
   if (!known && !table.has("convention"))
     throw table.complaint("convention", "\"radial\" or \"planar\", which a file does not say", "nothing");
-  source.convention = read_convention(table, source.convention);
+  read_setting(table, "convention", source);
   source.range = read_range_m(table, source.range);
   source.pose = read_pose(table, source.pose);
-  if (table.has("metres_per_step"))
-    source.metres_per_step = table.number("metres_per_step", 1, {1e-9, 1e9, "m"});
-  source.packing = one_of<sensors::DepthPacking>(
-      table, "packing", source.packing,
-      {{"whole", sensors::DepthPacking::whole}, {"red_green", sensors::DepthPacking::red_green}});
+  read_settings(table, source);
   return source;
-}
-
-enum class Kind { panorama, pinhole, file };
-
-Kind kind_index(const DepthSource& source) {
-  return static_cast<Kind>(source.index());
-}
-
-const Words<Kind>& kind_words() {
-  static const Words<Kind> words = {
-      {"panorama", Kind::panorama}, {"pinhole", Kind::pinhole}, {"file", Kind::file}};
-  return words;
 }
 
 /// `usual` is null where nothing is known of the source before.
 DepthSource read_source(const TomlTable& table, const char* kind_key, const DepthSource* usual) {
-  const Kind usual_kind = usual != nullptr ? kind_index(*usual) : Kind::panorama;
-  const Kind kind = one_of<Kind>(table, kind_key, usual_kind, kind_words());
-  const bool known = usual != nullptr && kind == usual_kind && !table.has(kind_key);
-  switch (kind) {
-    case Kind::panorama:
-      return read_panorama(table, known ? std::get<PanoramaSource>(*usual) : PanoramaSource{});
-    case Kind::pinhole:
-      return read_pinhole(table, known ? std::get<PinholeSource>(*usual) : PinholeSource{}, known);
-    case Kind::file:
-      return read_file_source(table, known ? std::get<FileSource>(*usual) : FileSource{}, known);
-  }
-  return PanoramaSource{};
+  DepthSource source = usual != nullptr ? *usual : PanoramaSource{};
+  const std::size_t usual_kind = source.index();
+  const bool is_named = table.has(kind_key);
+  if (is_named) settings::set_place(source, read_word(table, kind_key, words_of<DepthSource>));
+  const bool known = usual != nullptr && !is_named && source.index() == usual_kind;
+  return std::visit(
+      Overloaded{[&](const PanoramaSource& one) -> DepthSource { return read_panorama(table, one); },
+                 [&](const PinholeSource& one) -> DepthSource { return read_pinhole(table, one, known); },
+                 [&](const FileSource& one) -> DepthSource { return read_file_source(table, one, known); }},
+      source);
 }
 
 template <class Keys>

@@ -2,20 +2,11 @@
 
 #include <algorithm>
 
-#include "stimuli/study_file/study_file_words.h"
+#include "stimuli/settings/mitigation_settings.h"
+#include "stimuli/settings/read_settings.h"
 
 namespace seamline::inline stimuli {
 namespace {
-
-constexpr Range mask_widths{16, 16384, "px"};
-
-int read_even_width(const TomlTable& table, const char* key, int usual, bool is_used, const char* wanted) {
-  if (!table.has(key)) return usual;
-  if (!is_used) throw table.complaint(key, wanted, "none");
-  const int width_px = table.integer(key, usual, mask_widths);
-  if (width_px % 2 != 0) throw table.complaint(key, "an even width", std::to_string(width_px));
-  return width_px;
-}
 
 /// Whether some scene of a condition has an artifact in which the depth mesh answers what `alone` shows.
 bool asks(const ConditionDefinition& condition, Artifact alone) {
@@ -32,26 +23,9 @@ Mitigation read_mitigation(const TomlTable& settings, const Mitigation& usual) {
   const std::optional<TomlTable> table = settings.table("mitigation");
   if (!table) return usual;
   Mitigation out = usual;
-  out.occlusion = one_of<OcclusionMitigation>(*table, "occlusion", out.occlusion,
-                                              {{"none", OcclusionMitigation::none},
-                                               {"mask", OcclusionMitigation::mask},
-                                               {"edges", OcclusionMitigation::edges}});
-  out.shadow = one_of<ShadowMitigation>(*table, "shadow", out.shadow,
-                                        {{"none", ShadowMitigation::none},
-                                         {"matte", ShadowMitigation::matte},
-                                         {"detected", ShadowMitigation::detected}});
-  out.blockers = one_of<Blockers>(*table, "blockers", out.blockers,
-                                  {{"sheets", Blockers::sheets}, {"layers", Blockers::layers}});
-  out.mask_width_px =
-      read_even_width(*table, "mask_width_px", out.mask_width_px, out.occlusion != OcclusionMitigation::none,
-                      "occlusion = \"mask\" or \"edges\" beside it");
-  out.matte_width_px =
-      read_even_width(*table, "matte_width_px", out.matte_width_px, out.shadow != ShadowMitigation::none,
-                      "shadow = \"matte\" or \"detected\" beside it");
+  read_settings(*table, out);
   table->finish();
-  // What has no meaning has its default, so that equal means the same.
-  if (out.occlusion == OcclusionMitigation::none) out.mask_width_px = Mitigation{}.mask_width_px;
-  if (out.shadow == ShadowMitigation::none) out.matte_width_px = Mitigation{}.matte_width_px;
+  drop_idle(out);
   return out;
 }
 

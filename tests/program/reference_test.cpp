@@ -32,7 +32,14 @@ TEST(Reference, CommandsAreThoseOfTheProgram) {
       << "copy manual/commands.md of the build folder";
 }
 
-/// Keys in the code of the reader: the first text that a function of a table is given, and lists of keys.
+void add_matches(const std::string& text, const std::regex& expression, std::set<std::string>& keys) {
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), expression); it != std::sregex_iterator();
+       ++it)
+    if (!(*it)[1].str().ends_with('_')) keys.insert((*it)[1]);
+}
+
+/// Keys in the code of the reader: those of the rows of settings, and the first text that a function of a
+/// table is given, and lists of keys.
 std::set<std::string> keys_of_the_reader() {
   const std::regex asked(
       R"re((?:\.|->)(?:has|is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts|table|tables)\(\s*"([a-z0-9_]+)")re"),
@@ -42,11 +49,10 @@ std::set<std::string> keys_of_the_reader() {
   for (const auto& entry : fs::directory_iterator(source_folder() / "stimuli/study_file")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;
     const std::string text = test::read_text(entry.path());
-    for (const std::regex& expression : {asked, helped})
-      for (auto it = std::sregex_iterator(text.begin(), text.end(), expression); it != std::sregex_iterator();
-           ++it)
-        if (!(*it)[1].str().ends_with('_')) keys.insert((*it)[1]);
+    for (const std::regex& expression : {asked, helped}) add_matches(text, expression, keys);
   }
+  for (const auto& entry : fs::directory_iterator(source_folder() / "stimuli/settings"))
+    add_matches(test::read_text(entry.path()), std::regex("[.]key = \"([a-z0-9_]+)\""), keys);
   for (const PhraseEntry& phrase : every_phrase()) keys.insert(std::string(phrase.key));
   for (const Quantity quantity : every_quantity) keys.insert(std::string(facts(quantity).key));
   return keys;
@@ -85,7 +91,7 @@ TEST(Reference, TheStudyFilesPageHasEveryKeyThatIsReadAndNoOther) {
                 page.find("[" + key + "]") != std::string::npos)
         << key << " is not on the page";
   std::string code;
-  for (const char* folder : {"stimuli/study_file", "stimuli/definition"})
+  for (const char* folder : {"stimuli/study_file", "stimuli/settings", "stimuli/definition"})
     for (const auto& entry : fs::directory_iterator(source_folder() / folder))
       if (entry.is_regular_file()) code += test::read_text(entry.path());
   for (const std::string& key : listed) EXPECT_TRUE(code_has(code, key)) << key << " is on the page only";

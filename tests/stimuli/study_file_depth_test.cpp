@@ -325,7 +325,8 @@ TEST(StudyFileDepth, TheOrderAndTheGuideOfARepairNeedWhatTheyOrder) {
               HasSubstr("depth.repair_after: wanted registration = \"points\" or \"mesh\""));
   EXPECT_THAT(
       depth_complaint(pinhole + "repair = \"median\"\nrepair_guide = \"photograph\""),
-      HasSubstr("depth.repair_guide: wanted repair = \"joint_bilateral\", found repair = \"median\""));
+      HasSubstr(
+          "depth.repair_guide: wanted repair = \"joint_bilateral\" beside it, found repair = \"median\""));
   EXPECT_THAT(test::complaint_of([] {
                 (void)study_of_depth("[depth]\nrepair = \"joint_bilateral\"\nrepair_guide = \"photograph\"");
               }),

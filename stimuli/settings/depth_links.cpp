@@ -1,0 +1,91 @@
+#include <fmt/core.h>
+
+#include <numbers>
+
+#include "stimuli/settings/depth_settings.h"
+#include "support/running/overloaded.h"
+
+// Depth chains as words for people.
+namespace seamline::inline stimuli {
+namespace {
+
+/// Who is in front, for people.
+std::string described(const OcclusionMethod& occlusion) {
+  return std::visit(
+      Overloaded{
+          [](const MeshOcclusion&) -> std::string { return "by the mesh"; },
+          [](const DepthTestOcclusion&) -> std::string {
+            return "depth test a pixel, in metres, linear between pixels";
+          },
+          [](const sensors::DepthBuffer& buffer) {
+            return fmt::format(
+                "depth test a pixel, in a buffer of {} bits between {} and {} m, linear between pixels",
+                buffer.bits, buffer.nearest_m, buffer.farthest_m);
+          }},
+      occlusion);
+}
+
+/// A source for people.
+std::string described(const DepthSource& source, int panorama_width_px) {
+  if (const auto* panorama = std::get_if<PanoramaSource>(&source)) {
+    std::string out = panorama_width_px == 0
+                          ? "panorama, whose width is the level"
+                          : fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);
+    if (panorama->reduction == Reduction::boxes)
+      out += fmt::format(", planes and boxes fitted to one {} times as wide in place of what they explain",
+                         panorama->reduction_factor);
+    else if (panorama->reduction != Reduction::sample)
+      out += fmt::format(", {} of {} x {} texels each", word(panorama->reduction), panorama->reduction_factor,
+                         panorama->reduction_factor);
+    return out;
+  }
+  const sensors::PinholeCamera& camera = *camera_of(source);
+  return fmt::format("{} {} x {} px, {:.1f} degrees wide, {:.2f} texels per degree on its axis",
+                     kind_of(source), camera.width_px, camera.height_px,
+                     sensors::horizontal_field_of_view_deg(camera), camera.fx_px * std::numbers::pi / 180);
+}
+
+}  // namespace
+
+DepthLinks depth_links(const std::optional<DepthChain>& given, int panorama_width_px) {
+  const DepthChain chain = given.value_or(DepthChain{});
+  DepthLinks links;
+  for (const DepthSource& source : chain.sources) {
+    links.emplace_back("source", described(source, panorama_width_px));
+    const SourceNoise* noise = noise_of(source);
+    links.emplace_back(
+        "noise", noise == nullptr ? "none" : fmt::format("{}, scale {}", word(noise->model), noise->scale));
+  }
+  links.emplace_back("repair", value_text(setting<DepthChain>("repair"), chain));
+  if (guided_by_photograph(chain)) links.back().second += ", guided by the photograph";
+  if (chain.repair_after) links.back().second += ", after the registration";
+  links.emplace_back("registration", chain.registration == Registration::none
+                                         ? "none"
+                                         : "by " + std::string(word(chain.registration)));
+  if (chain.border_extrusion_px > 0)
+    links.back().second += fmt::format(", borders extruded by {} px", chain.border_extrusion_px);
+  switch (chain.jumps) {
+    case Jumps::stretch:
+      links.emplace_back("jumps", "sheets");
+      break;
+    case Jumps::cut:
+      links.emplace_back("jumps", fmt::format("cut from a ratio of {}", chain.jump_ratio));
+      break;
+    case Jumps::layer:
+      links.emplace_back("jumps",
+                         fmt::format("cut from a ratio of {}, with a second layer of {} px behind them",
+                                     chain.jump_ratio, chain.layer_px));
+      break;
+  }
+  links.emplace_back("occlusion", described(chain.occlusion));
+  const bool exact = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
+  links.emplace_back("calibration error", exact ? "none"
+                                                : fmt::format("{} degrees, {} m", chain.calibration_error_deg,
+                                                              chain.calibration_error_m));
+  links.emplace_back("delay", chain.delay_ms == 0 ? "none"
+                                                  : fmt::format("{} ms at {} m/s", chain.delay_ms,
+                                                                three_text(chain.velocity_m_s)));
+  return links;
+}
+
+}  // namespace seamline::inline stimuli

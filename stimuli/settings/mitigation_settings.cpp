@@ -1,0 +1,13 @@
+#include "stimuli/settings/mitigation_settings.h"
+
+namespace seamline::inline stimuli {
+
+std::string fault_of_mask_width(const Mitigation& mitigation) {
+  return mitigation.mask_width_px % 2 == 0 ? "" : "an even width";
+}
+
+std::string fault_of_matte_width(const Mitigation& mitigation) {
+  return mitigation.matte_width_px % 2 == 0 ? "" : "an even width";
+}
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,23 @@
+#include "stimuli/settings/read_settings.h"
+
+namespace seamline::inline stimuli {
+
+std::size_t read_word(const TomlTable& table, std::string_view key, std::span<const std::string_view> words) {
+  const std::string text = table.text(std::string(key));
+  std::string wanted;
+  for (std::size_t place = 0; place < words.size(); ++place) {
+    if (words[place] == text) return place;
+    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", words[place]);
+  }
+  const std::string nearest = nearest_word(text, std::vector<std::string>(words.begin(), words.end()));
+  throw table.complaint(
+      std::string(key), wanted,
+      fmt::format("\"{}\"{}", text, nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+}
+
+InputError level_complaint(const TomlTable& table, std::string_view key, Quantity level) {
+  return table.complaint(std::string(key), fmt::format("nothing, because {} is the level", facts(level).key),
+                         "a setting of its own");
+}
+
+}  // namespace seamline::inline stimuli

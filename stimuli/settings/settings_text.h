@@ -1,0 +1,204 @@
+#pragma once
+#include <fmt/core.h>
+
+#include <string>
+#include <utility>
+
+#include "stimuli/settings/setting.h"
+#include "support/running/overloaded.h"
+
+// Values of settings as text: for hashes, complaints and pages.
+namespace seamline::inline stimuli {
+
+template <class Owner>
+[[nodiscard]] std::string settings_text(const Owner& owner);
+
+namespace settings {
+
+template <auto member>
+struct MemberOf;
+template <class Struct, class Type, Type Struct::*member>
+struct MemberOf<member> {
+  using Owner = Struct;
+  using Value = Type;
+};
+
+template <class Variant, std::size_t... places>
+void begin_at(Variant& variant, std::size_t place, std::index_sequence<places...> /*of alternatives*/) {
+  (static_cast<void>(place == places && (variant = std::variant_alternative_t<places, Variant>{}, true)),
+   ...);
+}
+
+template <class Value>
+void set_place(Value& value, std::size_t place) {
+  if constexpr (std::is_enum_v<Value>)
+    value = static_cast<Value>(place);
+  else
+    begin_at(value, place, std::make_index_sequence<std::variant_size_v<Value>>());
+}
+
+}  // namespace settings
+
+/// The choice that an enumeration or a variant holds. `keeps`: a word said again leaves the settings of its
+/// alternative as they are.
+template <auto member, bool keeps = false>
+[[nodiscard]] constexpr auto choice() {
+  using Owner = typename settings::MemberOf<member>::Owner;
+  using Value = typename settings::MemberOf<member>::Value;
+  Choice<Owner> made{.words = words_of<Value>,
+                     .place = [](const Owner& owner) { return place_of(owner.*member); },
+                     .choose =
+                         [](Owner& owner, std::size_t place) {
+                           if (!keeps || place_of(owner.*member) != place)
+                             settings::set_place(owner.*member, place);
+                         }};
+  if constexpr (!std::is_enum_v<Value>)
+    made.parameters = [](const Owner& owner) {
+      return std::visit([](const auto& one) { return settings_text(one); }, owner.*member);
+    };
+  return made;
+}
+
+/// The settings of a member that is a struct.
+template <auto member>
+[[nodiscard]] constexpr auto part() {
+  using Owner = typename settings::MemberOf<member>::Owner;
+  using Value = typename settings::MemberOf<member>::Value;
+  return Part<Owner>{.text = [](const Owner& owner) { return settings_text(owner.*member); },
+                     .is_usual = [](const Owner& owner) { return owner.*member == Value{}; }};
+}
+
+/// The same of a member that may be none: its text is then empty.
+template <auto member>
+[[nodiscard]] constexpr auto optional_part() {
+  using Owner = typename settings::MemberOf<member>::Owner;
+  return Part<Owner>{
+      .text =
+          [](const Owner& owner) { return owner.*member ? settings_text(*(owner.*member)) : std::string(); },
+      .is_usual = [](const Owner& owner) { return !(owner.*member).has_value(); }};
+}
+
+[[nodiscard]] inline std::string three_text(const std::array<double, 3>& three) {
+  return fmt::format("[{},{},{}]", three[0], three[1], three[2]);
+}
+
+/// A value alone: a word, a number, "[1,2,3]".
+template <class Owner>
+[[nodiscard]] std::string value_text(const Setting<Owner>& row, const Owner& owner) {
+  return std::visit(
+      Overloaded{
+          [&](std::optional<double> Owner::*member) {
+            return fmt::format("{}", (owner.*member).value_or(0));
+          },
+          [&](bool Owner::*member) { return std::string(owner.*member ? row.wording.yes : row.wording.no); },
+          [&](std::array<double, 3> Owner::*member) { return three_text(owner.*member); },
+          [&](std::optional<std::array<double, 3>> Owner::*member) {
+            return owner.*member ? three_text(*(owner.*member)) : std::string();
+          },
+          [&](const Choice<Owner>& choice) {
+            std::string text(choice.words[choice.place(owner)]);
+            if (choice.parameters != nullptr) text += choice.parameters(owner);
+            return text;
+          },
+          [&](const Part<Owner>& part) { return part.text(owner); },
+          [](const Described&) { return std::string(); },
+          [&](auto Owner::*member) { return fmt::format("{}", owner.*member); }},
+      row.slot);
+}
+
+/// Whether a setting is what it is where nothing is said.
+template <class Owner>
+[[nodiscard]] bool is_usual(const Setting<Owner>& row, const Owner& owner) {
+  const Owner usual{};
+  return std::visit(
+      Overloaded{[&](const Choice<Owner>& choice) { return choice.place(owner) == choice.place(usual); },
+                 [&](const Part<Owner>& part) { return part.is_usual(owner); },
+                 [](const Described&) { return true; },
+                 [&](auto Owner::*member) { return owner.*member == usual.*member; }},
+      row.slot);
+}
+
+/// `shadows = "traced"`: what the setting is that another stands beside.
+template <class Owner>
+[[nodiscard]] std::string head_text(const Setting<Owner>& row, const Owner& owner) {
+  const Setting<Owner>& head = setting<Owner>(row.beside.key);
+  if (const auto* choice = std::get_if<Choice<Owner>>(&head.slot))
+    return fmt::format("{} = \"{}\"", head.key, choice->words[choice->place(owner)]);
+  return fmt::format("{} = {}", head.key, value_text(head, owner));
+}
+
+/// Whether a setting has a meaning beside the others.
+template <class Owner>
+[[nodiscard]] bool is_used(const Setting<Owner>& row, const Owner& owner) {
+  if (row.beside.key.empty()) return true;
+  const Setting<Owner>& head = setting<Owner>(row.beside.key);
+  if (const auto* flag = std::get_if<bool Owner::*>(&head.slot)) return owner.**flag;
+  const auto& choice = std::get<Choice<Owner>>(head.slot);
+  const std::string_view word = choice.words[choice.place(owner)];
+  for (const std::string_view one : row.beside.words.all())
+    if (one == word) return true;
+  return false;
+}
+
+/// `shadows = "shadow_map"`, or several words with "or" between: what a setting stands beside.
+template <class Owner>
+[[nodiscard]] std::string beside_text(const Setting<Owner>& row) {
+  std::string words;
+  for (const std::string_view word : row.beside.words.all())
+    if (!word.empty()) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", word);
+  return fmt::format("{} = {}", row.beside.key, words.empty() ? "true" : words);
+}
+
+/// Gives every setting that has no meaning beside the others its default, so that equal means the same.
+template <class Owner>
+void drop_idle(Owner& owner) {
+  const Owner usual{};
+  for (const Setting<Owner>& row : settings_of<Owner>) {
+    if (!row.beside.is_refused || is_used(row, owner)) continue;
+    std::visit(Overloaded{[&](const Choice<Owner>& choice) { choice.choose(owner, choice.place(usual)); },
+                          [](const Part<Owner>&) {}, [](const Described&) {},
+                          [&](auto Owner::*member) { owner.*member = usual.*member; }},
+               row.slot);
+  }
+}
+
+/// The canonical text: every row in its wording, one after another. A comma has nothing before it where the
+/// text begins.
+template <class Owner>
+std::string settings_text(const Owner& owner) {
+  std::string text;
+  for (const Setting<Owner>& row : settings_of<Owner>) {
+    const Wording& wording = row.wording;
+    if (wording.written == Written::never) continue;
+    if (wording.written == Written::where_used && !is_used(row, owner)) continue;
+    if (wording.written == Written::where_unusual && (is_usual(row, owner) || !is_used(row, owner))) continue;
+    std::string_view before = wording.before;
+    if (text.empty() && before.starts_with(", ")) before.remove_prefix(2);
+    text += before;
+    text += value_text(row, owner);
+    text += wording.after;
+  }
+  return text;
+}
+
+/// Gives the setting that is the level this value; nothing where `Owner` has none.
+template <class Owner>
+void set_level_of(Owner& owner, Quantity quantity, double level) {
+  for (const Setting<Owner>& row : settings_of<Owner>)
+    if (row.level == quantity)
+      std::visit(Overloaded{[&](double Owner::*member) { owner.*member = level; },
+                            [&](std::optional<double> Owner::*member) { owner.*member = level; },
+                            [&](int Owner::*member) { owner.*member = static_cast<int>(level); },
+                            [](const auto&) {}},
+                 row.slot);
+}
+
+/// The row whose level this is; null where `Owner` has none.
+template <class Owner>
+[[nodiscard]] const Setting<Owner>* setting_of_level(Quantity quantity) {
+  for (const Setting<Owner>& row : settings_of<Owner>)
+    if (row.level == quantity) return &row;
+  return nullptr;
+}
+
+}  // namespace seamline::inline stimuli
