@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "stimuli/study_file/people/study_file_recruitment.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -114,8 +115,10 @@ std::set<std::string> places_of(const std::string& text) {
   return places;
 }
 
-InterfaceTexts read_texts(const TomlTable& table) {
+/// `more`: keys that another reader has read.
+InterfaceTexts read_texts(const TomlTable& table, std::span<const PageText> more) {
   InterfaceTexts texts;
+  for (const PageText& entry : more) static_cast<void>(table.has(std::string(entry.key)));
   for (const PhraseEntry& entry : every_phrase()) {
     const std::string key(entry.key);
     if (!table.has(key)) continue;
@@ -138,7 +141,10 @@ void read_people(const TomlTable& study, StudyDefinition& definition) {
   definition.form = read_form(study);
   if (const auto pages = study.table("instructions")) definition.instructions = read_instructions(*pages);
   if (const auto training = study.table("training")) definition.training = read_training(*training);
-  if (const auto texts = study.table("texts")) definition.texts = read_texts(*texts);
+  definition.recruitment = read_recruitment(study, definition.form, definition.catches.attention);
+  std::span<const PageText> more;
+  if (definition.recruitment) more = every_recruitment_text();
+  if (const auto texts = study.table("texts")) definition.texts = read_texts(*texts, more);
 }
 
 }  // namespace seamline::inline stimuli

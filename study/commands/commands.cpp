@@ -10,6 +10,8 @@
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
 #include "study/log/online/invitation_codes.h"
+#include "study/log/online/log_backup.h"
+#include "study/log/online/recruits.h"
 #include "study/log/recovery/log_recovery.h"
 #include "study/log/recovery/log_recovery_text.h"
 #include "study/log/recovery/log_upgrade.h"
@@ -33,8 +35,8 @@ struct StudyOptions {
 };
 
 struct LogOptions {
-  std::string log, exclude, forget, codes, recover, upgrade, set;
-  bool status = false, tracks = false;
+  std::string log, exclude, forget, codes, recover, upgrade, set, identifiers, backup;
+  bool status = false, tracks = false, forget_identifiers = false;
 };
 
 ObserverKind parse_observer(const std::string& text) {
@@ -80,6 +82,10 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
                        .found = options.observer.empty() ? "neither" : "both"});
   if (!options.observer.empty()) return simulate(options);
   check_participant_code(options.participant);
+  if (load_rendered_set(options.set_folder).study.recruitment)
+    fmt::print(stderr,
+               "[recruitment] is for people in browsers: in the window nobody is matched, screened or "
+               "sent back\n");
   run_participant({.set_folder = options.set_folder,
                    .log = options.log,
                    .code = options.participant,
@@ -95,7 +101,9 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
 /// was forgotten before, without it.
 void forget_person(const LogOptions& options) {
   if (options.codes.empty()) {
-    if (forget_participant(options.log, options.forget))
+    const bool in_browser = forget_participant(options.log, options.forget);
+    (void)forget_recruit(options.log, options.forget);
+    if (in_browser)
       fmt::print("{}: forgotten in {}. {}\n", options.forget, options.log,
                  "If a server kept codes (seamline serve --codes FILE), FILE still has their line: the same "
                  "command with --codes FILE takes it out.");
@@ -106,6 +114,7 @@ void forget_person(const LogOptions& options) {
   const bool is_in_codes = std::any_of(codes.begin(), codes.end(),
                                        [&](const auto& line) { return line.second == options.forget; });
   if (is_in_log || !is_in_codes) forget_participant(options.log, options.forget);
+  (void)forget_recruit(options.log, options.forget);
   fmt::print("{}: {} in {}, {} lines taken out of {}\n", options.forget,
              is_in_log ? "forgotten" : "not there any more", options.log,
              forget_invitation_of(options.codes, options.forget), options.codes);
@@ -113,12 +122,15 @@ void forget_person(const LogOptions& options) {
 
 void administer(const LogOptions& options) {
   const bool does_something = options.status || options.tracks || !options.exclude.empty() ||
-                              !options.forget.empty() || !options.recover.empty() || !options.upgrade.empty();
+                              !options.forget.empty() || !options.recover.empty() ||
+                              !options.upgrade.empty() || !options.identifiers.empty() ||
+                              !options.backup.empty() || options.forget_identifiers;
   if (!does_something)
-    throw input_error(
-        {.field = "seamline log",
-         .wanted = "--status, --tracks, --exclude CODE, --forget CODE, --recover OUT or --upgrade NEW",
-         .found = "none"});
+    throw input_error({.field = "seamline log",
+                       .wanted =
+                           "--status, --tracks, --exclude CODE, --forget CODE, --recover OUT, --upgrade NEW, "
+                           "--backup NEW, --identifiers FILE or --forget-identifiers",
+                       .found = "none"});
   if (!options.recover.empty()) {
     const LogRecovery recovery = recover_log(options.log, options.recover, options.set);
     fmt::print("{}", recovery_text(recovery, options.log, options.recover));
@@ -128,6 +140,15 @@ void administer(const LogOptions& options) {
     fmt::print("{}", upgrade_text(upgrade_log(options.log, options.upgrade), options.log, options.upgrade));
     return;
   }
+  if (!options.backup.empty()) {
+    back_up_log(options.log, options.backup);
+    fmt::print("{}: a copy of {} as it was at one moment\n", options.backup, options.log);
+  }
+  if (!options.identifiers.empty())
+    fmt::print("{}: {} people\n", options.identifiers, write_recruits(options.log, options.identifiers));
+  if (options.forget_identifiers)
+    fmt::print("{}: the identifiers of {} people are deleted; their answers stay\n", options.log,
+               forget_identifiers(options.log));
   if (!options.exclude.empty()) exclude_participant(options.log, options.exclude);
   if (!options.forget.empty()) forget_person(options);
   if (options.status) fmt::print("{}", status_text(read_log(options.log)));
@@ -178,6 +199,13 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
       log->add_option("--exclude", log_options->exclude, "leave a participant's answers out of the analysis");
   CLI::Option* forget =
       log->add_option("--forget", log_options->forget, "delete every trace of a participant");
+  CLI::Option* backup = log->add_option("--backup", log_options->backup,
+                                        "copy the log as it is now, also while a server writes to it");
+  CLI::Option* identifiers =
+      log->add_option("--identifiers", log_options->identifiers,
+                      "write who came from a panel as which participant, with which end, as CSV");
+  CLI::Option* forget_all = log->add_flag("--forget-identifiers", log_options->forget_identifiers,
+                                          "delete all identifiers of a panel, and keep the answers");
   log->add_option("--codes", log_options->codes,
                   "for --forget: the file in which `serve --codes` kept whose invitation was whose")
       ->needs(forget);
@@ -189,7 +217,8 @@ void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant)
                       "make a log of today's schema of one that an older seamline began, with every answer")
           ->excludes(recover);
   for (CLI::Option* alone : {recover, upgrade})  // they make another log, and touch this one in no way
-    for (CLI::Option* other : {status, tracks, exclude, forget}) alone->excludes(other);
+    for (CLI::Option* other : {status, tracks, exclude, forget, backup, identifiers, forget_all})
+      alone->excludes(other);
   log->add_option("--set", log_options->set, "for --recover: the set, where the log's own study is lost")
       ->needs(recover);
   log->callback([log_options] { administer(*log_options); });

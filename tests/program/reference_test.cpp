@@ -46,7 +46,7 @@ std::set<std::string> keys_of_the_reader() {
       helped(
           R"re((?:number|one_of<[\w:]+>|read_range|read_layer|read_even_width|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
   std::set<std::string> keys;
-  for (const auto& entry : fs::directory_iterator(source_folder() / "stimuli/study_file")) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/study_file")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;
     const std::string text = test::read_text(entry.path());
     for (const std::regex& expression : {asked, helped}) add_matches(text, expression, keys);
@@ -92,7 +92,7 @@ TEST(Reference, TheStudyFilesPageHasEveryKeyThatIsReadAndNoOther) {
         << key << " is not on the page";
   std::string code;
   for (const char* folder : {"stimuli/study_file", "stimuli/settings", "stimuli/definition"})
-    for (const auto& entry : fs::directory_iterator(source_folder() / folder))
+    for (const auto& entry : fs::recursive_directory_iterator(source_folder() / folder))
       if (entry.is_regular_file()) code += test::read_text(entry.path());
   for (const std::string& key : listed) EXPECT_TRUE(code_has(code, key)) << key << " is on the page only";
 }

@@ -279,4 +279,51 @@ OnlineLog::Counts OnlineLog::counts() {
           .answers = database.execAndGet("SELECT count(*) FROM answers").getInt64()};
 }
 
+std::vector<OnlineStanding> OnlineLog::standings() {
+  SQLite::Database& database = log_.tables_->database;
+  std::vector<OnlineStanding> all;
+  std::map<std::int64_t, std::size_t> place_of;
+  SQLite::Statement row(database, R"sql(
+      SELECT participant, code, pilot, excluded, completed,
+             (SELECT count(*) FROM answers WHERE answers.participant = participants.participant),
+             (SELECT count(*) FROM trials WHERE trials.participant = participants.participant),
+             (SELECT coalesce(min(started_unix_s), 0) FROM sessions WHERE sessions.participant = participants.participant),
+             (SELECT coalesce(max(last_unix_s), 0) FROM sessions WHERE sessions.participant = participants.participant)
+      FROM participants JOIN online_participants USING (participant) ORDER BY participant)sql");
+  while (row.executeStep()) {
+    place_of[row.getColumn(0).getInt64()] = all.size();
+    all.push_back({.code = row.getColumn(1).getString(),
+                   .pilot = row.getColumn(2).getInt() != 0,
+                   .excluded = row.getColumn(3).getInt() != 0,
+                   .completed = row.getColumn(4).getInt() != 0,
+                   .answered = row.getColumn(5).getInt(),
+                   .trials = row.getColumn(6).getInt(),
+                   .began_unix_s = row.getColumn(7).getInt64(),
+                   .last_unix_s = row.getColumn(8).getInt64()});
+  }
+  SQLite::Statement form(database, "SELECT participant, field, value FROM form_answers ORDER BY participant");
+  while (form.executeStep())
+    if (const auto place = place_of.find(form.getColumn(0).getInt64()); place != place_of.end())
+      all[place->second].form.push_back(
+          {.field = form.getColumn(1).getString(), .value = form.getColumn(2).getString()});
+  return all;
+}
+
+std::int64_t OnlineLog::declines() {
+  return log_.tables_->database.execAndGet("SELECT count(*) FROM declines").getInt64();
+}
+
+std::set<std::string> used_invitations(const std::filesystem::path& log) {
+  std::error_code error;
+  if (!std::filesystem::exists(log, error)) return {};
+  SQLite::Database database = open_log_database(log, LogAccess::read);
+  return with_log_errors(log, [&] {
+    std::set<std::string> used;
+    if (!has_online_tables(schema_version_of(database))) return used;
+    for (SQLite::Statement row(database, "SELECT token_sha256 FROM online_tokens"); row.executeStep();)
+      used.insert(row.getColumn(0).getString());
+    return used;
+  });
+}
+
 }  // namespace seamline::study

@@ -57,6 +57,15 @@ struct OnlineNewcomer {
   std::string secret_sha256 = {};  ///< empty: none
 };
 
+/// How far somebody in a browser is, for who looks on, and for quotas.
+struct OnlineStanding {
+  std::string code;
+  bool pilot = false, excluded = false, completed = false;
+  int answered = 0, trials = 0;
+  std::int64_t began_unix_s = 0, last_unix_s = 0;
+  std::vector<FormAnswer> form = {};
+};
+
 /// The log, open for people in browsers: of a schema version that has their tables; a log of the window
 /// becomes one. Nothing here decides what may be stored: study/online/intake does. Every call belongs inside
 /// `transaction`. Not for several threads at once. Throws InputError as LogWriter does.
@@ -110,6 +119,9 @@ class OnlineLog {
     std::int64_t participants = 0, answers = 0;
   };
   [[nodiscard]] Counts counts();
+  /// Everybody in browsers, in order of arrival.
+  [[nodiscard]] std::vector<OnlineStanding> standings();
+  [[nodiscard]] std::int64_t declines();
 
  private:
   struct Statements;
@@ -117,5 +129,9 @@ class OnlineLog {
   std::unique_ptr<Statements> sql_;
   std::int64_t seen_version_ = 0;  ///< of the file, as SQLite counts what others wrote
 };
+
+/// Hashes of the invitations that a log has used; none where there is no log yet. Throws InputError as
+/// reading a log does.
+[[nodiscard]] std::set<std::string> used_invitations(const std::filesystem::path& log);
 
 }  // namespace seamline::study

@@ -260,6 +260,22 @@ std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code)
   return std::pair(who.stored.place.answered, *due);
 }
 
+std::string Intake::sender_of(const std::string& message_id) {
+  const std::optional<KnownMessage> known = log_.message(message_id);
+  return known ? known->participant : std::string();
+}
+
+int Intake::attention_right(const std::string& code) {
+  const OpenSession& place = person(code).stored.place;
+  int right = 0;
+  for (const TrialAnswer& answer : place.answers) {
+    const Trial& trial = place.trials.at(static_cast<std::size_t>(answer.trial_index));
+    const ManifestStimulus& shown = set_.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+    if (trial.kind == TrialKind::attention && answer.chosen_index == shown.stimulus.object_index) ++right;
+  }
+  return right;
+}
+
 std::vector<std::int64_t> Intake::gaps(const std::string& code) {
   std::vector<std::int64_t> missing;
   std::int64_t due = 0;

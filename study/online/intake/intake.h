@@ -93,6 +93,13 @@ class Intake {
   /// Numbers of a participant's messages that are missing below the highest stored.
   [[nodiscard]] std::vector<std::int64_t> gaps(const std::string& code);
 
+  /// Whose message this id is; empty: nobody's.
+  [[nodiscard]] std::string sender_of(const std::string& message_id);
+  /// Attention trials that a participant answered right. Throws Refusal when there is none of that code.
+  [[nodiscard]] int attention_right(const std::string& code);
+  [[nodiscard]] std::vector<OnlineStanding> standings() { return log_.standings(); }
+  [[nodiscard]] std::int64_t declines() { return log_.declines(); }
+
   [[nodiscard]] std::map<std::string, std::string> secrets() { return log_.secrets(); }
   [[nodiscard]] OnlineLog::Counts counts() { return log_.counts(); }
   [[nodiscard]] const RenderedSet& set() const { return set_; }

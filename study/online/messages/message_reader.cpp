@@ -200,10 +200,34 @@ Message read_message(std::string_view line) {
   return message_of(json_of(line, "message"));
 }
 
+namespace {
+
+std::map<std::string, std::string> identifiers_of(const JsonValue& json) {
+  constexpr std::size_t most_identifiers = 20, most_identifier_bytes = 200;
+  if (json.kind != JsonValue::Kind::object || json.keys.size() > most_identifiers)
+    throw input_error(
+        {.field = "identifiers", .wanted = "an object of at most 20 texts", .found = "another"});
+  std::map<std::string, std::string> identifiers;
+  for (std::size_t i = 0; i < json.keys.size(); ++i) {
+    const JsonValue& value = json.items[i];
+    const bool plain = value.kind == JsonValue::Kind::text && value.text.size() <= most_identifier_bytes &&
+                       json.keys[i].size() <= most_name_bytes && printable(value.text, 1000) == value.text;
+    if (!plain)
+      throw refusal("identifiers", "texts of at most 200 bytes without control characters", json.keys[i]);
+    if (!value.text.empty()) identifiers[json.keys[i]] = value.text;
+  }
+  return identifiers;
+}
+
+}  // namespace
+
 EnrolRequest read_enrol_request(std::string_view text) {
   const JsonValue json = json_of(text, "request");
-  const JsonFields fields(json, "", {"token", "message"});
+  const bool with = std::find(json.keys.begin(), json.keys.end(), "identifiers") != json.keys.end();
+  const JsonFields fields = with ? JsonFields(json, "", {"token", "message", "identifiers"})
+                                 : JsonFields(json, "", {"token", "message"});
   EnrolRequest request{.message = message_of(fields.at("message"))};
+  if (with) request.identifiers = identifiers_of(fields.at("identifiers"));
   if (fields.at("token").kind != JsonValue::Kind::null)
     request.token = fields.text("token", 1, most_name_bytes);
   if (!std::holds_alternative<EnrolBody>(request.message.body) &&

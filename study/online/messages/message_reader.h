@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -14,9 +15,12 @@ namespace seamline::study::online {
 struct EnrolRequest {
   std::string token = {};  ///< of an invitation; empty: none
   Message message;         ///< an enrolment without participant and slot, or a decline
+  /// Of the link, by name, where the study names any ([recruitment]).
+  std::map<std::string, std::string> identifiers = {};
 };
 
-/// Reads {"token": TEXT or null, "message": MESSAGE}. Throws InputError with one sentence.
+/// Reads {"token": TEXT or null, "message": MESSAGE}, perhaps with "identifiers": {NAME: TEXT, ...}. Throws
+/// InputError with one sentence.
 [[nodiscard]] EnrolRequest read_enrol_request(std::string_view text);
 
 /// Whether a text is a UUID of version 4, in lower case with dashes.

@@ -51,6 +51,12 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                        .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
                                  "--serve `seamline serve` will)",
                        .found = "\"quest_plus\""});
+  if (set.study.recruitment && request.host != Origin::serve)
+    throw input_error({.file = study_file_name(set),
+                       .field = "recruitment",
+                       .wanted = "a page with --serve, because a page on a host of files or JATOS would tell "
+                                 "everybody the codes (in JATOS set the study's end redirect URL instead)",
+                       .found = request.host == Origin::jatos ? "--jatos" : "a host of files"});
   const int orders = set.study.session.orders;
   if (orders > 0 && request.slots && *request.slots > orders)
     throw input_error({.field = "--slots",
@@ -138,7 +144,8 @@ void add_page(WebFiles& files, const StudyDefinition& study, Origin host) {
       files.add(name, first_page(bytes, read_file(folder / "start.js"), study));
     else if (name == "endPage.html") {
       if (host == Origin::jatos) files.add(name, end_page(bytes, study));
-    } else if (name != "start.js")
+    } else if (name != "start.js" &&
+               name != "watch.html")  // the experimenter's, which `seamline serve` reads
       files.add(name, without_source_map(bytes));
   }
 }

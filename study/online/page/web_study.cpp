@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
 #include "study/trials/trial_picture.h"
 #include "study/visit/visit_script.h"
@@ -25,7 +26,20 @@ Json texts_json(const StudyDefinition& study) {
   Json texts = Json::object();
   for (const PhraseEntry& entry : every_phrase())
     texts[std::string(entry.key)] = phrase_text(study.texts, entry.phrase);
+  if (study.recruitment)
+    for (const PageText& entry : every_recruitment_text()) {
+      const std::string key(entry.key);
+      const auto own = study.recruitment->texts.find(key);
+      texts[key] = own == study.recruitment->texts.end() ? std::string(entry.english) : own->second;
+    }
   return texts;
+}
+
+/// Without codes, which the server keeps until somebody has one.
+Json recruitment_json(const RecruitmentDefinition& recruitment) {
+  return {{"identifiers", recruitment.identifiers},
+          {"required", recruitment.identifiers_required},
+          {"host", return_host(recruitment)}};
 }
 
 Json form_json(const std::vector<FormField>& form) {
@@ -117,7 +131,7 @@ int most_trials_of_a_participant(const TrialRules& rules) {
 std::string web_study_text(const WebStudy& web) {
   const StudyDefinition& study = web.set.study;
   const VisitScript script = make_visit_script(web.set);
-  const Json json = {
+  Json json = {
       {"format", web_format},
       {"study_hash", web.set.manifest.study_hash},
       {"set_hash", web.set.set_hash},
@@ -156,6 +170,7 @@ std::string web_study_text(const WebStudy& web) {
       {"catches", catches_json(web)},
       {"pictures", pictures_json(web)},
   };
+  if (study.recruitment) json["recruitment"] = recruitment_json(*study.recruitment);
   return json.dump(1) + "\n";
 }
 

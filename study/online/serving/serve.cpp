@@ -46,6 +46,19 @@ void check_same_study(const ServeRequest& request, const SiteFiles& site, const 
                          .found = "those of an older version, which tell the right answers"});
 }
 
+/// Codes and quotas can be changed in the set's study while a page is out; what the page asks of the link and
+/// says of the end was exported.
+void check_recruitment(const ServeRequest& request, const SiteFiles& site, const RenderedSet& set) {
+  const RecruitmentDefinition none;
+  const RecruitmentDefinition& wanted = set.study.recruitment ? *set.study.recruitment : none;
+  if (site.recruited == (set.study.recruitment != nullptr) && site.identifiers == wanted.identifiers) return;
+  throw input_error({.file = (request.folder / "study.json").string(),
+                     .field = "recruitment",
+                     .wanted = "the identifiers of [recruitment] in " + set.study.file.string() +
+                               " (export the page again)",
+                     .found = "others"});
+}
+
 std::optional<HttpResponse> not_this_host() {
   return HttpResponse{.status = 421,
                       .body =
@@ -58,16 +71,22 @@ class Refusals {
  public:
   void count(const std::string& path, int status) {
     const std::lock_guard guard(lock_);
-    ++of_[fmt::format("{} {}", status, path)];
+    const std::string what = fmt::format("{} {}", status, path);
+    ++of_[what];
+    ++in_all_[what];
   }
   [[nodiscard]] std::map<std::string, int> take() {
     const std::lock_guard guard(lock_);
     return std::exchange(of_, {});
   }
+  [[nodiscard]] std::map<std::string, int> in_all() {
+    const std::lock_guard guard(lock_);
+    return in_all_;
+  }
 
  private:
   std::mutex lock_;
-  std::map<std::string, int> of_;
+  std::map<std::string, int> of_, in_all_;
 };
 
 }  // namespace
@@ -80,8 +99,17 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   if (!request.tokens.empty()) invitations.emplace(request.tokens, say, request.codes);
   Intake intake(set, request.log);
   intake.limit(request.service.stored);
-  StudyService service(site, intake, invitations ? &*invitations : nullptr, request.service);
   Refusals refusals;
+  std::optional<RecruitmentDesk> desk;
+  if (set.study.recruitment) desk.emplace(*set.study.recruitment, request.log, site.pilot);
+  check_recruitment(request, site, set);
+  std::optional<Watch> watch;
+  if (!request.watch.empty()) watch.emplace(request.watch, request.log, [&] { return refusals.in_all(); });
+  StudyService service(site, intake,
+                       {.invitations = invitations ? &*invitations : nullptr,
+                        .desk = desk ? &*desk : nullptr,
+                        .watch = watch ? &*watch : nullptr},
+                       request.service);
   const auto noted = [&](const std::string& path, const std::optional<HttpResponse>& response) {
     if (response && response->status >= 400) refusals.count(loggable_path(path), response->status);
     return response;
@@ -107,6 +135,9 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   say(fmt::format("serving {} at http://{}:{}/ into {}: {} participants, {} answers so far",
                   request.folder.string(), is_six ? "[" + request.address + "]" : request.address,
                   server.port(), request.log.string(), service.participants(), service.answers()));
+  if (desk && !return_host(desk->recruitment()).empty())
+    say(fmt::format("at the end people are sent to {}", return_host(desk->recruitment())));
+  if (watch) say(fmt::format("who takes part: /watch, with the secret in {}", request.watch.string()));
   const auto report = [&] {
     for (const auto& [what, times] : refusals.take()) say(fmt::format("refused: {} ({} times)", what, times));
   };

@@ -19,6 +19,7 @@ struct ServeRequest {
   std::vector<std::string> hosts = {};  ///< names by which browsers reach it, besides its address
   std::filesystem::path tokens = {};    ///< empty: nobody needs an invitation
   std::filesystem::path codes = {};     ///< where codes are kept beside invitations; empty: nowhere
+  std::filesystem::path watch = {};     ///< the secret of the experimenter's page; empty: there is none
   HttpLimits http = {};
   ServiceLimits service = {};
 };

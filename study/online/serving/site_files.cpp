@@ -126,6 +126,11 @@ void read_study(const fs::path& file, SiteFiles& site) {
       std::clamp<std::int64_t>(field(study, "slots", Kind::whole, file).whole, 0, 1'000'000));
   site.pilot = field(study, "pilot", Kind::boolean, file).boolean;
   site.adaptive = field(study, "adaptive", Kind::boolean, file).boolean;
+  if (const JsonValue* recruitment = member_of(study, "recruitment"); recruitment != nullptr) {
+    site.recruited = true;
+    for (const JsonValue& name : field(*recruitment, "identifiers", Kind::array, file).items)
+      site.identifiers.push_back(name.text);
+  }
   for (const JsonValue& stimulus : field(study, "stimuli", Kind::array, file).items)
     site.picture_of["stimulus " + text_of(stimulus, "id", file)] = text_of(stimulus, "file", file);
   for (const JsonValue& one : field(study, "catches", Kind::array, file).items)

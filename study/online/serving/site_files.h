@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "study/online/serving/http_request.h"
 
@@ -16,6 +17,8 @@ struct SiteFiles {
   int slots = 0;  ///< orders that the page has
   bool pilot = false;
   bool adaptive = false;
+  bool recruited = false;                         ///< of a study with [recruitment]
+  std::vector<std::string> identifiers;           ///< that the page reads in the link
   std::map<std::string, std::string> picture_of;  ///< by "kind stimulus_id": for `/api/next`
 };
 

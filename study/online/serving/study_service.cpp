@@ -89,11 +89,23 @@ std::vector<Message> read_lines(const std::string& body, std::optional<Refusal>&
 }
 
 bool is_api(const std::string& path) {
-  return path == "/api/enrol" || path == "/api/messages" || path == "/api/where" || path == "/api/next";
+  return path == "/api/enrol" || path == "/api/messages" || path == "/api/where" || path == "/api/next" ||
+         path == "/api/end" || path == "/api/watch";
 }
 
 std::string method_of(const std::string& path) {
-  return path == "/api/where" ? "GET" : "POST";
+  return path == "/api/where" || path == "/api/end" || path == "/api/watch" ? "GET" : "POST";
+}
+
+Json json_of(const std::optional<VisitEnd>& end) {
+  if (!end) return {{"outcome", nullptr}};
+  return {{"outcome", word(end->outcome)}, {"code", end->code}, {"link", end->link}};
+}
+
+HttpResponse error(const NoEntry& no) {
+  Json json = {{"error", printable(no.what())}, {"reason", no.reason()}};
+  if (no.end()) json["end"] = json_of(no.end());
+  return answer(json, status_of(no.kind()));
 }
 
 }  // namespace
@@ -102,10 +114,12 @@ std::string loggable_path(const std::string& path) {
   return is_api(path) || path == "/health" || path == "/host.json" || path == "/" ? path : "other";
 }
 
-StudyService::StudyService(const SiteFiles& site, Intake& intake, Invitations* invitations,
+StudyService::StudyService(const SiteFiles& site, Intake& intake, const ServiceHelpers& helpers,
                            const ServiceLimits& limits)
     : site_(site),
-      invitations_(invitations),
+      invitations_(helpers.invitations),
+      desk_(helpers.desk),
+      watch_(helpers.watch),
       limits_(limits),
       participant_rate_(limits.participant),
       address_rate_(limits.address),
@@ -116,6 +130,7 @@ StudyService::StudyService(const SiteFiles& site, Intake& intake, Invitations* i
       log_(intake) {}
 
 HttpResponse StudyService::file(const HttpRequest& request) const {
+  if (watch_ != nullptr && request.head.path == "/watch") return {.status = 200, .file = watch_->page()};
   const auto found = site_.by_path.find(request.head.path);
   if (found == site_.by_path.end()) return error(404, "path: wanted one of this study, found another one");
   if (request.head.known_version == found->second->version) return {.status = 304};
@@ -148,7 +163,9 @@ std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
     return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
                ? std::optional(error(413, "Content-Length: wanted at most 65536 bytes, found more"))
                : std::nullopt;
-  if (code_of(head.secret).empty()) return nobody();
+  if (head.path == "/api/watch" ? watch_ == nullptr || !watch_->is_key(head.secret)
+                                : code_of(head.secret).empty())
+    return nobody();
   return std::nullopt;
 }
 
@@ -166,7 +183,8 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
     if (!newcomer || !may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
     return std::nullopt;
   }
-  const std::string code = code_of(request.head.secret);
+  if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret))) return nobody();
+  const std::string code = path == "/api/watch" ? "the experimenter" : code_of(request.head.secret);
   if (code.empty()) return nobody();
   if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
   return std::nullopt;
@@ -175,8 +193,20 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
 void StudyService::later(HttpRequest request, Reply reply) {
   const std::string& path = request.head.path;
   if (path == "/api/enrol") return enrol(request, reply);
+  if (path == "/api/watch")
+    return log_.add(
+        [this](Intake& intake) -> HttpResponse {
+          return {.status = 200, .body = watch_->facts_text(intake, desk_, invitations_)};
+        },
+        std::move(reply));
   const std::string code = code_of(request.head.secret);
   if (path == "/api/messages") return take_messages(code, std::move(request.body), reply);
+  if (path == "/api/end")
+    return log_.add(
+        [this, code](Intake&) -> HttpResponse {
+          return answer(json_of(desk_ == nullptr ? std::nullopt : desk_->end_of(code)));
+        },
+        std::move(reply));
   const bool next = path == "/api/next";
   log_.add(
       [this, code, next](Intake& intake) -> HttpResponse {
@@ -220,21 +250,11 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
   const std::string token = wanted.token.empty() ? std::string() : sha256(wanted.token);
   if (invitations_ == nullptr && !token.empty())
     return reply(error(400, "token: wanted none, since this server asks for none, found one"));
+  if (desk_ == nullptr && !wanted.identifiers.empty())
+    return reply(error(400, "identifiers: wanted none, since the study has no [recruitment], found some"));
   if (invitations_ != nullptr && !invitations_->has(token))
     return reply(error(403, "invitation in the link: wanted one to this study, found another one or none"));
-  if (std::holds_alternative<DeclineBody>(wanted.message.body)) {
-    log_.add(
-        [message = wanted.message](Intake& intake) -> HttpResponse {
-          try {
-            (void)intake.take(message);
-            return answer(Json::object());
-          } catch (const Refusal& refusal) {
-            return error(refusal);
-          }
-        },
-        reply);
-    return;
-  }
+  if (std::holds_alternative<DeclineBody>(wanted.message.body)) return decline(wanted, reply);
   if (std::get<EnrolBody>(wanted.message.body).pilot != site_.pilot)
     return reply(error(400, "body.pilot: wanted what the page was exported with, found the contrary"));
   if (participants_ >= limits_.most_participants)
@@ -252,11 +272,13 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
                             .slots = site_.slots};
   auto enrolled = std::make_shared<std::optional<EnrolledPerson>>();
   log_.add(
-      [message = wanted.message, given, secret, enrolled,
-       invitations = invitations_](Intake& intake) -> HttpResponse {
+      [message = wanted.message, identifiers = wanted.identifiers, given, secret, enrolled,
+       invitations = invitations_, desk = desk_](Intake& intake) -> HttpResponse {
         enrolled->reset();
         try {
+          if (desk != nullptr) desk->check_entry(intake, message, identifiers);
           *enrolled = intake.enrol(message, given);
+          if (desk != nullptr) desk->enter((*enrolled)->code, identifiers);
           // Before the commit: a code without a participant is nobody's, a participant without one is not
           // found.
           if (invitations != nullptr) invitations->note(given.token_sha256, (*enrolled)->code);
@@ -264,6 +286,8 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
                          {"slot", (*enrolled)->slot},
                          {"secret", secret},
                          {"next_sequence", (*enrolled)->next_sequence}});
+        } catch (const NoEntry& no) {
+          return error(no);
         } catch (const Refusal& refusal) {
           return error(refusal);
         }
@@ -281,6 +305,34 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
         }
         reply(std::move(response));
       });
+}
+
+void StudyService::decline(const EnrolRequest& wanted, const Reply& reply) {
+  log_.add(
+      [message = wanted.message, identifiers = wanted.identifiers,
+       desk = desk_](Intake& intake) -> HttpResponse {
+        try {
+          (void)intake.take(message);
+          return answer(desk == nullptr ? Json::object() : json_of(desk->decline(identifiers)));
+        } catch (const Refusal& refusal) {
+          return error(refusal);
+        }
+      },
+      reply);
+}
+
+bool StudyService::take(Intake& intake, const Message& message) {
+  if (desk_ != nullptr && desk_->was_sent_away(message.participant) && intake.sender_of(message.id).empty())
+    throw Refusal(RefusalKind::excluded, {.field = "participant",
+                                          .wanted = "one who takes part",
+                                          .found = "one whose visit ended after the form"});
+  if (!intake.take(message)) return false;
+  if (desk_ == nullptr) return true;
+  if (const auto* form = std::get_if<FormBody>(&message.body))
+    desk_->after_form(intake, message.participant, form->answers);
+  if (std::holds_alternative<CompletionBody>(message.body))
+    desk_->after_completion(intake, message.participant);
+  return true;
 }
 
 void StudyService::take_messages(const std::string& code, std::string body, const Reply& reply) {
@@ -304,12 +356,12 @@ void StudyService::take_messages(const std::string& code, std::string body, cons
   }
   auto answers = std::make_shared<std::int64_t>(0);
   log_.add(
-      [messages = std::move(messages), fault, answers](Intake& intake) -> HttpResponse {
+      [this, messages = std::move(messages), fault, answers](Intake& intake) -> HttpResponse {
         *answers = 0;
         std::vector<std::string> stored;
         try {
           for (const Message& message : messages) {
-            if (intake.take(message)) *answers += std::holds_alternative<AnswerBody>(message.body) ? 1 : 0;
+            if (take(intake, message)) *answers += std::holds_alternative<AnswerBody>(message.body) ? 1 : 0;
             stored.push_back(message.id);
           }
         } catch (const Refusal& refusal) {

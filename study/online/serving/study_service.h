@@ -8,10 +8,13 @@
 #include <string>
 
 #include "study/online/intake/intake.h"
+#include "study/online/messages/message_reader.h"
 #include "study/online/serving/log_thread.h"
 #include "study/online/serving/rate_limit.h"
+#include "study/online/serving/recruitment_desk.h"
 #include "study/online/serving/site_files.h"
 #include "study/online/serving/tokens.h"
+#include "study/online/serving/watch.h"
 
 namespace seamline::study::online {
 
@@ -24,13 +27,20 @@ struct ServiceLimits {
   Intake::Quota stored = {};  ///< of a participant
 };
 
-/// What the server answers: the page's files, and the four requests of a participant
+/// Who helps a server, where the study or the experimenter asks for it; null: nobody. All must live longer.
+struct ServiceHelpers {
+  Invitations* invitations = nullptr;  ///< null: nobody needs one
+  RecruitmentDesk* desk = nullptr;     ///< null: nobody is matched or sent back
+  const Watch* watch = nullptr;        ///< null: there is no experimenter's page
+};
+
+/// What the server answers: the page's files, the requests of a participant and of the experimenter
 /// (documentation/how-to/online.md). Everything that asks the log goes through `LogThread`; the rest is
 /// answered at once.
 class StudyService {
  public:
-  /// `invitations`: none where nobody needs one. All three must live longer.
-  StudyService(const SiteFiles& site, Intake& intake, Invitations* invitations,
+  /// Site and intake must live longer, too.
+  StudyService(const SiteFiles& site, Intake& intake, const ServiceHelpers& helpers,
                const ServiceLimits& limits = {});
 
   /// Refuses what needs no look at a body: whoever has no secret sends none.
@@ -50,10 +60,15 @@ class StudyService {
   [[nodiscard]] bool may_ask(const HttpRequest& request, const std::string& code);
   [[nodiscard]] std::string code_of(const std::string& secret);
   void enrol(const HttpRequest& request, const Reply& reply);
+  void decline(const EnrolRequest& wanted, const Reply& reply);
   void take_messages(const std::string& code, std::string body, const Reply& reply);
+  /// False: it was stored before.
+  bool take(Intake& intake, const Message& message);
 
   const SiteFiles& site_;
   Invitations* invitations_;
+  RecruitmentDesk* desk_;
+  const Watch* watch_;
   ServiceLimits limits_;
   RateLimit participant_rate_, address_rate_, newcomer_rate_;
   std::shared_mutex secrets_lock_;

@@ -81,9 +81,11 @@ std::vector<std::string> make_tokens(int count, const fs::path& file) {
   return tokens;
 }
 
-std::set<std::string> read_token_hashes(const fs::path& file) {
+namespace {
+
+std::vector<std::string> read_token_lines(const fs::path& file) {
   const std::string text = read_file(file);
-  std::set<std::string> hashes;
+  std::vector<std::string> hashes;
   std::size_t at = 0;
   for (int line = 1; at < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -93,9 +95,33 @@ std::set<std::string> read_token_hashes(const fs::path& file) {
       throw input_error({.file = fmt::format("{}:{}", file.string(), line),
                          .wanted = "the hash of an invitation (seamline serve --make-tokens N --tokens FILE)",
                          .found = "\"" + printable(hash, 80) + "\""});
-    hashes.insert(hash);
+    hashes.push_back(hash);
   }
   return hashes;
+}
+
+}  // namespace
+
+std::set<std::string> read_token_hashes(const fs::path& file) {
+  const std::vector<std::string> lines = read_token_lines(file);
+  return {lines.begin(), lines.end()};
+}
+
+std::vector<ListedInvitation> list_invitations(const fs::path& file, const std::set<std::string>& used) {
+  std::vector<ListedInvitation> listed;
+  for (const std::string& hash : read_token_lines(file))
+    listed.push_back({.token_sha256 = hash, .used = used.contains(hash)});
+  return listed;
+}
+
+std::string secret_of_file(const fs::path& file) {
+  if (!fs::exists(file)) write_file_atomically(file, random_secret() + "\n", Readers::owner);
+  std::string secret = read_file(file);
+  if (!secret.empty() && secret.back() == '\n') secret.pop_back();
+  if (is_sha256(secret)) return secret;  // 64 hexadecimal digits, as `random_secret` has them
+  throw input_error({.file = file.string(),
+                     .wanted = "a secret of 64 hexadecimal digits, or no file (one is made)",
+                     .found = "something else"});
 }
 
 std::string code_of_invitation(const fs::path& file, const std::string& invitation) {

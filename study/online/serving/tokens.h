@@ -20,6 +20,19 @@ namespace seamline::study::online {
 /// The hashes of a file of invitations. Throws InputError when it cannot be read or holds something else.
 [[nodiscard]] std::set<std::string> read_token_hashes(const std::filesystem::path& file);
 
+/// An invitation of a file, in the order in which they were made.
+struct ListedInvitation {
+  std::string token_sha256;
+  bool used = false;
+};
+/// `used`: hashes that a log has used. Throws InputError as read_token_hashes does.
+[[nodiscard]] std::vector<ListedInvitation> list_invitations(const std::filesystem::path& file,
+                                                             const std::set<std::string>& used);
+
+/// The secret of a file, which is made with a new one, for its owner alone, where it is missing. Throws
+/// InputError when it cannot be read or written, or holds something else.
+[[nodiscard]] std::string secret_of_file(const std::filesystem::path& file);
+
 /// The code of whoever came by an invitation, or by a link with one (`...?token=INVITATION`), out of a file
 /// of codes (`Invitations`). Throws InputError when the file cannot be read, or knows nobody who did.
 [[nodiscard]] std::string code_of_invitation(const std::filesystem::path& file,
@@ -35,6 +48,7 @@ class Invitations {
   Invitations(std::filesystem::path file, std::function<void(const std::string&)> say,
               std::filesystem::path codes = {});
   [[nodiscard]] bool has(const std::string& token_sha256);
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// Notes the code where codes are kept (`InvitationCodes`). The same invitation again takes the place of
   /// its line. Throws InputError when it cannot.
   void note(const std::string& token_sha256, const std::string& code);

@@ -31,6 +31,12 @@ const USER_AGENT = navigator.userAgent.replace(/[^ -~]/g, "?").slice(0, 512); //
 const statusLine = document.getElementById("status");
 const spoken = document.getElementById("spoken");
 
+/** What the link says of whoever came, by the names that the study asks for; null: it asks for none. */
+const identifiersOf = (study) =>
+  study.recruitment
+    ? Object.fromEntries(study.recruitment.identifiers.map((name) => [name, addressed.get(name) ?? ""]).filter(([, value]) => value !== ""))
+    : null;
+
 /** What to say while `problem` is waited out: somebody answers, or nobody does. */
 const waitingWords = (texts, problem) =>
   problem instanceof NotNow ? fillIn(texts.online_refusing, { message: problem.message }) : texts.online_away;
@@ -67,6 +73,7 @@ class Study {
   host = null;
   courier = null;
   kept = 0; // messages of former visits, and the enrolment
+  end = null; // {outcome, code, link}, where people are matched and sent back
   textScale = 1;
   #listeners = new Set();
   #problems = new Set(); // that are waited out
@@ -161,8 +168,10 @@ class Study {
     [...this.#listeners].forEach((listener) => listener());
   }
 
-  failed = (error) =>
+  failed = (error) => {
+    this.end = error?.end ?? this.end;
     this.step({ type: "store_failed", message: error?.message ?? String(error), reason: error?.reason });
+  };
 
   async #keepPending() {
     const record = this.visit.pending;
@@ -181,12 +190,16 @@ class Study {
     const courier = this.courier;
     switch (record.kind) {
       case "decline":
-        await persistently(() => this.host.decline(makeMessage(this.stream, 0, "decline", {})), this.away);
+        {
+          const told = await persistently(() => this.host.decline(makeMessage(this.stream, 0, "decline", {})), this.away);
+          if (this.study.recruitment) this.end = told;
+        }
         break;
       case "consent":
         return { type: "enrolled", trials: await this.enrol(record.accepted_unix_s) };
       case "form":
         await courier.deliver("form", { answers: record.answers });
+        if (await this.#findEnd()) return { type: "ended" };
         break;
       case "display":
         await courier.deliver("display", record.facts);
@@ -201,8 +214,15 @@ class Study {
       }
       default:
         await courier.deliver("completion", {});
+        await this.#findEnd();
     }
     return { type: "record_stored" };
+  }
+
+  /** Where people are matched: whether, and how, this visit has ended. */
+  async #findEnd() {
+    if (this.study.recruitment) this.end = await persistently(() => this.host.end(), this.away);
+    return this.end;
   }
 
   /** The next trial of an adaptive study, from the server that places it. */
@@ -211,7 +231,7 @@ class Study {
   }
 
   note(kind, detail = "", at = performance.now()) {
-    if (!this.courier || this.visit === null || ["thanks", "stopped"].includes(this.visit.screen.name)) return;
+    if (!this.courier || this.visit === null || ["thanks", "ended", "stopped"].includes(this.visit.screen.name)) return;
     if (this.visit.pending?.kind === "completion") return;
     const trial_index = this.visit.screen.name === "trial" ? this.visit.session.trials.answered : null;
     this.courier.note("event", { monotonic_ns: nanoseconds(at), kind, trial_index, detail: String(detail) });
@@ -279,6 +299,11 @@ class Study {
       return;
     }
     const trials = await this.#takePlace(messages);
+    const end = await this.#findEnd();
+    if (end && !known.completed) {
+      this.visit = { ...beginVisit(this.script), screen: { name: "ended" } };
+      return;
+    }
     if (known.completed) {
       this.visit = { ...beginVisit(this.script), screen: { name: "thanks" } };
       return;
@@ -364,6 +389,7 @@ const SCREENS = {
   pause: pages.drawPause,
   thanks: pages.drawThanks,
   declined: pages.drawDeclined,
+  ended: pages.drawEnded,
   stopped: pages.drawStopped,
 };
 
@@ -418,9 +444,12 @@ async function main() {
   }
   const reason = unfit(study);
   if (reason !== null) return refuse(study, reason);
+  const identifiers = identifiersOf(study);
+  const wanted = study.recruitment?.required ? study.recruitment.identifiers.find((name) => !(name in identifiers)) : undefined;
+  if (wanted !== undefined) return refuse(study, fillIn(study.texts.recruitment_link, { wanted }));
 
   // In JATOS a run is a visit: the next one is somebody else's.
-  const visit = (study.host === "jatos" ? runOf(location.pathname) : null) ?? token ?? addressed.get("visit") ?? "";
+  const visit = (study.host === "jatos" ? runOf(location.pathname) : null) ?? token ?? Object.values(identifiers ?? {})[0] ?? addressed.get("visit") ?? "";
   const name = ["seamline", study.set_hash.slice(0, 16), study.study_hash.slice(0, 16), visit];
   if (!(await onlyTab(name.join(" ")))) return refuse(study, study.texts.online_tabs);
   let store;
@@ -429,7 +458,7 @@ async function main() {
   } catch (error) {
     return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
   }
-  const identity = { token, secret: null };
+  const identity = { token, identifiers, secret: null };
   let host;
   try {
     host = await persistently(() => findHost(study, identity), away);

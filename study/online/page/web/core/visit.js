@@ -8,7 +8,7 @@ import { beginSession, nextSession } from "./session.js";
 import { currentTrial, plannedTrials } from "./trials.js";
 
 const PAUSABLE = ["instructions", "training", "feedback", "ready", "trial", "break"];
-const LAST = ["thanks", "declined", "stopped"];
+const LAST = ["thanks", "declined", "ended", "stopped"];
 
 function beginTraining(script, trained) {
   return beginSession(plannedTrials(script.training, trained), { ...script.pace, break_every_trials: 0 });
@@ -186,6 +186,7 @@ export function next(visit, event) {
     const ended = LAST.includes(visit.screen.name);
     return { ...visit, pending: null, screen: ended ? visit.screen : { name: "stopped", message: event.message, reason: event.reason } };
   }
+  if (event.type === "ended") return { ...visit, pending: null, screen: { name: "ended" } }; // sent away after the form
   if (visit.pending) return afterRecord(visit, event);
   if (event.type === "pause_begun") return PAUSABLE.includes(visit.screen.name) ? beginPause(visit) : visit;
   return onScreen(visit, event);

@@ -27,7 +27,7 @@ async function ask(path, secret, body) {
   });
   const sentence = typeof answer?.error === "string" ? answer.error : null;
   const no = verdict(response.status, { sentence, of: path });
-  if (no) throw Object.assign(no, { reason: answer?.reason });
+  if (no) throw Object.assign(no, { reason: answer?.reason, end: answer?.end });
   return expect(path, answer !== null && typeof answer === "object", answer);
 }
 
@@ -37,15 +37,17 @@ function expect(path, isOurs, answer) {
   return answer;
 }
 
-/** `seamline serve`. `identity` holds {token, secret}; the secret comes with the enrolment. */
+/** `seamline serve`. `identity` holds {token, identifiers, secret}; the secret comes with the enrolment. */
 function serveHost(identity) {
+  const { token, identifiers } = identity;
+  const withMessage = (message) => JSON.stringify({ token, ...(identifiers ? { identifiers } : {}), message });
   return {
     kind: "serve",
     async enrol(message) {
-      const given = await ask("api/enrol", null, JSON.stringify({ token: identity.token, message }));
+      const given = await ask("api/enrol", null, withMessage(message));
       return expect("api/enrol", given.participant && given.secret && Number.isInteger(given.slot), given);
     },
-    decline: (message) => ask("api/enrol", null, JSON.stringify({ token: identity.token, message })),
+    decline: (message) => ask("api/enrol", null, withMessage(message)),
     async send(messages) {
       const answer = await ask("api/messages", identity.secret, lines(messages));
       const { stored } = expect("api/messages", Array.isArray(answer.stored), answer);
@@ -56,6 +58,11 @@ function serveHost(identity) {
     async where() {
       const at = await ask("api/where", identity.secret);
       return expect("api/where", Number.isInteger(at.next_sequence), at);
+    },
+    /** How the visit ended, {outcome, code, link}; null: it has not. */
+    async end() {
+      const at = await ask("api/end", identity.secret);
+      return expect("api/end", "outcome" in at, at.outcome === null ? null : at);
     },
     async nextTrial() {
       const answer = await ask("api/next", identity.secret, "");

@@ -127,19 +127,42 @@ function drawLast(app, display, title, text, more = []) {
   app.finished();
 }
 
+/** The code that the panel wants, and the way back to it. */
+function endWords(app) {
+  const { code, link } = app.end ?? {};
+  if (!code) return [];
+  const words = element("p", { id: "completion" }, app.phrase("recruitment_code", { code }));
+  if (!link) return [words];
+  const host = new URL(link).host;
+  const back = element("a", { class: "button leading", id: "return", href: link, rel: "noreferrer" }, app.phrase("recruitment_back", { host }));
+  return [words, element("div", { class: "buttons" }, back)];
+}
+
+function drawEnd(app, display, title) {
+  drawLast(app, display, app.phrase(title), app.phrase("recruitment_" + app.end.outcome), [...endWords(app), ...codeWords(app)]);
+  app.focus("#return");
+}
+
+export const drawEnded = (app, display) => drawEnd(app, display, "recruitment_ended");
+
 export function drawThanks(app, display) {
+  if (app.end) return drawEnd(app, display, "thanks_title");
   drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), [...codeWords(app), ...saveWords(app)]);
   app.focus("#save");
 }
 
-export const drawDeclined = (app, display) =>
+export function drawDeclined(app, display) {
+  if (app.end?.code) return drawEnd(app, display, "declined_title");
   drawLast(app, display, app.phrase("declined_title"), app.phrase("declined_text"));
+}
 
 export function drawStopped(app, display) {
   const { message, reason } = app.visit.screen;
   if (reason === "forgotten") return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_forgotten"));
   if (reason === "excluded")
     return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_excluded"), codeWords(app));
+  if (reason === "full" && app.end) return drawEnd(app, display, "recruitment_ended");
+  if (reason === "again") return drawLast(app, display, app.phrase("recruitment_ended"), app.phrase("recruitment_again"));
   // Whom the host did not let in has answered nothing.
   if (app.stream.participant === "") return drawLast(app, display, app.phrase("online_refused_title"), message);
   const more = [...codeWords(app), ...(app.holdsMore() ? saving(app, "online_unsent") : [])];
