@@ -26,7 +26,7 @@ pygments_dark_style = "monokai"
 def whole_options(app, page, template, context, doctree):
     """A browser may break a line after each hyphen; an option of a command stays whole."""
     def block(match):
-        return re.sub(r"(?<![\w&;-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
+        return re.sub(r"(?<![\w-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
     context["body"] = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
 
 
