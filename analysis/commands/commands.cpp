@@ -48,8 +48,8 @@ void add_analysis_commands(CLI::App& app) {
                       "(age=30,45) or split at the median, or origin; may be given several times");
   command
       ->add_option("--own", request->own,
-                   "what each curve of the joint model has of its own, with commas: scale, criteria, lapse, "
-                   "guess_ratings; where the report says that curves want it")
+                   "what each curve of the joint model has of its own whatever the tests say, with commas: "
+                   "scale, criteria, lapse, guess_ratings")
       ->delimiter(',');
   add_number(*command, "--no-seam-at", request->no_seam_at, {0, 1e9},
              "equivalence: whether no seam is seen at this level, by two one-sided tests");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/joint/joint_sharing.h"
 #include "analysis/joint/joint_thresholds.h"
 #include "analysis/ordinal/contrasts/max_t.h"
 
@@ -52,7 +53,7 @@ std::vector<LevelInterval> joint_intervals(const std::vector<PlannedCurve>& curv
                                            const std::vector<PlanTarget>& targets) {
   JointData data = empty_data(curves, answers.level_x, people);
   data.answers = answers.counts.topRows(people);
-  const JointFit fit = fit_joint(data);
+  const JointFit fit = fit_shared(data, {}, true).fit;
   std::vector<LevelInterval> intervals(targets.size());
   if (!fit.estimated()) return intervals;
   const JointJackknife left_out = leave_people_out(fit, data, 1);

@@ -1,6 +1,7 @@
 #include "analysis/joint/joint_analysis.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace seamline::analysis {
 
@@ -12,15 +13,18 @@ JointAnalysis analyze_jointly(const GuessTrials& trials, const NoticeabilityData
     analysis.labels.push_back(
         {.artifact = std::string(word(scores.artifact)), .condition = scores.condition, .group = {}});
   analysis.data = joint_data(trials, noticeability.axis, guessers);
-  analysis.fit = fit_joint(analysis.data, request.sharing);
+  SharedFit shared = fit_shared(analysis.data, request.sharing, request.sharing_tested);
+  analysis.fit = std::move(shared.fit);
+  analysis.sharing = std::move(shared.tests);
+  analysis.refused_sharing = std::move(shared.refused);
   if (analysis.fit.estimated())
     analysis.left_out = leave_people_out(analysis.fit, analysis.data, request.goodness.threads);
   analysis.thresholds = joint_thresholds(analysis.fit, analysis.data, analysis.left_out);
   if (!analysis.fit.estimated()) return analysis;
-  analysis.contrasts = joint_contrasts(analysis.data, analysis.labels, request.sharing, noticeability.axis);
+  analysis.contrasts =
+      joint_contrasts(analysis.data, analysis.labels, analysis.fit.model.sharing, noticeability.axis);
   analysis.people = joint_people(analysis.fit, analysis.data);
   analysis.goodness = joint_goodness(analysis.fit, analysis.data, analysis.people, request.goodness);
-  analysis.sharing = test_sharing(analysis.fit, analysis.data);
   return analysis;
 }
 

@@ -13,6 +13,7 @@ namespace seamline::analysis {
 
 struct JointRequest {
   JointSharing sharing = {};
+  bool sharing_tested = true;  ///< see `fit_shared`
   JointGoodnessRequest goodness = {};
 };
 
@@ -27,7 +28,8 @@ struct JointAnalysis {
   JointContrasts contrasts;
   JointPeople people;
   std::optional<JointGoodness> goodness;
-  std::vector<SharingTest> sharing;
+  std::vector<SharingTest> sharing;          ///< of the fit that shares all that was asked for
+  std::vector<SharingTest> refused_sharing;  ///< what is each curve's own because of them
 };
 
 /// Fits and computes everything. `trials` and `guessers` are of `noticeability` (count_guess_trials,

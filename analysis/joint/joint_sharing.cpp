@@ -148,6 +148,19 @@ SharingTest test_parallel_ratings(const JointFit& fit, const JointData& data) {
   return test;
 }
 
+/// The block that the answers refuse most; null where none is refused.
+const SharingTest* most_refused(const std::vector<SharingTest>& tests) {
+  const SharingTest* worst = nullptr;
+  for (const SharingTest& test : tests)
+    if (test.block != nullptr && test.p < (worst == nullptr ? refused_sharing_p : worst->p)) worst = &test;
+  return worst;
+}
+
+/// How many curves have numbers.
+std::ptrdiff_t numbers_of(const JointFit& fit) {
+  return std::count(fit.curves.begin(), fit.curves.end(), CurveVerdict::estimated);
+}
+
 }  // namespace
 
 std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data) {
@@ -159,12 +172,40 @@ std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data
     JointSharing richer = fit.model.sharing;
     richer.*block = false;
     tests.push_back(test_block(name, fit, data, richer));
+    tests.back().block = block;
   };
   add("scale", &JointSharing::scale);
   if (fit.model.ratings > 1) add("rating criteria", &JointSharing::criteria);
   add("lapse rate", &JointSharing::lapse);
   if (fit.model.ratings > 1) add("guess ratings", &JointSharing::guess_ratings);
   return tests;
+}
+
+std::string sentence_of_sharing() {
+  return fmt::format(
+      "what curves of the joint model share, where the study does not say it: scale, rating criteria, lapse "
+      "rate and guess ratings; the block that a robust score test refuses most (p below {}) becomes each "
+      "curve's own, until none is refused",
+      refused_sharing_p);
+}
+
+SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool decided) {
+  SharedFit found{.fit = fit_joint(data, sharing), .tests = {}, .refused = {}};
+  if (!found.fit.estimated()) return found;
+  found.tests = test_sharing(found.fit, data);
+  std::vector<SharingTest> tests = found.tests;
+  while (decided) {
+    const SharingTest* worst = most_refused(tests);
+    if (worst == nullptr) break;
+    JointSharing richer = found.fit.model.sharing;
+    richer.*worst->block = false;
+    JointFit fit = fit_joint(data, richer);
+    if (!fit.estimated() || numbers_of(fit) < numbers_of(found.fit)) break;
+    found.refused.push_back(*worst);
+    found.fit = std::move(fit);
+    tests = test_sharing(found.fit, data);
+  }
+  return found;
 }
 
 }  // namespace seamline::analysis

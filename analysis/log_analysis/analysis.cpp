@@ -161,6 +161,7 @@ void add_checks(Analysis& analysis) {
   if (const AnalysisDefinition asked = asked_of(analysis); asked.joint)
     analysis.joint = analyze_jointly(trials, analysis.data, analysis.guessing.guessers,
                                      {.sharing = sharing_of(asked),
+                                      .sharing_tested = asked.sharing_tested,
                                       .goodness = {.replicates = model_replicates(analysis.resampling),
                                                    .seed = analysis.resampling.seed,
                                                    .threads = analysis.resampling.threads}});

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "analysis/joint/joint_sharing.h"
 #include "analysis/screening/screening.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/atomic_file.h"
@@ -145,6 +146,7 @@ std::vector<std::string> rules_of_analysis() {
       "left out: whoever is excluded in the log, pilot data unless they are included, whoever did not "
       "finish"};
   for (std::string& rule : sentences_of_rules()) rules.push_back(std::move(rule));
+  rules.push_back(sentence_of_sharing());
   for (const ScreeningRule rule : every_screening_rule)
     rules.push_back("screen " + std::string(rule_of(rule)));
   return rules;

@@ -66,10 +66,11 @@ AnalysisDefinition read_analysis(const TomlTable& analysis) {
     if (!read.joint)
       throw analysis.complaint("share", "model = \"joint\" beside it (straight lines share nothing)",
                                "model = \"paper\"");
-    for (const SharedBlock& block : shared_blocks) read.*block.shared = false;
     const std::vector<std::string> words = analysis.texts("share");
+    read.sharing_tested = words.size() == 1 && words[0] == "tested";
+    for (const SharedBlock& block : shared_blocks) read.*block.shared = read.sharing_tested;
     for (const std::string& word : words) {
-      if (words.size() == 1 && word == "nothing") break;
+      if (words.size() == 1 && (word == "nothing" || word == "tested")) break;
       const SharedBlock* block = shared_block(word);
       if (block == nullptr || read.*block->shared)
         throw analysis.complaint("share",

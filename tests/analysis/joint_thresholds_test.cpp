@@ -234,6 +234,16 @@ TEST(JointSharing, IsRefusedWhereScalesDiffer) {
   const Eigen::Index half = mixed.answers.cols() / 2;
   mixed.answers.leftCols(half) = steep.answers.leftCols(half);
   EXPECT_LT(test_sharing(fit_joint(mixed), mixed)[1].p, 0.001);
+  // Where the answers decide, the refused block is each curve's own; where they do not, it stays shared.
+  const SharedFit decided = fit_shared(mixed, {}, true), asked = fit_shared(mixed, {}, false);
+  EXPECT_FALSE(decided.fit.model.sharing.scale);
+  ASSERT_FALSE(decided.refused.empty());
+  EXPECT_EQ(decided.refused[0].shared, "scale");
+  EXPECT_GT(decided.fit.log_likelihood, asked.fit.log_likelihood);
+  EXPECT_EQ(asked.fit.model.sharing, JointSharing{});
+  EXPECT_EQ(asked.refused.size(), 0U);
+  const SharedFit alike = fit_shared(same.data, {}, true);
+  EXPECT_EQ(alike.fit.theta, same.fit.theta) << "nothing is refused of curves that are alike";
 }
 
 TEST(JointSharing, SeesARatingThatDoesNotDependOnTheLevel) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "analysis/joint/joint_contrasts.h"
+#include "analysis/joint/joint_sharing.h"
 #include "analysis/joint/joint_thresholds.h"
 #include "tests/analysis/true_sentences.h"
 
@@ -15,15 +16,12 @@ inline JointData joint_data_of(const TrueStudy& study) {
   return joint_data(trials, LevelAxis{}, guessers);
 }
 
-/// What the joint model says. Where its curve does not cross, the point is infinite on that side.
-inline TrueReadings read_by_joint_model(const TrueStudy& study) {
+/// What a fit says. Where its curve does not cross, the point is infinite on that side.
+inline TrueReadings readings_of(const JointFit& fit, const JointData& data, double last_x) {
   TrueReadings readings;
   for (auto& curve : readings)
     for (TrueReading& reading : curve) reading.point_x = NAN;
-  const JointData data = joint_data_of(study);
-  const JointFit fit = fit_joint(data);
   if (!fit.estimated()) return readings;
-  const double last_x = std::log2(study.width_px.back());
   for (const JointThreshold& threshold : joint_thresholds(fit, data, leave_people_out(fit, data, 1))) {
     const auto quantity = static_cast<std::size_t>(threshold.quantity);
     if (quantity >= 4) continue;
@@ -39,6 +37,12 @@ inline TrueReadings read_by_joint_model(const TrueStudy& study) {
             : -INFINITY;
   }
   return readings;
+}
+
+/// What the joint model says, with as much in common as the answers bear, as `analyze` has it.
+inline TrueReadings read_by_joint_model(const TrueStudy& study) {
+  const JointData data = joint_data_of(study);
+  return readings_of(fit_shared(data, {}, true).fit, data, std::log2(study.width_px.back()));
 }
 
 /// The joint model's sentences: slopes of all curves, thresholds of all artifacts.

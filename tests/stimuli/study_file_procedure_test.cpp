@@ -58,7 +58,9 @@ TEST(StudyFileAnalysis, IsReadStrictlyAndIsNoPartOfTheHash) {
   const AnalysisDefinition read = read_analysis_text(text("share = [\"scale\", \"lapse\"]\n"), "study.toml");
   EXPECT_TRUE(read.joint && read.share_scale && read.share_lapse);
   EXPECT_FALSE(read.share_criteria || read.share_guess_ratings);
+  EXPECT_FALSE(read.sharing_tested) << "a study that says what is shared is not asked the answers";
   EXPECT_FALSE(read_analysis_text(text("share = [\"nothing\"]\n"), "study.toml").share_scale);
+  EXPECT_EQ(read_analysis_text(text("share = [\"tested\"]\n"), "study.toml"), AnalysisDefinition{});
   EXPECT_EQ(read_analysis_text(test::study_of_no_files("", ""), "study.toml"), AnalysisDefinition{});
   for (const char* wrong :
        {"share = [\"slopes\"]\n", "share = [\"scale\", \"scale\"]\n", "model = \"lines\"\n",

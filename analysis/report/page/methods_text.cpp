@@ -128,6 +128,11 @@ std::string joint_text(const Analysis& analysis, const LevelWords& words) {
       "{}. The model was fitted by "
       "maximum likelihood with a weak penalty. Read off it are: {}. ",
       words.axis, shared.empty() ? "nothing" : shared, own, sought);
+  if (!joint.refused_sharing.empty())
+    text += fmt::format(
+        "The block that a robust score test of what curves share (Boos, 1992) refuses most, with p below {}, "
+        "became each curve's own, until none was refused. ",
+        refused_sharing_p);
   if (!joint.fit.estimated()) return text + joint.fit.explanation;
   text += fmt::format(
       "Intervals of {:g} % are over participants: they hold the {} at which the logarithm of mean noticeability above "

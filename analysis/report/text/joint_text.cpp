@@ -18,6 +18,34 @@ std::string goodness_sentence(const char* what, double g2, double p, int replica
                      replicates);
 }
 
+std::string list_of_tests(const std::vector<SharingTest>& tests) {
+  std::string list;
+  for (const SharingTest& test : tests)
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", test.shared, p_text(test.p));
+  return list;
+}
+
+/// Which tests of sharing were refused, and what became of it.
+std::vector<std::string> sharing_sentences(const JointAnalysis& joint) {
+  if (joint.sharing.empty()) return {};
+  std::vector<std::string> sentences;
+  if (!joint.refused_sharing.empty())
+    sentences.push_back(fmt::format("Curves were shown to want their own: {}. Each has its own of these.",
+                                    list_of_tests(joint.refused_sharing)));
+  std::vector<SharingTest> still;  // shared, although refused
+  for (const SharingTest& test : joint.sharing)
+    if (test.p < small_p && (test.block == nullptr || joint.fit.model.sharing.*test.block))
+      still.push_back(test);
+  if (!still.empty())
+    sentences.push_back(fmt::format(
+        "Curves may want their own: {}. Thresholds rest on the shared ones; compare them with those of --own.",
+        list_of_tests(still)));
+  if (sentences.empty())
+    sentences.push_back(
+        "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own.");
+  return sentences;
+}
+
 }  // namespace
 
 std::string as_sentence(std::string text) {
@@ -37,16 +65,7 @@ std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
       sentences.push_back(goodness_sentence("the ratings of right choices", goodness.ratings_g2,
                                             goodness.ratings_p, goodness.replicates));
   }
-  std::string own;
-  for (const SharingTest& test : joint.sharing)
-    if (std::isfinite(test.p) && test.p < small_p)
-      own += fmt::format("{}{} ({})", own.empty() ? "" : ", ", test.shared, p_text(test.p));
-  if (!joint.sharing.empty())
-    sentences.push_back(
-        own.empty() ? "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own."
-                    : "Curves want their own: " + own +
-                          ". Thresholds rest on the shared ones, and PT can be off by half an octave where "
-                          "scales differ: analyze again with --own.");
+  for (std::string& sentence : sharing_sentences(joint)) sentences.push_back(std::move(sentence));
   if (joint.fit.model.between_people) {
     sentences.push_back(fmt::format(
         "Participants' thresholds on a curve differ with a standard deviation of {:.2f} {}, estimated with the "

@@ -18,8 +18,11 @@ std::vector<std::string> sentences_of(const AnalysisDefinition& analysis) {
   std::string own;
   for (const SharedBlock& block : shared_blocks)
     if (!(analysis.*block.shared)) own += (own.empty() ? "" : ", ") + std::string(block.name);
-  if (own.empty()) return {};
-  return {fmt::format("Each curve of the joint model has its own {}.", own)};
+  std::vector<std::string> sentences;
+  if (!own.empty()) sentences.push_back(fmt::format("Each curve of the joint model has its own {}.", own));
+  if (!analysis.sharing_tested)
+    sentences.push_back("What curves share was decided before the study, whatever the tests say of it.");
+  return sentences;
 }
 
 }  // namespace seamline::inline stimuli

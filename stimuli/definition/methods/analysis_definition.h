@@ -12,6 +12,8 @@ struct AnalysisDefinition {
   bool joint = true;  ///< thresholds of record are the joint model's; false: straight lines, the paper's way
   /// What the curves of the joint model share (documentation/explanation/joint_model.md).
   bool share_scale = true, share_criteria = true, share_lapse = true, share_guess_ratings = true;
+  /// What is shared becomes each curve's own where a test refuses it; false: it stays shared.
+  bool sharing_tested = true;
   std::vector<std::string> compare =
       {};  ///< what people are grouped by, where the command line names nothing
 
