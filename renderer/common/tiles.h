@@ -1,14 +1,26 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace seamline::renderer {
+
+/// Of a panorama's row: its pixels' solid angle over the mean of all rows. The sum over the rows is their
+/// number.
+[[nodiscard]] inline double panorama_row_weight(int y, int height_px) {
+  const double half_row_rad = 0.5 * std::numbers::pi / height_px;
+  return height_px * std::sin(half_row_rad) * std::sin((2 * y + 1) * half_row_rad);
+}
 
 /// The picture cut into squares.
 template <int side>
 struct SquareGrid {
   static constexpr int side_px = side;
   int width_px = 0, height_px = 0;
+  /// Of a panorama, whose width is a multiple of the tiles' side: its last column stands beside its first,
+  /// and its rows count by their solid angle.
+  bool wraps = false;
 
   struct Rectangle {
     int left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom are outside
@@ -31,9 +43,17 @@ struct SquareGrid {
     const Rectangle r = rectangle(square);
     return (r.right - r.left) * (r.bottom - r.top);
   }
+  /// As many pixels of mean weight as the square is worth.
+  [[nodiscard]] double weight(int square) const {
+    if (!wraps) return pixels(square);
+    const Rectangle r = rectangle(square);
+    double rows = 0;
+    for (int y = r.top; y < r.bottom; ++y) rows += panorama_row_weight(y, height_px);
+    return rows * (r.right - r.left);
+  }
   /// The square's share of the picture.
   [[nodiscard]] double share(int square) const {
-    return pixels(square) / (static_cast<double>(width_px) * height_px);
+    return weight(square) / (static_cast<double>(width_px) * height_px);
   }
   /// Place of a pixel inside its square.
   [[nodiscard]] static int place(int x, int y) { return (y % side_px) * side_px + x % side_px; }
@@ -69,9 +89,10 @@ using TileSet = std::vector<char>;
 template <int side, class Take>
 void each_neighbour(const SquareGrid<side>& grid, int square, const Take& take) {
   const int column = square % grid.columns(), row = square / grid.columns();
+  const int columns = grid.columns(), left = column - (grid.wraps || column > 0 ? 1 : 0),
+            right = column + (grid.wraps || column + 1 < columns ? 1 : 0);
   for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows() - 1); ++r)
-    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns() - 1); ++c)
-      take(static_cast<std::size_t>(r * grid.columns() + c));
+    for (int c = left; c <= right; ++c) take(static_cast<std::size_t>(r * columns + (c + columns) % columns));
 }
 
 /// The tiles and the eight around each of them.

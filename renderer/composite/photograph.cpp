@@ -98,21 +98,6 @@ std::string codes_warning(const Photograph& photograph, const std::string& file)
       100 * photograph.clipped_share);
 }
 
-Camera panorama_camera(int width_px, int height_px) {
-  Camera camera;
-  camera.width_px = width_px;
-  camera.height_px = height_px;
-  camera.directions = std::make_shared<const ImageDirections>(
-      [width = static_cast<float>(width_px), height = static_cast<float>(height_px)](
-          float x, float y) -> Eigen::Vector3f {
-        constexpr float pi = std::numbers::pi_v<float>;
-        const float azimuth = (x / width - 0.5F) * 2 * pi, elevation = (0.5F - y / height) * pi;
-        return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                -std::cos(azimuth) * std::cos(elevation)};
-      });
-  return camera;
-}
-
 namespace {
 
 template <class Lens>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene/camera.h"
+#include "renderer/scene/panorama_camera.h"
 #include "sensors/camera/fisheye_camera.h"
 #include "sensors/camera/pinhole_camera.h"
 #include "support/files/picture_file.h"
@@ -42,8 +42,7 @@ struct Photograph {
 /// that was clipped; else empty.
 [[nodiscard]] std::string codes_warning(const Photograph& photograph, const std::string& file);
 
-/// A camera for each projection. The panorama's axes are the world's; a lens looks whither `view` does.
-[[nodiscard]] Camera panorama_camera(int width_px, int height_px);
+/// A lens that looks whither `view` does. A panorama's camera: renderer/scene/panorama_camera.h.
 [[nodiscard]] Camera lens_camera(const sensors::PinholeCamera& lens, const Camera& view);
 [[nodiscard]] Camera lens_camera(const sensors::FisheyeCamera& lens, const Camera& view);
 

@@ -7,9 +7,11 @@
 namespace seamline::renderer {
 namespace {
 
-SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangle& block, float gain) {
+SquaredError block_error(const HalfPictures& pictures, const BlockGrid& blocks, int number, float gain) {
+  const BlockGrid::Rectangle block = blocks.rectangle(number);
   SquaredError sum;
-  for (int y = block.top; y < block.bottom; ++y)
+  for (int y = block.top; y < block.bottom; ++y) {
+    const double weight = blocks.wraps ? panorama_row_weight(y, blocks.height_px) : 1.0;
     for (int x = block.left; x < block.right; ++x)
       for (int c = 0; c < 3; ++c) {
         const float a = pictures.filtered[0].at(x, y, c) * gain, b = pictures.filtered[1].at(x, y, c) * gain;
@@ -17,16 +19,17 @@ SquaredError block_error(const HalfPictures& pictures, const BlockGrid::Rectangl
             pictures.whole.values.empty() ? 0.5F * (a + b) : pictures.whole.at(x, y, c) * gain;
         const double shown = srgb_from_linear(whole), off_a = shown - double{srgb_from_linear(a)},
                      off_b = shown - double{srgb_from_linear(b)};
-        sum.noise +=
-            double{unseen_specks(0.5F * std::abs(a - b))} * (off_a * off_a + off_b * off_b + off_a * off_b);
+        sum.noise += weight * double{unseen_specks(0.5F * std::abs(a - b))} *
+                     (off_a * off_a + off_b * off_b + off_a * off_b);
         const float change_a = a - pictures.sampled[0].at(x, y, c) * gain;
         const float change_b = b - pictures.sampled[1].at(x, y, c) * gain;
         if (change_a == 0.0F || change_b == 0.0F) continue;
         const double slope = display_slope(0.5F * (a + b));
         if (slope == 0.0) continue;  // too bright to be seen, and perhaps to be subtracted
-        sum.bias += slope * slope * double{change_a} * double{change_b};
+        sum.bias += weight * slope * slope * double{change_a} * double{change_b};
       }
-  const double values = 3.0 * (block.right - block.left) * (block.bottom - block.top);
+  }
+  const double values = 3.0 * blocks.weight(number);
   return {sum.noise / values, sum.bias / values};
 }
 
@@ -59,13 +62,13 @@ double ErrorEstimate::worst_tile() const {
   return std::sqrt(worst + rounding_square);
 }
 
-ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads) {
+ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads, bool panorama) {
   for (const auto& halves : {&pictures.filtered, &pictures.sampled})
     for (const Image& half : *halves) require_numbers(half);
   if (!pictures.whole.values.empty()) require_numbers(pictures.whole);
   const Image& any = pictures.filtered[0];
-  const TileGrid grid{any.width_px, any.height_px};
-  const BlockGrid blocks{any.width_px, any.height_px};
+  const TileGrid grid{any.width_px, any.height_px, panorama};
+  const BlockGrid blocks{any.width_px, any.height_px, panorama};
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   ErrorEstimate estimate;
   estimate.tiles.resize(static_cast<std::size_t>(grid.count()));
@@ -73,8 +76,8 @@ ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, i
   parallel_for(grid.count(), threads, [&](int tile) {
     for (const int block : blocks_of(grid, tile)) {
       SquaredError& error = estimate.blocks[static_cast<std::size_t>(block)];
-      error = block_error(pictures, blocks.rectangle(block), gain);
-      add_share(error, static_cast<double>(blocks.pixels(block)) / grid.pixels(tile),
+      error = block_error(pictures, blocks, block, gain);
+      add_share(error, blocks.weight(block) / grid.weight(tile),
                 estimate.tiles[static_cast<std::size_t>(tile)]);
     }
   });

@@ -39,8 +39,9 @@ struct HalfPictures {
 /// that has it, so that a = 0 and b^2 is the speck's squared error, of which the difference of the halves is
 /// a quarter. Bias: the product of what the filter changed in one half and in the other; their noises are
 /// independent, so the mean of the product is the square of the common change. The display curve enters by
-/// its slope.
-[[nodiscard]] ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads);
+/// its slope. `panorama`: rows count by their solid angle.
+[[nodiscard]] ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads,
+                                           bool panorama = false);
 
 /// By how much the squared error of pixels with rare bright samples is larger than what those say that have
 /// had one. `speck`: what one adds to the whole, in units of display white. When all rates are alike likely

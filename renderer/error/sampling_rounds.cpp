@@ -66,11 +66,11 @@ class SampleAllocator {
 
   /// Until the tile is good enough; false when it does not get there.
   bool grow_tile(int tile) {
-    const TileGrid grid{state_.grid.width_px, state_.grid.height_px};
+    const TileGrid grid{state_.grid.width_px, state_.grid.height_px, state_.grid.wraps};
     Steps steps;
     double square = state_.tile_residual[static_cast<std::size_t>(tile)] + rounding_square;
     const auto share = [&](std::size_t block) {
-      return state_.grid.pixels(static_cast<int>(block)) / static_cast<double>(grid.pixels(tile));
+      return state_.grid.weight(static_cast<int>(block)) / grid.weight(tile);
     };
     for (const int block : blocks_of(grid, tile)) {
       const auto i = static_cast<std::size_t>(block);

@@ -12,21 +12,22 @@ namespace {
 
 /// Means over the tiles of `product(x, y)`, a sum over channels; `values(x, y)` is how many values it has.
 template <class Product, class Values>
-TrueError mean_over_tiles(int width_px, int height_px, const Product& product, const Values& values) {
-  const TileGrid grid{width_px, height_px};
+TrueError mean_over_tiles(const TileGrid& grid, const Product& product, const Values& values) {
   TrueError error;
   std::vector<double> counts;
   double sum = 0, count = 0;
   for (int tile = 0; tile < grid.count(); ++tile) {
     const TileGrid::Rectangle r = grid.rectangle(tile);
     double tile_sum = 0, tile_count = 0;
-    for (int y = r.top; y < r.bottom; ++y)
+    for (int y = r.top; y < r.bottom; ++y) {
+      const double weight = grid.wraps ? panorama_row_weight(y, grid.height_px) : 1.0;
       for (int x = r.left; x < r.right; ++x) {
         const int number = values(x, y);
         if (number == 0) continue;
-        tile_sum += product(x, y);
-        tile_count += number;
+        tile_sum += weight * product(x, y);
+        tile_count += weight * number;
       }
+    }
     error.tiles.push_back(tile_count > 0 ? tile_sum / tile_count : 0);
     counts.push_back(tile_count);
     sum += tile_sum;
@@ -85,7 +86,8 @@ double slope_of_error(float shown, float reference) {
 
 }  // namespace
 
-TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, double exposure_ev) {
+TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, double exposure_ev,
+                     bool panorama) {
   assert(shown.channels == 3 && shown.width_px == reference[0].width_px &&
          shown.height_px == reference[0].height_px);
   const float gain = static_cast<float>(std::exp2(exposure_ev));
@@ -93,7 +95,7 @@ TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, d
   for (std::size_t code = 0; code < linear.size(); ++code)
     linear[code] = linear_from_srgb(static_cast<float>(code) / 255.0F);
   return mean_over_tiles(
-      shown.width_px, shown.height_px,
+      {shown.width_px, shown.height_px, panorama},
       [&](int x, int y) {
         double sum = 0;
         for (int c = 0; c < 3; ++c) {
@@ -112,7 +114,7 @@ TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, d
 TrueError true_linear_error(const Image& picture, const ReferenceHalves& reference, const Image& mask) {
   assert(picture.channels == 3 && picture.values.size() == reference[0].values.size());
   return mean_over_tiles(
-      picture.width_px, picture.height_px,
+      {picture.width_px, picture.height_px},
       [&](int x, int y) {
         double sum = 0;
         for (int c = 0; c < 3; ++c)

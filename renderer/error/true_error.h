@@ -29,9 +29,9 @@ struct TrueError {
 /// slope at F, and for large errors by that of the secant from F to R, so that they are what they are on the
 /// display:
 ///   mean over pixels and channels of slope^2 (F - R_a)(F - R_b).
-/// Sizes must agree.
+/// Sizes must agree. `panorama`: rows count by their solid angle.
 [[nodiscard]] TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference,
-                                   double exposure_ev);
+                                   double exposure_ev, bool panorama = false);
 
 /// In linear radiance over the pixels where `mask` is above 0.5.
 [[nodiscard]] TrueError true_linear_error(const Image& picture, const ReferenceHalves& reference,

@@ -17,8 +17,14 @@ constexpr int tile_side = TileGrid::side_px;
 
 using TileRow = Eigen::Array<float, tile_side, 1>;
 
+/// The column of a panorama that a column beside it is; any other picture's is itself.
+int wrapped(const TileGrid& grid, int x) {
+  return grid.wraps ? (x + grid.width_px) % grid.width_px : x;
+}
+
 /// The surfaces of a tile and of as many pixels around it as one level reaches, a number each to an array, so
-/// that the compiler compares a row of pixels at a time. Beyond the picture there is no surface.
+/// that the compiler compares a row of pixels at a time. Beyond the picture there is no surface; beside a
+/// panorama there is its other side.
 class TileSurfaces {
  public:
   TileSurfaces(const std::vector<Surface>& surfaces, const TileGrid& grid, const TileGrid::Rectangle& tile,
@@ -28,8 +34,9 @@ class TileSurfaces {
       values->assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_), 0.0F);
     const int left = tile.left - margin_px, top = tile.top - margin_px;
     for (int y = std::max(top, 0); y < std::min(top + stride_, grid.height_px); ++y)
-      for (int x = std::max(left, 0); x < std::min(left + stride_, grid.width_px); ++x)
-        set(place(x - tile.left, y - tile.top), surfaces[grid.index(x, y)]);
+      for (int x = grid.wraps ? left : std::max(left, 0);
+           x < (grid.wraps ? left + stride_ : std::min(left + stride_, grid.width_px)); ++x)
+        set(place(x - tile.left, y - tile.top), surfaces[grid.index(wrapped(grid, x), y)]);
   }
 
   /// How like the surfaces of the tile's row `y` and those `dx`, `dy` pixels away are: 1 for like ones, 0 for
@@ -117,7 +124,7 @@ class PairWeights {
         float* plane = weights_.get() + other.pair * plane_;
         row(plane, r.left, y) =
             other.share * here.likeness(y - r.top, other.dx * step, other.dy * step, reach_divisor);
-        clear_margins(plane, r, y);
+        fill_margins(plane, r, y);
       }
   }
   /// The sums of the weights of a tile's pixels, their own among them; 0 without a surface. Pairs of the
@@ -128,7 +135,7 @@ class PairWeights {
       TileRow sum = own_weight * presence(surfaces, r, y);
       for (const Neighbour& other : neighbours) sum += at(other, r.left, y, step);
       row(sums_.get(), r.left, y) = sum;
-      clear_margins(sums_.get(), r, y);
+      fill_margins(sums_.get(), r, y);
     }
   }
 
@@ -155,7 +162,8 @@ class PairWeights {
   }
 
  private:
-  static constexpr int margin_px = 16;  ///< to the left and right of the picture, where weights are 0
+  static constexpr int margin_px = 16;  ///< to the left and right of the picture, where weights are 0, or
+                                        ///< a panorama's other side's
 
   [[nodiscard]] std::size_t place(int x, int y) const {
     return static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x + margin_px);
@@ -166,7 +174,13 @@ class PairWeights {
   [[nodiscard]] Eigen::Map<const TileRow> row(const float* plane, int x, int y) const {
     return Eigen::Map<const TileRow>(plane + place(x, y));
   }
-  void clear_margins(float* plane, const TileGrid::Rectangle& tile, int y) const {
+  void fill_margins(float* plane, const TileGrid::Rectangle& tile, int y) const {
+    if (grid_.wraps) {
+      if (tile.left == 0) std::copy_n(plane + place(0, y), margin_px, plane + place(grid_.width_px, y));
+      if (tile.right == grid_.width_px)
+        std::copy_n(plane + place(tile.right - margin_px, y), margin_px, plane + place(-margin_px, y));
+      return;
+    }
     if (tile.left == 0) std::fill_n(plane + place(-margin_px, y), margin_px, 0.0F);
     if (tile.right == grid_.width_px)
       std::fill_n(plane + place(grid_.columns() * tile_side, y), margin_px, 0.0F);
@@ -200,7 +214,8 @@ void filter_tile(const PairWeights& weights, const std::vector<Surface>& surface
       const int line = y + other.dy * step, column = r.left + other.dx * step;
       for (int i = 0; i < count; ++i)
         if (share[i] > 0.0F)
-          sum[static_cast<std::size_t>(i)].sums += share[i] * texels[grid.index(column + i, line)].sums;
+          sum[static_cast<std::size_t>(i)].sums +=
+              share[i] * texels[grid.index(wrapped(grid, column + i), line)].sums;
     }
     for (int i = 0; i < count; ++i)
       sum[static_cast<std::size_t>(i)].sums += own[i] * texels[grid.index(r.left + i, y)].sums;

@@ -13,6 +13,10 @@ constexpr float floor_share = 1e-6F;  // of the frame's median: below it the rat
 constexpr float sealed_share = 0.1F;  // of the usual S_no for what the photograph shows
 constexpr float largest_ratio = 4.0F;
 
+TileGrid picture_of(const StimulusSums& sums) {
+  return {sums.width_px, sums.height_px, sums.wraps};
+}
+
 std::vector<StimulusPixel> sum_halves(const StimulusSums& sums) {
   std::vector<StimulusPixel> pixels = sums.halves[0];
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] += sums.halves[1][i];
@@ -117,7 +121,7 @@ std::vector<float> light_in_wells(const std::vector<StimulusPixel>& pixels,
         pixels[i].uncovered_surfaces > 0 &&
         pixels[i].without_object.mean() < may_be_well * sealed_share * darkness * pixels[i].background.mean();
   std::vector<float> light =
-      filter_pockets(as_sampled, pixels, wells, sums.guides, sums.width_px, sums.height_px, threads);
+      filter_pockets(as_sampled, pixels, wells, sums.guides, picture_of(sums), threads);
   for (std::size_t i = 0; i < light.size(); ++i)
     if (!wells[i]) light[i] = no_well;
   return light;
@@ -130,7 +134,7 @@ PictureLight picture_light(const std::vector<StimulusPixel>& pixels, const std::
   if (!sums.depth_lights_uncovered) return light;
   light.darkness = usual_darkness(pixels);
   light.pockets = find_pockets(pixels, light.median, samples);
-  light.filtered = filter_pockets(pixels, light.pockets, sums.guides, sums.width_px, sums.height_px, threads);
+  light.filtered = filter_pockets(pixels, light.pockets, sums.guides, picture_of(sums), threads);
   if (!as_sampled.empty())
     light.for_belief = light_in_wells(pixels, as_sampled, sums, light.darkness, threads);
   return light;

@@ -83,6 +83,7 @@ struct StimulusSums {
       false;  ///< whether the depth mesh decides how much light `without_object` has
   std::int64_t rays = 0;
   Compositing compositing = Compositing::ratio;  ///< which its picture is of
+  bool wraps = false;                            ///< of a panorama: its last column stands beside its first
 };
 
 }  // namespace seamline::renderer

@@ -36,25 +36,23 @@ float likeness(const Guide& a, const Guide& b) {
 
 /// Texels of the pockets, each the mean of its like neighbours in the end.
 void smooth(std::vector<PocketLight>& from, const std::vector<bool>& pockets,
-            const std::vector<Guide>& guides, int width_px, int height_px, int threads) {
+            const std::vector<Guide>& guides, const TileGrid& grid, int threads) {
   std::vector<PocketLight> to(from.size());
-  const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
-  };
   for (int level = 0; level < levels; ++level, std::swap(from, to)) {
     const int step = 1 << level;
-    parallel_for(height_px, threads, [&](int y) {
-      for (int x = 0; x < width_px; ++x) {
-        const std::size_t centre = index(x, y);
+    parallel_for(grid.height_px, threads, [&](int y) {
+      for (int x = 0; x < grid.width_px; ++x) {
+        const std::size_t centre = grid.index(x, y);
         to[centre] = {};
         if (!pockets[centre]) continue;
         for (int dy = -2; dy <= 2; ++dy)
           for (int dx = -2; dx <= 2; ++dx) {
-            const int column = x + dx * step, row = y + dy * step;
-            if (column < 0 || row < 0 || column >= width_px || row >= height_px ||
-                !pockets[index(column, row)])
-              continue;
-            const std::size_t i = index(column, row);
+            const int row = y + dy * step;
+            int column = x + dx * step;
+            if (grid.wraps) column = (column + grid.width_px) % grid.width_px;
+            if (column < 0 || row < 0 || column >= grid.width_px || row >= grid.height_px) continue;
+            const std::size_t i = grid.index(column, row);
+            if (!pockets[i]) continue;
             const float weight =
                 b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
             to[centre].add(from[i], i == centre ? weight : weight * likeness(guides[centre], guides[i]));
@@ -68,11 +66,11 @@ void smooth(std::vector<PocketLight>& from, const std::vector<bool>& pockets,
 
 std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums,
                                           const std::vector<bool>& pockets, const std::vector<Guide>& guides,
-                                          int width_px, int height_px, int threads) {
+                                          const TileGrid& grid, int threads) {
   std::vector<PocketLight> texels(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) texels[i] = {sums[i].without_object, sums[i].with_object, sums[i].uncovered_surfaces};
-  smooth(texels, pockets, guides, width_px, height_px, threads);
+  smooth(texels, pockets, guides, grid, threads);
   std::vector<FilteredLight> filtered(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (texels[i].samples > 0)
@@ -82,11 +80,11 @@ std::vector<FilteredLight> filter_pockets(const std::vector<StimulusPixel>& sums
 
 std::vector<float> filter_pockets(const std::vector<float>& light, const std::vector<StimulusPixel>& sums,
                                   const std::vector<bool>& pockets, const std::vector<Guide>& guides,
-                                  int width_px, int height_px, int threads) {
+                                  const TileGrid& grid, int threads) {
   std::vector<PocketLight> texels(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (pockets[i]) texels[i] = {Rgb::Constant(light[i]), Rgb::Zero(), sums[i].uncovered_surfaces};
-  smooth(texels, pockets, guides, width_px, height_px, threads);
+  smooth(texels, pockets, guides, grid, threads);
   std::vector<float> filtered(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (texels[i].samples > 0) filtered[i] = texels[i].without_object[0] / texels[i].samples;

@@ -127,7 +127,7 @@ struct SceneSums {
   RayCounts counts;
 
   [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
-  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
+  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px, grid.wraps}; }
   /// Samples of a pixel.
   [[nodiscard]] int samples_at(int x, int y) const {
     return spp[static_cast<std::size_t>(blocks().square_of(x, y))];

@@ -1,4 +1,6 @@
 #include "renderer/scene/truth_scene.h"
+#include "renderer/scene/panorama_camera.h"
+#include "stimuli/definition/looks/study_look.h"
 
 #include <fmt/core.h>
 
@@ -208,6 +210,10 @@ Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, in
   if (definition.camera) {
     const CameraDefinition& given = *definition.camera;
     const Eigen::Vector3d back = (given.position_m - given.look_at_m).normalized();
+    if (is_panorama(given)) {
+      camera_position_m = given.position_m;
+      return panorama_camera(width_px, height_px, static_cast<float>(std::atan2(-back.x(), back.z())), true);
+    }
     const Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(back).normalized();
     Eigen::Matrix3d axes;
     axes << right, back.cross(right), back;

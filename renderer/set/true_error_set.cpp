@@ -14,6 +14,7 @@
 #include "renderer/set/stimulus_scene.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/view_picture.h"
+#include "stimuli/definition/looks/study_look.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -130,7 +131,7 @@ class Measuring {
     const TrueError error = true_error(shown,
                                        {compose_view(view, compose_half(reference, 0).picture),
                                         compose_view(view, compose_half(reference, 1).picture)},
-                                       exposure_ev);
+                                       exposure_ev, is_panorama(scene));
     const TrueErrorRecord result{.rmse = error.rmse(),
                                  .standard_error = error.standard_error(),
                                  .worst_tile = error.worst_tile_rmse(),

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "stimuli/definition/views/look_definition.h"
 #include "support/files/hash.h"
 
 namespace seamline::inline stimuli {
@@ -76,11 +77,14 @@ std::string varied_text(const StudyDefinition& study) {
   if (study.level.noticeability != facts(study.level.quantity).noticeability)
     out += fmt::format("level {}\n", noticeability_word(study.level.noticeability));
   out += chain_line(study.depth);
+  if (study.look) out += "look " + canonical_text(*study.look) + "\n";
   for (const ConditionDefinition& condition : study.conditions) {
     out += fmt::format("condition {} {} {} {} {} {}\n", condition.name, word(condition.isolation),
                        condition.depth.width_px, condition.depth.yaw_texels, word(condition.depth.mesh),
                        condition.depth.mesh_tolerance) +
            chain_line(condition.depth);
+    if (condition.look && condition.look != study.look)
+      out += "look " + canonical_text(*condition.look) + "\n";
     for (const SceneDefinition& scene : condition.scenes) out += canonical_text(scene);
   }
   return out;

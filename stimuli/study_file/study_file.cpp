@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
+#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -186,6 +187,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
+  study.look = read_look(table, nullptr);
   const View view = read_view(table, {}, false);
   for (SceneDefinition& scene : study.scenes) scene.view = view;
   study.conditions = read_conditions(table, study, folders, assets);
@@ -197,6 +199,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);
   check_views(table, study);
+  check_looks(table, study);
   if (const auto analysis = table.table("analysis")) static_cast<void>(read_analysis(*analysis));
   const auto observer = table.table("observer");
   study.observer =

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -192,6 +193,7 @@ std::string meaning(const ConditionDefinition& condition) {
       fmt::format(" {} {} {}\n", word(condition.depth.albedo), canonical_text(condition.depth.mitigation),
                   canonical_text(condition.depth.pipeline));
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
+  if (condition.look) text += "look " + canonical_text(*condition.look) + "\n";
   return text;
 }
 
@@ -201,6 +203,7 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
                                 .isolation = read_isolation(table, study.isolation),
                                 .depth = study.depth,
                                 .scenes = study.scenes};
+  condition.look = read_look(table, study.look);
   refuse_level_keys(table, study.level);
   condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "support/text/limits.h"
 
@@ -42,11 +43,27 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   return object;
 }
 
+/// Whether it is a panorama.
+bool read_projection(const TomlTable& table) {
+  const std::string text = table.text("projection", "perspective");
+  if (text != "perspective" && text != "panorama")
+    throw table.complaint("projection", "\"perspective\" or \"panorama\"", "\"" + text + "\"");
+  return text == "panorama";
+}
+
 CameraDefinition read_camera(const TomlTable& table) {
   CameraDefinition camera;
   camera.position_m = vector(table.triple("position_m", {0, 0, 0}, {-unlimited, unlimited, "m"}));
   camera.look_at_m = vector(table.triple("look_at_m", {0, 0, -1}, {-unlimited, unlimited, "m"}));
-  camera.horizontal_fov_deg = table.number("horizontal_fov_deg", 60, {1, 170, "degrees"});
+  if (read_projection(table)) {
+    camera.horizontal_fov_deg = panorama_fov_deg;
+    if (table.has("horizontal_fov_deg"))
+      throw table.complaint("horizontal_fov_deg",
+                            "look.horizontal_fov_deg, which is of the view: a panorama shows all directions",
+                            "both");
+  } else {
+    camera.horizontal_fov_deg = table.number("horizontal_fov_deg", 60, {1, 170, "degrees"});
+  }
   const Eigen::Vector3d view = camera.look_at_m - camera.position_m;
   if (view.cross(Eigen::Vector3d::UnitY()).norm() <= 1e-9 * view.norm())
     throw table.complaint("look_at_m", "a point that is not straight above, below or at the camera",

@@ -1,4 +1,5 @@
 #include "renderer/estimators/fast/fast_depth_pass.h"
+#include "renderer/scene/panorama_camera.h"
 
 #include <algorithm>
 #include <mutex>
@@ -106,7 +107,7 @@ class TileAsker {
 DepthAnswers empty_answers(const Camera& camera, const Answers& answers,
                            const std::vector<int>& photograph_spp, bool mirrors) {
   DepthAnswers out;
-  out.grid = {camera.width_px, camera.height_px};
+  out.grid = {camera.width_px, camera.height_px, wraps(camera)};
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : out.halves) half.resize(pixels);

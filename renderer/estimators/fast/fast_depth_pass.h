@@ -39,7 +39,7 @@ struct DepthAnswers {
   DepthSamples spp;
   RayCounts counts;
 
-  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px}; }
+  [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px, grid.wraps}; }
 };
 /// `photograph_spp`: samples of each block; `mirrors`: whether anything is glossy.
 [[nodiscard]] DepthAnswers empty_answers(const Camera& camera, const Answers& answers,

@@ -208,7 +208,7 @@ class FastEstimator : public SceneEstimator {
     return estimate_error(
         {.filtered = strength == 0 ? sampled : half_pictures(object_index, choices_.filters[strength]),
          .sampled = sampled},
-        scene_.definition.exposure_ev, threads_);
+        scene_.definition.exposure_ev, threads_, sums_.grid.wraps);
   }
 
   [[nodiscard]] const FilterStrength& filter() const { return choices_.filters[judged_.strength]; }

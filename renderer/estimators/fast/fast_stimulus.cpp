@@ -300,7 +300,8 @@ class StimulusRounds {
   }
 
   [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
-    ErrorEstimate error = estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads);
+    ErrorEstimate error =
+        estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads, depth_.grid.wraps);
     error.image.bias = std::max(0.0, error.image.bias) + std::max(0.0, truth_.error.image.bias);
     for (std::size_t t = 0; t < error.tiles.size(); ++t)
       error.tiles[t].bias = std::max(0.0, error.tiles[t].bias) + std::max(0.0, truth_.error.tiles[t].bias);

@@ -1,4 +1,5 @@
 #include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/scene/panorama_camera.h"
 
 #include <mutex>
 
@@ -230,7 +231,7 @@ class TileSampler {
 
 SceneSums empty_sums(const Camera& camera) {
   SceneSums sums;
-  sums.grid = {camera.width_px, camera.height_px};
+  sums.grid = {camera.width_px, camera.height_px, wraps(camera)};
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : sums.halves) half.resize(pixels);

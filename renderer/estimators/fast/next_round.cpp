@@ -12,7 +12,7 @@ class RoundChooser {
  public:
   explicit RoundChooser(const StimulusState& state)
       : state_(state),
-        blocks_{state.grid.width_px, state.grid.height_px},
+        blocks_{state.grid.width_px, state.grid.height_px, state.grid.wraps},
         photograph_(state.photograph),
         error_(state.judged.error) {}
 
@@ -95,7 +95,7 @@ class RoundChooser {
            .least_spp = is_without && spp > 0 ? photograph_spp : 0,
            .most_spp = spp > 0 ? state_.choices.most_times_photograph_spp * photograph_spp : 0});
       out.tile_residual[static_cast<std::size_t>(tile)] +=
-          of_photograph * blocks_.pixels(static_cast<int>(b)) / state_.grid.pixels(tile);
+          of_photograph * blocks_.weight(static_cast<int>(b)) / state_.grid.weight(tile);
     }
     return out;
   }

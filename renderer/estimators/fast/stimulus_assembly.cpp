@@ -211,6 +211,7 @@ StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilter
   for (std::size_t half = 0; half < 2; ++half)
     if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
   out.guides = truth.guides;
+  out.wraps = sources.depth.grid.wraps;
   out.depth_lights_uncovered = depth_lights_uncovered(sources.recipe.answers) && !sources.dark_layer;
   out.compositing = sources.compositing;
   out.rays = sources.depth.counts.traced;

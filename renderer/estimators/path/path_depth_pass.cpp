@@ -1,4 +1,5 @@
 #include "renderer/estimators/path/path_depth_pass.h"
+#include "renderer/scene/panorama_camera.h"
 
 #include <atomic>
 #include <cassert>
@@ -150,6 +151,7 @@ StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geom
   const StimulusSampler sampler(scene, geometry, depth, recipe, options.seed);
   sums.depth_lights_uncovered = depth_lights_uncovered(recipe.answers) && !sampler.is_dark_layer();
   sums.compositing = sampler.compositing();
+  sums.wraps = wraps(scene.camera);
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {
     PixelRenderer pixel(sampler);

@@ -3,6 +3,7 @@
 #include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/path/path_depth_pass.h"
+#include "renderer/scene/panorama_camera.h"
 
 namespace seamline::renderer {
 namespace {
@@ -89,7 +90,8 @@ class PathEstimator : public SceneEstimator {
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = pictures.sampled[half] = compose_half(out.sums, half, threads_).picture;
     pictures.whole = compose(out.sums, out.sums.compositing, threads_).picture;
-    const ErrorEstimate error = estimate_error(pictures, scene_.definition.exposure_ev, threads_);
+    const ErrorEstimate error =
+        estimate_error(pictures, scene_.definition.exposure_ev, threads_, wraps(scene_.camera));
     out.rmse = error.rmse();
     out.worst_tile = error.worst_tile();
     return out;
@@ -113,7 +115,9 @@ class PathEstimator : public SceneEstimator {
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
         pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);
-      if (target.met_by(estimate_error(pictures, scene_.definition.exposure_ev, threads_))) break;
+      if (target.met_by(
+              estimate_error(pictures, scene_.definition.exposure_ev, threads_, wraps(scene_.camera))))
+        break;
     }
   }
 

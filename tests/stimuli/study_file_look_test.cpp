@@ -1,0 +1,87 @@
+// What a study file says of pictures in all directions and of how people look at them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/study_file/study_file.h"
+#include "tests/complaint.h"
+
+namespace seamline {
+namespace {
+
+using testing::HasSubstr;
+
+std::string look_study(const std::string& tables, const std::string& keys, const std::string& camera) {
+  std::string text = "format = \"seamline study 1\"\nname = \"small\"\ndepth_width_px = [64, 512]\n" + keys +
+                     "\n" + tables +
+                     "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"all\"]\n" + camera;
+  for (const char* object : {"a", "b", "c"})
+    text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
+  return text;
+}
+
+const std::string round_camera =
+    "[scene.camera]\nprojection = \"panorama\"\nposition_m = [0, 1, 0]\nlook_at_m = [1, 2, 0]\n";
+const std::string round_size = "width_px = 512\nheight_px = 256";
+
+StudyDefinition looked_at(const std::string& tables, const std::string& keys = round_size,
+                          const std::string& camera = round_camera) {
+  return read_study_text(look_study(tables, keys, camera), "study.toml");
+}
+
+std::string look_complaint(const std::string& tables, const std::string& keys = round_size,
+                           const std::string& camera = round_camera) {
+  return test::complaint_of([&] { (void)looked_at(tables, keys, camera); });
+}
+
+TEST(StudyFileLook, AStudyWithoutOneIsAsItWas) {
+  const std::string camera = "[scene.camera]\nposition_m = [0, 1, 0]\nlook_at_m = [1, 1, 0]\n";
+  const StudyDefinition plain = looked_at("", "", camera);
+  EXPECT_EQ(plain.look, nullptr);
+  EXPECT_FALSE(is_panorama(plain));
+  EXPECT_EQ(canonical_text(plain).find("look"), std::string::npos);
+  EXPECT_EQ(study_hash(looked_at("", "", camera + "projection = \"perspective\"\n")), study_hash(plain));
+}
+
+TEST(StudyFileLook, BelongsToStudyOrConditionAndToTheHash) {
+  const StudyDefinition study = looked_at(
+      "[look]\nkind = \"mouse\"\nhorizontal_fov_deg = 80\n[[condition]]\nname = \"turned\"\n"
+      "[[condition]]\nname = \"still\"\nlook.kind = \"fixed\"\n");
+  EXPECT_TRUE(is_panorama(study));
+  EXPECT_EQ(look_of(study, "turned")->kind, LookKind::mouse);
+  EXPECT_EQ(look_of(study, "still")->kind, LookKind::fixed);
+  EXPECT_EQ(look_of(study, "still")->horizontal_fov_deg, 80);
+  EXPECT_EQ(list_truths(study).size(), 1U);  // one picture is rendered for both
+  const std::array<double, 2> start = start_deg(*look_of(study, "still"), study, "room");
+  EXPECT_EQ(start[0], 0);
+  EXPECT_NEAR(start[1], 45, 1e-9);
+  EXPECT_THAT(canonical_text(study), HasSubstr("look mouse 960 x 540 px 80 degrees yaw -180 180"));
+  EXPECT_THAT(canonical_text(study), HasSubstr("look fixed"));
+  const auto hash = [](const std::string& look) { return study_hash(looked_at("[look]\n" + look)); };
+  EXPECT_NE(hash("kind = \"mouse\""), hash("kind = \"fixed\""));
+  EXPECT_EQ(hash("kind = \"mouse\""), hash("kind = \"mouse\"\nhint = \"Turn round.\""));
+}
+
+TEST(StudyFileLook, WhatCannotBeIsRefusedByName) {
+  EXPECT_THAT(look_complaint(""), HasSubstr("look: wanted a table [look]"));
+  EXPECT_THAT(look_complaint("[look]\n", "", ""), HasSubstr("something to look round at"));
+  EXPECT_THAT(look_complaint("[look]\n", ""), HasSubstr("twice height_px and a multiple of 64"));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"nose\""), HasSubstr("\"fixed\" or \"mouse\" or \"head\""));
+  EXPECT_THAT(look_complaint("[look]\nyaw_deg = [-90, 90]"), HasSubstr("kind = \"mouse\" beside it"));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"mouse\"\nyaw_deg = [10, 90]"), HasSubstr("0 between them"));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"mouse\"\npitch_deg = [-10, 10]\nstart_deg = [0, 30]"),
+              HasSubstr("within yaw_deg and pitch_deg"));
+  EXPECT_THAT(look_complaint("[look]\nstart = 3"), HasSubstr("look.start"));
+  EXPECT_THAT(look_complaint("[look]\n", round_size, round_camera + "horizontal_fov_deg = 60\n"),
+              HasSubstr("look.horizontal_fov_deg"));
+  EXPECT_THAT(look_complaint("[look]\n[view]\nkind = \"anaglyph\"\nzero_parallax_m = 2"),
+              HasSubstr("view.kind: wanted nothing that is bound to one perspective view"));
+  EXPECT_THAT(look_complaint("[look]\n[mitigation]\nocclusion = \"mask\""),
+              HasSubstr("mitigation.occlusion"));
+  EXPECT_THAT(look_complaint("[look]\n", round_size + "\nmesh_albedo = \"photograph\""),
+              HasSubstr("mesh_albedo"));
+}
+
+}  // namespace
+}  // namespace seamline
