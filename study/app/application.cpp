@@ -52,6 +52,7 @@ void Application::run_frame() {
   if (stage_.text_scale != type_scale_) set_type();
   prepare_pictures();
 
+  stage_.panorama.reset();
   ui_.begin(stage_.input, stage_.screen_px);
   const Outcome outcome =
       std::visit([&](const auto& screen) { return draw(screen, visit_, stage_); }, visit_.screen);
@@ -107,8 +108,15 @@ void Application::note_answer(const VisitEvent& event) {
   const std::string practice = std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "";
   if (const auto* chosen = std::get_if<ObjectChosen>(inner))
     note("choice", chosen->now_ns, fmt::format("{}{}", practice, chosen->index));
+  if (std::holds_alternative<RatingGiven>(*inner)) note_poses(monotonic_ns());
   if (const auto* given = std::get_if<RatingGiven>(inner))
     note("rating", given->now_ns, fmt::format("{}{}", practice, given->rating));
+}
+
+/// Where the person looked in the trial that is answered; stored before its answer.
+void Application::note_poses(std::int64_t now_ns) {
+  for (std::string& poses : stage_.looking.poses.take())
+    if (std::holds_alternative<TrialScreen>(visit_.screen)) note("look", now_ns, std::move(poses));
 }
 
 void Application::step(const VisitEvent& event) {
@@ -157,6 +165,8 @@ void Application::show_frame(std::int64_t begun_ns) {
   const bool first_of_picture =
       is_awaiting(session) && pictures_.find(current_trial(session->trials).value()) != nullptr;
   window_.clear(look::background);
+  if (const auto& shown = stage_.panorama)
+    panorama_view_.draw(*shown->panorama, shown->rect, stage_.screen_px, shown->pose);
   canvas_.end();
   const std::int64_t shown_ns = window_.show();
   const double period_ns = 1e9 / (display_.refresh_hz > 0 ? display_.refresh_hz : 60);

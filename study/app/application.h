@@ -10,6 +10,7 @@
 #include "study/commands/commands.h"
 #include "study/running/visit_store.h"
 #include "window/canvas.h"
+#include "window/panorama_view.h"
 #include "window/window.h"
 
 namespace seamline::study::app {
@@ -40,6 +41,7 @@ class Application {
   void note(const char* kind, std::int64_t now_ns, std::string detail = {});
   void note_window_events();
   void note_answer(const VisitEvent& event);
+  void note_poses(std::int64_t now_ns);
   void step(const VisitEvent& event);
   [[nodiscard]] bool handle_pause();
   void prepare_pictures();
@@ -56,6 +58,7 @@ class Application {
   Trace trace_;
   FrameTimes frame_times_;
   PictureStore pictures_;
+  PanoramaView panorama_view_;
   Stage stage_;
   Visit visit_;
 

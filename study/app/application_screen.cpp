@@ -11,16 +11,37 @@
 namespace seamline::study::app {
 namespace {
 
+/// Of the pictures, or of the largest view of panoramas.
 Size picture_size(const RenderedSet& set) {
-  return {static_cast<double>(set.manifest.width_px), static_cast<double>(set.manifest.height_px)};
+  Size size{static_cast<double>(set.manifest.width_px), static_cast<double>(set.manifest.height_px)};
+  if (!is_panorama(set.study)) return size;
+  size = {};
+  for (const ConditionDefinition& condition : list_conditions(set.study)) {
+    const std::array<int, 2>& view_px = look_of(set.study, condition)->view_px;
+    size = {std::max(size.width_px, double{1} * view_px[0]),
+            std::max(size.height_px, double{1} * view_px[1])};
+  }
+  return size;
+}
+
+/// The window is a screen's.
+void require_no_headset(const StudyDefinition& study) {
+  for (const ConditionDefinition& condition : list_conditions(study))
+    if (const LookDefinition* seen = look_of(study, condition);
+        seen != nullptr && seen->kind == LookKind::head)
+      throw input_error({.field = "look.kind",
+                         .wanted = "\"fixed\" or \"mouse\" in a window (`seamline export SET --web` makes a "
+                                   "page, which knows headsets)",
+                         .found = "\"head\""});
 }
 
 WindowRequest window_request(const RenderedSet& set, const ParticipantRequest& request) {
   constexpr int least_width_px = 1100, least_height_px = 760, margin_px = 40;
-  return {.title = "Seamline",
-          .fullscreen = !request.windowed,
-          .width_px = std::max(least_width_px, set.manifest.width_px + 2 * margin_px),
-          .height_px = std::max(least_height_px, set.manifest.height_px + 5 * margin_px)};
+  return {
+      .title = "Seamline",
+      .fullscreen = !request.windowed,
+      .width_px = std::max(least_width_px, static_cast<int>(picture_size(set).width_px) + 2 * margin_px),
+      .height_px = std::max(least_height_px, static_cast<int>(picture_size(set).height_px) + 5 * margin_px)};
 }
 
 bool same_screen(const DisplayFacts& facts, const DisplayInfo& display) {
@@ -71,6 +92,7 @@ void Application::set_type() {
 
 /// Pictures are shown pixel for pixel, or not at all.
 void Application::check_screen() {
+  require_no_headset(set_.study);
   const Size picture_px = picture_size(set_);
   const Size needed_px = needed_screen(picture_px, ui_.em());
   require_panel(set_.study, stage_.screen_px, request_.allow_scaling);

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "study/exchange/look_tables.h"
+
 namespace seamline::study {
 namespace {
 
@@ -123,6 +125,8 @@ std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
+  else  // how somebody moves may tell who it is
+    for (CsvTable& table : look_tables(log)) tables.push_back(std::move(table));
   tables.push_back(data_dictionary(tables));
   return tables;
 }

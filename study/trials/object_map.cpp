@@ -84,6 +84,37 @@ ObjectMap make_object_map(const ByteImage& object_ids, int reach_px, bool two_ey
   return map;
 }
 
+namespace {
+
+/// So many columns to the left, those on the left coming in again on the right.
+std::vector<std::uint8_t> rolled(const std::vector<std::uint8_t>& map, int width_px, int columns) {
+  std::vector<std::uint8_t> out = map;
+  for (auto row = out.begin(); row != out.end(); row += width_px)
+    std::rotate(row, row + columns, row + width_px);
+  return out;
+}
+
+/// A column that objects have least of.
+int emptiest_column(const ByteImage& ids) {
+  std::vector<int> found(static_cast<std::size_t>(ids.width_px), 0);
+  for (std::size_t i = 0; i < ids.values.size(); ++i)
+    if (ids.values[i] != 0) ++found[i % found.size()];
+  return static_cast<int>(std::min_element(found.begin(), found.end()) - found.begin());
+}
+
+}  // namespace
+
+ObjectMap make_panorama_map(const ByteImage& object_ids, int reach_px) {
+  const int width_px = object_ids.width_px, columns = emptiest_column(object_ids);
+  ByteImage turned = object_ids;
+  turned.values = rolled(object_ids.values, width_px, columns);
+  ObjectMap map = make_object_map(turned, reach_px);
+  map.nearest = rolled(map.nearest, width_px, (width_px - columns) % width_px);
+  for (PictureFrame& frame : map.frames)
+    if (frame.width_px > 0) frame.x_px = std::fmod(frame.x_px + columns + width_px, width_px);
+  return map;
+}
+
 int object_at(const ObjectMap& map, double x_px, double y_px) {
   if (x_px < 0 || y_px < 0 || x_px >= map.width_px || y_px >= map.height_px) return 0;
   return map.nearest[static_cast<std::size_t>(y_px) * static_cast<std::size_t>(map.width_px) +

@@ -33,6 +33,9 @@ inline constexpr int usual_reach_px = 8;
 [[nodiscard]] ObjectMap make_object_map(const ByteImage& object_ids, int reach_px = usual_reach_px,
                                         bool two_eyes = false);
 
+/// The same of a panorama, whose last column stands beside its first: a frame may reach beyond the last.
+[[nodiscard]] ObjectMap make_panorama_map(const ByteImage& object_ids, int reach_px = usual_reach_px);
+
 /// The object at a place of the picture: 1..3, or 0.
 [[nodiscard]] int object_at(const ObjectMap& map, double x_px, double y_px);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "study/trials/trial_picture.h"
 
 namespace seamline::study::app {
@@ -25,7 +26,9 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     const Trial trial{.stimulus = i};
     const std::string& truth = truth_of(set, trial);
     if (!objects_.contains(truth))
-      objects_[truth] = make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth]);
+      objects_[truth] = is_panorama(set.study)
+                            ? make_panorama_map(load_object_ids(set, trial))
+                            : make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth]);
   }
 }
 

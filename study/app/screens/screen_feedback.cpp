@@ -6,16 +6,30 @@
 #include "window/look.h"
 
 namespace seamline::study::app {
+namespace {
+
+/// A view that can turn turns to the object that is spoken of.
+void look_towards(Stage& stage, const Trial& trial, int object) {
+  const LookDefinition* view = look_at(stage, trial);
+  if (view == nullptr || view->kind == LookKind::fixed) return;
+  const ObjectMap& objects = stage.pictures.objects(trial);
+  const PictureFrame& frame = objects.frames.at(static_cast<std::size_t>(object - 1));
+  if (frame.width_px > 0) stage.looking.pose = pose_towards(objects, frame);
+}
+
+}  // namespace
 
 /// The practice picture once more, with corners around the object that was inserted.
 Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
+  if (const std::optional<Trial> trial = trial_on_screen(visit); trial && screen.right_index >= 1)
+    look_towards(stage, *trial, screen.right_index);
   const TrialPlace place = trial_place(stage);
   if (const std::optional<Trial> trial = trial_on_screen(visit)) {
-    if (const Texture* picture = stage.pictures.find(*trial)) stage.canvas().picture(*picture, place.picture);
+    if (const Texture* picture = stage.pictures.find(*trial)) show_picture(stage, *trial, *picture, place);
     if (screen.right_index >= 1) {
       const ObjectMap& objects = stage.pictures.objects(*trial);
       const auto index = static_cast<std::size_t>(screen.right_index - 1);
-      draw_bracket(stage, place, objects.frames.at(index));
+      draw_bracket(stage, place, seen_frames(stage, *trial).at(index));
       draw_bracket(stage, place, objects.right_eye_frames.at(index));
     }
   }

@@ -17,10 +17,23 @@ struct TrialOnScreen {
   Stage& stage;
   TrialPlace place;
   const ObjectMap& objects;
+  const LookDefinition* view = nullptr;  ///< of a panorama
+  std::array<PictureFrame, 3> frames = {};
 
-  [[nodiscard]] int object_under_mouse() const {
-    const Point at = in_picture(place, stage.input.mouse);
+  [[nodiscard]] bool turns() const { return view != nullptr && view->kind == LookKind::mouse; }
+  [[nodiscard]] int object_at_place(const Point& at) const {
+    if (view != nullptr) return object_in_view(*view, stage.looking.pose, objects, {at.x_px, at.y_px});
     return object_at(objects, at.x_px, at.y_px);
+  }
+  [[nodiscard]] int object_under_mouse() const {
+    return stage.looking.dragged ? 0 : object_at_place(in_picture(place, stage.input.mouse));
+  }
+  [[nodiscard]] int object_in_middle() const {
+    return object_at_place({view->view_px[0] / 2.0, view->view_px[1] / 2.0});
+  }
+  /// Whether an object was clicked: a view that can be dragged, where the button is let go without a drag.
+  [[nodiscard]] bool clicked() const {
+    return turns() ? stage.input.mouse_released && !stage.looking.dragged : stage.input.mouse_pressed;
   }
   [[nodiscard]] bool mouse_has_moved() const {
     const Point& before = stage.drafts.mouse_at_onset;
@@ -29,7 +42,7 @@ struct TrialOnScreen {
   void bracket(int object, Bracket kind) const {
     if (object < 1) return;
     const auto index = static_cast<std::size_t>(object - 1);
-    draw_bracket(stage, place, objects.frames.at(index), kind);
+    draw_bracket(stage, place, frames.at(index), kind);
     draw_bracket(stage, place, objects.right_eye_frames.at(index), kind);
   }
 };
@@ -41,6 +54,11 @@ constexpr int places = highest_rating + objects_per_stimulus;
 bool uses(const Stage& stage) {
   return stage.input.key && !stage.input.key->repeated &&
          (stage.input.pressed(Key::enter) || stage.input.pressed(Key::space));
+}
+
+bool arrows(const Stage& stage) {
+  return stage.input.pressed(Key::left) || stage.input.pressed(Key::right) || stage.input.pressed(Key::up) ||
+         stage.input.pressed(Key::down);
 }
 
 /// Moves the keyboard's place within [first, last]; Tab and arrows go round.
@@ -62,14 +80,20 @@ void move_focus(Stage& stage, int first, int last) {
 Outcome choose(const TrialOnScreen& trial) {
   Stage& stage = trial.stage;
   draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::choice_hint), 2.4);
-  move_focus(stage, first_object_place, places - 1);
+  draw_question(stage, trial.place, Font::small,
+                trial.turns() ? trial.view->hint : stage.phrase(Phrase::choice_hint), 2.4);
+  if (trial.turns())
+    stage.drafts.trial_focus = -1;
+  else
+    move_focus(stage, first_object_place, places - 1);
   const int hovered = trial.object_under_mouse();
   const int focused = stage.drafts.trial_focus - first_object_place + 1;
   trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused, Bracket::pointed);
   int chosen = 0;
-  if (stage.input.mouse_pressed) chosen = hovered;
-  if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus) chosen = digit;
+  if (trial.clicked()) chosen = hovered;
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus && !trial.turns())
+    chosen = digit;
+  if (trial.turns() && uses(stage)) chosen = trial.object_in_middle();
   if (focused >= 1 && uses(stage)) chosen = focused;
   if (chosen == 0) return std::nullopt;
   return Event(ObjectChosen{chosen, stage.input.now_ns});
@@ -99,7 +123,8 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   Stage& stage = trial.stage;
   draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
   draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
-  move_focus(stage, 0, places - 1);
+  if (!(trial.turns() && arrows(stage)))  // which turn the view
+    move_focus(stage, 0, trial.turns() ? first_object_place - 1 : places - 1);
   const int hovered_object = trial.object_under_mouse();
   const int focus = stage.drafts.trial_focus;
   if (hovered_object != 0) trial.bracket(hovered_object, Bracket::pointed);
@@ -131,48 +156,120 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   }
   if (const int digit = stage.input.digit(); digit >= 1 && digit <= highest_rating) rating = digit;
   if (rating != 0) return Event(RatingGiven{rating, stage.input.now_ns});
-  int again = stage.input.mouse_pressed ? hovered_object : 0;
+  int again = trial.clicked() ? hovered_object : 0;
   if (focus >= first_object_place && uses(stage)) again = focus - first_object_place + 1;
   if (again != 0) return Event(ObjectChosen{again, stage.input.now_ns});
   return std::nullopt;
+}
+
+/// What arrows turn a view by.
+Pose step_deg(const FrameInput& input) {
+  const double step = input.key && input.key->shift ? 15 : 3;
+  return {step * (input.pressed(Key::right) - input.pressed(Key::left)),
+          step * (input.pressed(Key::up) - input.pressed(Key::down))};
+}
+
+/// By how much the mouse turns the view of a panorama: what is taken hold of follows it.
+Pose dragged_deg(const LookDefinition& view, const TrialPlace& place, Stage& stage) {
+  constexpr double slack_px = 4;  // that a click may move
+  LookDraft& looking = stage.looking;
+  const FrameInput& input = stage.input;
+  if (input.mouse_pressed) {
+    looking.dragged = false;
+    looking.grabbed.reset();
+    if (place.picture.contains(input.mouse)) looking.grabbed = input.mouse;
+    return {};
+  }
+  if (!looking.grabbed) return {};
+  const double right_px = input.mouse.x_px - looking.grabbed->x_px,
+               down_px = input.mouse.y_px - looking.grabbed->y_px;
+  if (!looking.dragged && std::hypot(right_px, down_px) < slack_px) return {};
+  looking.dragged = true;
+  looking.grabbed = input.mouse;
+  const double degrees = degrees_per_pixel(view) / place.scale;
+  return {-right_px * degrees, down_px * degrees};
+}
+
+/// Begins the view of a trial's panorama at its start, and turns it by mouse and keys while it is seen.
+void take_view(const Session& session, const Trial& due, Stage& stage) {
+  const LookDefinition* view = look_at(stage, due);
+  if (view == nullptr) return;
+  LookDraft& looking = stage.looking;
+  const auto* choosing = std::get_if<Choosing>(&session.phase);
+  const auto* rating = std::get_if<Rating>(&session.phase);
+  if (looking.trial != due || (choosing == nullptr && rating == nullptr)) {
+    const Stimulus& stimulus = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due.stimulus)).stimulus;
+    const auto [yaw, pitch] = start_deg(*view, stage.set.study, stimulus.scene);
+    if (!std::holds_alternative<Storing>(session.phase)) looking = {.trial = due, .pose = {yaw, pitch}};
+    return;
+  }
+  const std::int64_t onset_ns = choosing != nullptr ? choosing->onset_ns : rating->onset_ns;
+  Pose by = dragged_deg(*view, trial_place(stage), stage);
+  if (arrows(stage)) by = step_deg(stage.input);
+  looking.pose = turned(*view, looking.pose, by.yaw_deg, by.pitch_deg);
+  looking.poses.add(std::max(0.0, static_cast<double>(stage.input.now_ns - onset_ns) * 1e-6), looking.pose);
+}
+
+/// After the click that a release may be is taken.
+void let_go(Stage& stage) {
+  if (!stage.input.mouse_released) return;
+  stage.looking.grabbed.reset();
+  stage.looking.dragged = false;
+}
+
+/// The place that Enter chooses at.
+void draw_middle(const TrialOnScreen& trial) {
+  if (!trial.turns()) return;
+  const Point middle = trial.place.picture.centre();
+  const double x_px = std::round(middle.x_px), y_px = std::round(middle.y_px);
+  for (const double edge_px : {1.0, 0.0})
+    for (const Rect& bar : {Rect{x_px - 7, y_px - 1, 14, 2}, Rect{x_px - 1, y_px - 7, 2, 14}})
+      trial.stage.canvas().fill(bar.grown(edge_px), edge_px > 0 ? look::bracket_edge : look::bracket);
 }
 
 /// A trial of practice or of the study, whatever its phase shows.
 Outcome draw_trial(const Session& session, Stage& stage) {
   const std::optional<Trial> due = current_trial(session.trials);
   if (!due) return std::nullopt;
-  const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due)};
+  take_view(session, *due, stage);
+  const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due), look_at(stage, *due),
+                            seen_frames(stage, *due)};
   const Texture* picture = stage.pictures.find(*due);
-  const auto show_picture = [&] {
-    if (picture != nullptr) stage.canvas().picture(*picture, trial.place.picture);
+  const auto show = [&] {
+    if (picture != nullptr) show_picture(stage, *due, *picture, trial.place);
   };
-  return std::visit(Overloaded{[&](const Grey&) -> Outcome {
-                                 stage.drafts.trial_focus = -1;
-                                 draw_fixation(stage, trial.objects.two_eyes);
-                                 return std::nullopt;
-                               },
-                               [&](const AwaitingImage&) -> Outcome {
-                                 stage.drafts.trial_focus = -1;
-                                 stage.drafts.mouse_at_onset = stage.input.mouse;
-                                 if (picture == nullptr) draw_fixation(stage, trial.objects.two_eyes);
-                                 show_picture();
-                                 return std::nullopt;
-                               },
-                               [&](const Choosing& phase) -> Outcome {
-                                 show_picture();
-                                 const std::int64_t ready_ns =
-                                     phase.onset_ns + session.pace.minimum_viewing_ns;
-                                 if (monotonic_ns() < ready_ns) return std::nullopt;
-                                 return choose(trial);
-                               },
-                               [&](const Rating& phase) -> Outcome {
-                                 show_picture();
-                                 return rate(trial, phase);
-                               },
-                               [](const Storing&) -> Outcome { return std::nullopt; },
-                               [](const OnBreak&) -> Outcome { return std::nullopt; },
-                               [](const Done&) -> Outcome { return std::nullopt; }},
-                    session.phase);
+  const Outcome outcome = std::visit(Overloaded{[&](const Grey&) -> Outcome {
+                                                  stage.drafts.trial_focus = -1;
+                                                  draw_fixation(stage, trial.objects.two_eyes);
+                                                  return std::nullopt;
+                                                },
+                                                [&](const AwaitingImage&) -> Outcome {
+                                                  stage.drafts.trial_focus = -1;
+                                                  stage.drafts.mouse_at_onset = stage.input.mouse;
+                                                  if (picture == nullptr)
+                                                    draw_fixation(stage, trial.objects.two_eyes);
+                                                  show();
+                                                  return std::nullopt;
+                                                },
+                                                [&](const Choosing& phase) -> Outcome {
+                                                  show();
+                                                  const std::int64_t ready_ns =
+                                                      phase.onset_ns + session.pace.minimum_viewing_ns;
+                                                  if (monotonic_ns() < ready_ns) return std::nullopt;
+                                                  draw_middle(trial);
+                                                  return choose(trial);
+                                                },
+                                                [&](const Rating& phase) -> Outcome {
+                                                  show();
+                                                  draw_middle(trial);
+                                                  return rate(trial, phase);
+                                                },
+                                                [](const Storing&) -> Outcome { return std::nullopt; },
+                                                [](const OnBreak&) -> Outcome { return std::nullopt; },
+                                                [](const Done&) -> Outcome { return std::nullopt; }},
+                                     session.phase);
+  let_go(stage);
+  return outcome;
 }
 
 }  // namespace

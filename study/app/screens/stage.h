@@ -8,8 +8,10 @@
 
 #include "study/app/pictures/display_profile.h"
 #include "study/app/pictures/pixel_check.h"
+#include "study/trials/looking.h"
 #include "study/trials/rendered_set.h"
 #include "study/visit/visit.h"
+#include "window/panorama_view.h"
 #include "window/ui.h"
 #include "window/window.h"
 
@@ -31,6 +33,22 @@ struct Drafts {
   int trial_focus = -1;  ///< what the keyboard is on in a trial: ratings 0..3, then objects; -1: nothing
 };
 
+/// A view of a panorama while its trial is on the screen, and how far a hand has turned it.
+struct LookDraft {
+  std::optional<Trial> trial = {};  ///< whose; another one begins at its start
+  Pose pose = {};
+  std::optional<Point> grabbed = {};  ///< where the mouse was, while its button is held
+  bool dragged = false;               ///< it has moved since it was pressed
+  PoseRecorder poses = {};
+};
+
+/// A view to be drawn below what the canvas holds.
+struct PanoramaOnScreen {
+  const Texture* panorama = nullptr;
+  Rect rect;
+  PanoramaPose pose;
+};
+
 /// What a screen draws on and reads from.
 struct Stage {
   Ui& ui;
@@ -42,7 +60,9 @@ struct Stage {
   FrameInput input = {};
   Size screen_px = {};
   Drafts drafts = {};
-  double text_scale = 1;  ///< what the person chose, on top of the study's
+  LookDraft looking = {};
+  std::optional<PanoramaOnScreen> panorama = {};  ///< of the frame that is being made
+  double text_scale = 1;                          ///< what the person chose, on top of the study's
   std::vector<std::vector<Texture>> instruction_pictures = {};  ///< by page
   Texture stripes = {};                                         ///< of the gamma pattern
   bool leave = false;                                           ///< the person asked to leave for now

@@ -49,9 +49,11 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
     const TrialPlace place = trial_place(stage);
     line["picture"] = rectangle(place.picture);
     if (const std::optional<Trial> due = current_trial(session->trials)) {
+      if (look_at(stage, *due) != nullptr)
+        line["pose"] = {stage.looking.pose.yaw_deg, stage.looking.pose.pitch_deg};
       line["kind"] = word(due->kind);
       line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
-      for (const PictureFrame& frame : stage.pictures.objects(*due).frames)
+      for (const PictureFrame& frame : seen_frames(stage, *due))
         line["objects"].push_back(rectangle(on_screen(place, frame)));
     }
   }

@@ -5,15 +5,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/app/pictures/picture_store.h"
 #include "window/look.h"
 
 namespace seamline::study::app {
+namespace {
+
+/// Of the trial that was drawn last, which is the one on the screen.
+Size shown_size(const Stage& stage) {
+  const auto size = [](int width_px, int height_px) {
+    return Size{static_cast<double>(width_px), static_cast<double>(height_px)};
+  };
+  if (is_panorama(stage.set.study) && stage.looking.trial) {
+    const std::array<int, 2>& view_px = look_at(stage, *stage.looking.trial)->view_px;
+    return size(view_px[0], view_px[1]);
+  }
+  return size(stage.set.manifest.width_px, stage.set.manifest.height_px);
+}
+
+}  // namespace
+
+const LookDefinition* look_at(const Stage& stage, const Trial& trial) {
+  if (!is_panorama(stage.set.study)) return nullptr;
+  return look_of(stage.set.study,
+                 stage.set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.condition);
+}
+
+void show_picture(Stage& stage, const Trial& trial, const Texture& picture, const TrialPlace& place) {
+  const LookDefinition* view = look_at(stage, trial);
+  if (view == nullptr) return stage.canvas().picture(picture, place.picture);
+  stage.panorama = {&picture, place.picture, {axes_of(stage.looking.pose), half_tangents(*view)}};
+}
+
+std::array<PictureFrame, 3> seen_frames(const Stage& stage, const Trial& trial) {
+  const ObjectMap& objects = stage.pictures.objects(trial);
+  const LookDefinition* view = look_at(stage, trial);
+  return view == nullptr ? objects.frames : frames_in_view(*view, stage.looking.pose, objects);
+}
 
 TrialPlace trial_place(const Stage& stage) {
-  return place_trial(
-      stage.screen_px,
-      {static_cast<double>(stage.set.manifest.width_px), static_cast<double>(stage.set.manifest.height_px)},
-      stage.ui.em(), picture_corner(stage.set.study));
+  return place_trial(stage.screen_px, shown_size(stage), stage.ui.em(), picture_corner(stage.set.study));
 }
 
 void draw_fixation(Stage& stage, bool two_eyes) {

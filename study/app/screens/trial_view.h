@@ -8,6 +8,15 @@ namespace seamline::study::app {
 
 [[nodiscard]] TrialPlace trial_place(const Stage& stage);
 
+/// How the picture of a trial is looked at; null: whole, as it is.
+[[nodiscard]] const LookDefinition* look_at(const Stage& stage, const Trial& trial);
+
+/// Puts a trial's picture on the screen, whole or as the view of it.
+void show_picture(Stage& stage, const Trial& trial, const Texture& picture, const TrialPlace& place);
+
+/// The objects of a trial as they are seen in the picture or the view of it.
+[[nodiscard]] std::array<PictureFrame, 3> seen_frames(const Stage& stage, const Trial& trial);
+
 /// Grey with a mark where the middle of the picture will be, or of each eye's half of it.
 void draw_fixation(Stage& stage, bool two_eyes);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/trial_picture.h"
 #include "support/files/atomic_file.h"
@@ -108,7 +109,11 @@ WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFil
         reference_of(set.folder, set.manifest, record_at(set, trial.stimulus).stimulus);
     std::string& map = map_of_ids[reference.object_ids_sha256];
     if (map.empty())
-      map = files.add_by_content("maps", packed_map(make_object_map(load_object_ids(set, trial))), ".json");
+      map = files.add_by_content(
+          "maps",
+          packed_map(is_panorama(set.study) ? make_panorama_map(load_object_ids(set, trial))
+                                            : make_object_map(load_object_ids(set, trial))),
+          ".json");
     pictures.map[file] = map;
   }
   return pictures;

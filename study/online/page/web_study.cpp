@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
 #include "study/trials/trial_picture.h"
@@ -121,6 +123,32 @@ Json pictures_json(const WebStudy& web) {
   return pictures;
 }
 
+Json look_json(const LookDefinition& look, const std::array<double, 2>& start) {
+  return {
+      {"kind", word(look.kind)}, {"view_px", look.view_px}, {"horizontal_fov_deg", look.horizontal_fov_deg},
+      {"start_deg", start},      {"yaw_deg", look.yaw_deg}, {"pitch_deg", look.pitch_deg},
+      {"hint", look.hint}};
+}
+
+/// How each picture of all directions is looked at: `looks`, and by the stimulus' shown name which of them.
+/// Nothing for other studies.
+void add_looks(const WebStudy& web, Json& json) {
+  const StudyDefinition& study = web.set.study;
+  if (!is_panorama(study)) return;
+  Json looks = Json::array();
+  std::map<std::string, Json> of_name;
+  for (const auto& [shown, file] : web.pictures.file) {
+    const Stimulus& stimulus = web.set.manifest.stimuli.at(static_cast<std::size_t>(shown.second)).stimulus;
+    const LookDefinition& look = *look_of(study, stimulus.condition);
+    Json one = look_json(look, start_deg(look, study, stimulus.scene));
+    auto known = std::find(looks.begin(), looks.end(), one);
+    if (known == looks.end()) known = looks.insert(looks.end(), std::move(one));
+    of_name[web.names.name_of({.kind = shown.first, .stimulus = shown.second})] = known - looks.begin();
+  }
+  json["looks"] = std::move(looks);
+  json["look_of"] = of_name;
+}
+
 int most_trials_of_a_participant(const TrialRules& rules) {
   const std::vector<Trial> decided = decided_trials(rules, 0, {});
   return study::most_trials(trial_sequence(rules, {.slot = 0, .trials = decided, .answers = {}}));
@@ -171,6 +199,7 @@ std::string web_study_text(const WebStudy& web) {
       {"pictures", pictures_json(web)},
   };
   if (study.recruitment) json["recruitment"] = recruitment_json(*study.recruitment);
+  add_looks(web, json);
   return json.dump(1) + "\n";
 }
 

@@ -10,6 +10,7 @@ export function makeGuard(app, node) {
   let problem = null;
 
   function find() {
+    if (app.headset) return null; // which has pixels of its own
     if (!app.visit || !NEEDED_ON.includes(app.visit.screen.name)) return null;
     if (!placeTrial(app.screen.size(), app.study.picture, app.em()).fits) return "small";
     return app.screen.exact() ? null : "zoom";

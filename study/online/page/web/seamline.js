@@ -14,6 +14,8 @@ import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patien
 import { askForPersistence, openStore } from "./keeping/store.js";
 import { NotNow, Refused } from "./keeping/verdict.js";
 import { makePictures } from "./pictures.js";
+import { enterHeadset, headsetIsThere } from "./headset.js";
+import { largestFault, makeView, MOST_FAULT } from "./panorama.js";
 import { canBeExact, watchScreen } from "./exact.js";
 import { makeGuard } from "./guard.js";
 import { watchAttention } from "./watch.js";
@@ -65,12 +67,29 @@ function unfit(study) {
 /** study.json as the page uses it. */
 function readStudy(json) {
   if (json.format !== FORMAT) throw new Error("study.json is of another version");
-  return { ...json, picture: { width: json.width_px, height: json.height_px } };
+  const sizes = json.looks?.map((look) => look.view_px) ?? [[json.width_px, json.height_px]];
+  const largest = (side) => Math.max(...sizes.map((size) => size[side]));
+  return { ...json, picture: { width: largest(0), height: largest(1) } };
 }
+
+/** What draws views of panoramas, proved by what it draws; null where the study has none. Throws where it cannot. */
+function checkedView(study) {
+  if (!study.looks) return null;
+  // Without its graphics a page is opened again, and the visit goes on where it was.
+  const view = makeView(() => location.reload());
+  const fault = largestFault(view);
+  if (!(fault <= MOST_FAULT)) throw new Error("WebGL 2: views are wrong by " + fault.toFixed(1) + " codes");
+  return view;
+}
+
+/** Whether somebody must put on a headset, and there is none. */
+const lacksHeadset = async (study) =>
+  (study.looks ?? []).some((look) => look.kind === "head") && !(await headsetIsThere());
 
 class Study {
   visit = null;
   host = null;
+  headset = null;
   courier = null;
   kept = 0; // messages of former visits, and the enrolment
   end = null; // {outcome, code, link}, where people are matched and sent back
@@ -79,7 +98,8 @@ class Study {
   #problems = new Set(); // that are waited out
   #loading = false;
 
-  constructor(study, store, host) {
+  constructor(study, store, host, view) {
+    this.view = view;
     this.study = study;
     this.store = store;
     this.host = host;
@@ -152,6 +172,17 @@ class Study {
   onChange(listener) {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
+  }
+
+  /** By a click: somebody is in the headset from now on, until they take it off or a page of words comes. */
+  async wear() {
+    this.headset = await enterHeadset(this.view, () => {
+      this.headset = null;
+      this.note("headset_off");
+      this.#tell();
+    });
+    this.note("headset_on");
+    this.#tell();
   }
 
   step(event) {
@@ -447,6 +478,13 @@ async function main() {
   const identifiers = identifiersOf(study);
   const wanted = study.recruitment?.required ? study.recruitment.identifiers.find((name) => !(name in identifiers)) : undefined;
   if (wanted !== undefined) return refuse(study, fillIn(study.texts.recruitment_link, { wanted }));
+  let view;
+  try {
+    view = checkedView(study);
+    if (await lacksHeadset(study)) throw new Error("WebXR, immersive-vr");
+  } catch (error) {
+    return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
+  }
 
   // In JATOS a run is a visit: the next one is somebody else's.
   const visit = (study.host === "jatos" ? runOf(location.pathname) : null) ?? token ?? Object.values(identifiers ?? {})[0] ?? addressed.get("visit") ?? "";
@@ -467,7 +505,7 @@ async function main() {
     throw error;
   }
   host.identity = identity;
-  const app = new Study(study, store, host);
+  const app = new Study(study, store, host, view);
   globalThis.seamline = app; // for tests, and for who looks
   try {
     await app.begin();

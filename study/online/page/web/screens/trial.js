@@ -2,14 +2,16 @@
 import { bracketBars, objectAt, placeTrial } from "../core/place.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
+import * as looking from "../core/looking.js";
 import { element, svg } from "./dom.js";
 
 const SIDES = ["left_object", "middle_object", "right_object"];
 
 /** The stage of a picture: everything is placed in pixels of the screen. */
-function makeStage(app, display) {
+function makeStage(app, display, size_px) {
   const fixation = svg("path", { class: "fixation" });
-  const overlay = svg("svg", { class: "overlay", "aria-hidden": "true" }, fixation);
+  const mark = svg("path", { class: "mark" });
+  const overlay = svg("svg", { class: "overlay", "aria-hidden": "true" }, fixation, mark);
   const question = element("h1", { id: "title" });
   const hint = element("p", { class: "hint" });
   const answers = element("div", { class: "answers" });
@@ -17,18 +19,19 @@ function makeStage(app, display) {
   const objects = element("div", { class: "objects", role: "group", "aria-labelledby": "title" });
   const node = element("div", { class: "stage" }, overlay, objects, questions);
   display.append(node);
-  const stage = { node, overlay, fixation, question, hint, answers, questions, objects, image: null, place: null };
+  const stage = { node, overlay, fixation, mark, question, hint, answers, questions, objects, image: null, place: null };
 
   /** Puts everything where it belongs; the picture at whole pixels of the screen, as large as it is. */
   stage.layOut = () => {
     const ratio = devicePixelRatio;
     const size = app.screen.size();
-    const place = placeTrial(size, app.study.picture, app.em());
+    const place = placeTrial(size, size_px, app.em());
     stage.place = place;
     overlay.setAttribute("viewBox", "0 0 " + size.width + " " + size.height);
     const x = place.x + Math.round(place.width / 2);
     const y = place.y + Math.round(place.height / 2);
     fixation.setAttribute("d", `M${x - 12} ${y - 1}h24v2h-24zM${x - 1} ${y - 12}h2v24h-2z`);
+    mark.setAttribute("d", `M${x - 7} ${y}h14M${x} ${y - 7}v14`);
     questions.style.top = place.questions_y / ratio + "px";
     if (stage.image) {
       stage.image.style.left = place.x / ratio + "px";
@@ -81,6 +84,69 @@ function makeStage(app, display) {
   return stage;
 }
 
+const TURNS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** How a trial's picture is seen: whole, or a view of a panorama that may turn. Places are pixels of what is seen. */
+function viewOf(app, trial) {
+  const look = looking.lookOf(app.study, trial.stimulus_id);
+  if (look === null)
+    return {
+      size_px: app.study.picture,
+      turns: false,
+      worn: false,
+      poses: { add() {}, take: () => [] },
+      pose: () => null,
+      shown: (image) => image,
+      lookAt() {},
+      frames: (map) => map.frames,
+      objectAt: (map, at) => objectAt(map, at.x, at.y),
+    };
+  let pose = looking.startPose(look);
+  const size = () => app.view.size();
+  return {
+    size_px: { width: look.view_px[0], height: look.view_px[1] },
+    turns: look.kind === "mouse",
+    worn: look.kind === "head",
+    follow(next) {
+      pose = next;
+    },
+    hint: look.kind === "fixed" ? null : look.hint,
+    degreesPerPixel: looking.degreesPerPixel(look),
+    poses: looking.makePoses(),
+    pose: () => pose,
+    /** What stands on the screen for the panorama. */
+    shown(image) {
+      app.view.put(image);
+      app.view.draw(look, pose);
+      return app.view.canvas;
+    },
+    turn(right_deg, up_deg) {
+      const next = looking.turned(look, pose, right_deg, up_deg);
+      if (next.yaw_deg === pose.yaw_deg && next.pitch_deg === pose.pitch_deg) return false;
+      pose = next;
+      app.view.draw(look, pose);
+      return true;
+    },
+    /** Towards a frame of the panorama, whatever the limits, unless the view is fixed. */
+    lookAt(frame) {
+      if (look.kind === "fixed") return;
+      pose = looking.poseTowards(size(), frame.x_px + frame.width_px / 2, frame.y_px + frame.height_px / 2);
+      app.view.draw(look, pose);
+    },
+    frames: (map) => map.frames.map((frame) => looking.frameInView(look, pose, size(), frame)),
+    objectTowards(map, yaw_deg, pitch_deg) {
+      const { width, height } = size();
+      const column = (((yaw_deg / 360 + 0.5) % 1) + 1) % 1;
+      return objectAt(map, Math.min(width - 1, column * width), Math.min(height - 1, (0.5 - pitch_deg / 180) * height));
+    },
+    objectAt(map, { x, y }) {
+      if (x < 0 || y < 0 || x >= look.view_px[0] || y >= look.view_px[1]) return 0;
+      const place = looking.placeOf(size(), looking.directionAt(look, pose, x, y));
+      return objectAt(map, place.x, Math.min(place.y, map.height_px - 1));
+    },
+  };
+}
+
 /** What lies below the three objects for keyboards and screen readers: it sees no mouse. */
 function objectButtons(app, stage, map, choose) {
   const buttons = map.frames.map((frame, at) =>
@@ -96,6 +162,8 @@ function objectButtons(app, stage, map, choose) {
   const place = () => {
     const ratio = devicePixelRatio;
     map.frames.forEach((frame, at) => {
+      buttons[at].hidden = frame === null;
+      if (frame === null) return;
       buttons[at].style.left = (stage.place.x + frame.x_px) / ratio + "px";
       buttons[at].style.top = (stage.place.y + frame.y_px) / ratio + "px";
       buttons[at].style.width = frame.width_px / ratio + "px";
@@ -116,7 +184,9 @@ function drawTrial(app, display, isPractice) {
   const session = () => (isPractice ? app.visit.training : app.visit.session);
   const trial = currentTrial(session().trials);
   if (trial === null) return {}; // all are answered, and the completion is being stored
-  const stage = makeStage(app, display);
+  const view = viewOf(app, trial);
+  app.looking = view; // for tests, and for who looks
+  const stage = makeStage(app, display, view.size_px);
   const detail = isPractice ? "practice" : "";
   let picture = null; // {image, map} once it is decoded
   let controls = null;
@@ -128,6 +198,7 @@ function drawTrial(app, display, isPractice) {
   let lateFrames = 0;
   let lastFrame = null;
   let open = true;
+  let grabbed = null; // where the view was taken hold of, and whether it has moved since
 
   const { answered, most } = session().trials;
   if (isPractice)
@@ -144,11 +215,19 @@ function drawTrial(app, display, isPractice) {
   };
   const rate = (rating, event) => {
     const before = session();
+    if (!isPractice && phase().name === "rating") view.poses.take().forEach((poses) => app.note("look", poses));
     step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
     if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
   };
 
   const phase = () => session().phase;
+  /** The next frame of who shows it: the headset, which has frames of its own, or the page. */
+  const nextFrame = () => {
+    if (!view.worn || !app.headset) return requestAnimationFrame(onFrame);
+    app.headset.once = onFrame;
+    return -1;
+  };
+  const isSeen = () => !view.worn || app.headset !== null;
   const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
 
   function drawBrackets() {
@@ -161,13 +240,14 @@ function drawTrial(app, display, isPractice) {
       else if (focused > 0 && (now.name === "rating" || !stage.questions.hidden)) indices.add(focused);
     }
     indices.delete(chosen);
-    const frames = picture ? picture.map.frames : [];
-    stage.bracket(picture ? [...indices].map((index) => frames[index - 1]) : [], frames[chosen - 1]);
+    const frames = picture ? view.frames(picture.map) : [];
+    const there = [...indices].map((index) => frames[index - 1]).filter((frame) => frame);
+    stage.bracket(picture ? there : [], frames[chosen - 1]);
   }
 
   function showQuestion() {
     stage.question.textContent = app.study.question;
-    stage.hint.textContent = app.phrase("choice_hint");
+    stage.hint.textContent = view.hint ?? app.phrase("choice_hint");
     stage.answers.replaceChildren();
     ratings = [];
   }
@@ -212,13 +292,68 @@ function drawTrial(app, display, isPractice) {
     if (now.name === "rating") showRatings();
     stage.questions.hidden = !asking;
     stage.objects.hidden = !asking;
+    stage.mark.classList.toggle("visible", view.turns && asking);
     if (now.name === "grey" || now.name === "awaiting") {
       ratings = [];
       moved = false;
     }
     drawBrackets();
     if (open && frame === null && (["grey", "awaiting"].includes(now.name) || (now.name === "choosing" && !asking)))
-      frame = requestAnimationFrame(onFrame);
+      frame = nextFrame();
+    if (view.worn) wearing(now, visible, asking);
+  }
+
+  /** What the headset shows, or, while nobody wears it, how to put it on. */
+  let worn = null;
+  function wearing(now, visible, asking) {
+    if (worn !== app.headset) {
+      worn = app.headset;
+      if (frame === -1) frame = null;
+      if (worn) {
+        worn.begin(view.pose().yaw_deg);
+        worn.moved = (time) => {
+          view.follow(worn.pose());
+          if (["choosing", "rating"].includes(phase().name)) view.poses.add((nanoseconds(time) - phase().onset_ns) / 1e6, view.pose());
+        };
+        worn.selected = select;
+        requestAnimationFrame(() => open && update());
+      } else app.step({ type: "picture_taken" });
+    }
+    if (!worn) {
+      stage.questions.hidden = false;
+      stage.question.textContent = "";
+      stage.hint.textContent = view.hint;
+      if (!stage.answers.querySelector("#wear"))
+        stage.answers.replaceChildren(
+          element("button", { type: "button", id: "wear", class: "leading", onclick: () => app.wear().catch((error) => (stage.hint.textContent = error.message)) }, app.phrase("continue"))
+        );
+      return;
+    }
+    stage.answers.querySelector("#wear")?.remove();
+    const rating = now.name === "rating";
+    worn.scene = {
+      panorama: visible,
+      words: !asking
+        ? null
+        : {
+            question: rating ? app.study.rating_question : app.study.question,
+            hint: rating ? "" : view.hint,
+            answers: rating ? app.study.rating_labels : [],
+          },
+    };
+  }
+  /** The trigger: what the cross is on. */
+  function select(event) {
+    const now = phase();
+    if (app.guard.problem() !== null || !picture) return;
+    if (now.name === "rating") {
+      const rating = worn.answer();
+      if (rating > 0) return rate(rating, event);
+    }
+    const { yaw_deg, pitch_deg } = view.pose();
+    const object = view.objectTowards(picture.map, yaw_deg, pitch_deg);
+    const isAsked = now.name === "rating" || (now.name === "choosing" && isOpen(nanoseconds(event.timeStamp)));
+    if (object > 0 && isAsked) choose(object, event);
   }
 
   /** Runs while something changes by itself: grey, the picture's first frame, the least time of viewing. */
@@ -237,8 +372,9 @@ function drawTrial(app, display, isPractice) {
         if (lateFrames > 0) app.note("late_frames", String(lateFrames), now);
         lateFrames = 0;
         lastFrame = null;
+        view.poses.add(0, view.pose());
         step({ type: "image_shown", now_ns: nanoseconds(now) });
-      } else if (picture && app.guard.problem() === null) {
+      } else if (picture && isSeen() && app.guard.problem() === null) {
         shownWith = now;
       }
     }
@@ -250,26 +386,68 @@ function drawTrial(app, display, isPractice) {
     if (!picture || !stage.place) return;
     const ratio = devicePixelRatio;
     moved = true;
-    hovered = objectAt(picture.map, event.clientX * ratio - stage.place.x, event.clientY * ratio - stage.place.y);
+    const at = { x: event.clientX * ratio - stage.place.x, y: event.clientY * ratio - stage.place.y };
+    if (grabbed && event.type === "pointermove") drag(event);
+    hovered = grabbed?.moved ? 0 : view.objectAt(picture.map, at);
     stage.node.classList.toggle("over-object", hovered > 0 && !stage.questions.hidden);
     drawBrackets();
   };
   const onPress = (event) => {
     if (event.button !== 0 || event.target.closest("button") || app.guard.problem() !== null) return;
     onMove(event);
+    if (view.turns) return void (grabbed = { x: event.clientX, y: event.clientY, moved: false });
+    if (hovered > 0 && !stage.questions.hidden) choose(hovered, event);
+  };
+  /** A view that can be dragged is clicked where it is let go without having moved. */
+  const onRelease = (event) => {
+    const held = grabbed;
+    grabbed = null;
+    stage.node.classList.remove("grabbed");
+    if (!held || held.moved || event.type !== "pointerup") return;
+    onMove(event);
     if (hovered > 0 && !stage.questions.hidden) choose(hovered, event);
   };
 
+  /** Turns the view by degrees, and notes whither. */
+  function turn(right_deg, up_deg, event) {
+    const now = phase();
+    if (!["choosing", "rating"].includes(now.name) || app.guard.problem() !== null) return;
+    if (!view.turn(right_deg, up_deg)) return;
+    view.poses.add((nanoseconds(event.timeStamp) - now.onset_ns) / 1e6, view.pose());
+    drawBrackets();
+  }
+  const SLACK_PX = 4; // that a click may move
+  function drag(event) {
+    const [right, down] = [event.clientX - grabbed.x, event.clientY - grabbed.y];
+    if (!grabbed.moved && Math.hypot(right, down) < SLACK_PX) return;
+    stage.node.classList.add("grabbed");
+    const degrees = view.degreesPerPixel * devicePixelRatio;
+    turn(-right * degrees, down * degrees, event);
+    grabbed = { x: event.clientX, y: event.clientY, moved: true };
+  }
+
   /** Arrows go round the ratings, then the objects. */
   function moveFocus(back) {
-    const places = [...ratings, ...controls.buttons];
+    const places = [...ratings, ...controls.buttons].filter((place) => !place.hidden);
+    if (places.length === 0) return;
     const at = places.indexOf(document.activeElement);
     const next = at < 0 ? (back ? places.length - 1 : 0) : (at + (back ? places.length - 1 : 1)) % places.length;
     places[next].focus();
   }
   const onKey = (event) => {
-    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden) return;
-    if (app.guard.problem() !== null) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || app.guard.problem() !== null) return;
+    if (view.turns && TURNS[event.key]) {
+      const step_deg = event.shiftKey ? 15 : 3;
+      turn(TURNS[event.key][0] * step_deg, TURNS[event.key][1] * step_deg, event);
+      return event.preventDefault();
+    }
+    if (event.repeat || stage.questions.hidden) return;
+    if (view.turns && phase().name === "choosing") {
+      if (event.key !== " " && event.key !== "Enter") return;
+      const middle = view.objectAt(picture.map, { x: view.size_px.width / 2, y: view.size_px.height / 2 });
+      if (middle > 0) choose(middle, event);
+      return event.preventDefault();
+    }
     const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;
     const back = event.key === "ArrowLeft" || event.key === "ArrowUp";
     if (digit > 0 && phase().name === "choosing") choose(digit, event);
@@ -288,6 +466,7 @@ function drawTrial(app, display, isPractice) {
   };
   stage.node.addEventListener("pointermove", onMove);
   stage.node.addEventListener("pointerdown", onPress);
+  for (const end of ["pointerup", "pointercancel", "pointerleave"]) stage.node.addEventListener(end, onRelease);
   stage.node.addEventListener("focusin", drawBrackets);
   stage.node.addEventListener("focusout", () => queueMicrotask(drawBrackets));
   document.addEventListener("keydown", onKey);
@@ -303,8 +482,9 @@ function drawTrial(app, display, isPractice) {
     app.showLoading(false);
     if (!open) return;
     picture = ready;
-    stage.put(ready.image);
-    controls = objectButtons(app, stage, ready.map, choose);
+    const shown = view.shown(ready.image);
+    if (!view.worn) stage.put(shown);
+    controls = objectButtons(app, stage, view.turns || view.worn ? { frames: [] } : { frames: view.frames(ready.map) }, choose);
     controls.place();
     update();
     const next = ahead[1];
@@ -318,7 +498,13 @@ function drawTrial(app, display, isPractice) {
       open = false;
       clearTimeout(loadingWords);
       app.showLoading(false);
-      if (frame !== null) cancelAnimationFrame(frame);
+      if (frame !== null && frame !== -1) cancelAnimationFrame(frame);
+      if (worn) {
+        worn.once = worn.moved = worn.selected = null;
+        worn.scene = { panorama: false, words: null };
+        // Pages of words are read without it.
+        if (!["trial", "training"].includes(app.visit.screen.name)) worn.end();
+      }
       document.removeEventListener("keydown", onKey);
       stopWatching();
       app.screen.watchPicture(null);
@@ -332,7 +518,8 @@ export const drawStudyTrial = (app, display) => drawTrial(app, display, false);
 /** The practice picture once more, with corners around the object that was inserted. */
 export function drawFeedback(app, display) {
   const { trial, chosen_index } = app.visit.screen;
-  const stage = makeStage(app, display);
+  const view = viewOf(app, trial);
+  const stage = makeStage(app, display, view.size_px);
   const right = trial.right_index;
   const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
   stage.question.textContent = right > 0 ? app.fill(text, { object: app.phrase(SIDES[right - 1]) }) : "";
@@ -349,13 +536,16 @@ export function drawFeedback(app, display) {
   const layOut = () => {
     stage.layOut();
     stage.bracket([]);
-    if (map && right > 0) stage.bracket([map.frames[right - 1]]);
+    if (map && right > 0) stage.bracket([view.frames(map)[right - 1]].filter((frame) => frame));
   };
   const stopWatching = app.screen.onChange(layOut);
-  app.pictures.ready(trial.picture).then((ready) => {
+  app.pictures.ready(trial.picture).then(async (ready) => {
+    await app.headset?.over;
     map = ready.map;
-    stage.put(ready.image);
-    ready.image.classList.add("visible");
+    const shown = view.shown(ready.image);
+    if (right > 0) view.lookAt(ready.map.frames[right - 1]);
+    stage.put(shown);
+    shown.classList.add("visible");
     layOut();
   }, app.failed);
   app.say(stage.question.textContent);
