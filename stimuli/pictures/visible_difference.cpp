@@ -2,11 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "stimuli/pictures/flip.h"
+#include "stimuli/pictures/panorama_view.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "stimuli/set/set_study.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -31,14 +35,53 @@ ByteImage read_picture(const fs::path& path, const Manifest& manifest) {
   return image;
 }
 
+/// What people see of the pictures of a set: the pictures, or of panoramas the view of the study's (or the
+/// condition's) field towards the object.
+class SeenPictures {
+ public:
+  SeenPictures(const fs::path& folder, const Manifest& manifest) : folder_(folder), manifest_(manifest) {
+    // Most sets have no panoramas: their study is not asked for.
+    if (manifest.width_px != 2 * manifest.height_px) return;
+    if (!fs::exists(study_file_of_set(folder, manifest))) return;
+    study_ = study_of_set(folder, manifest);
+    if (!is_panorama(study_)) return;
+    has_panoramas_ = true;
+    for (const ManifestStimulus& stimulus : manifest.stimuli)
+      if (!poses_deg_.contains(pose_key(stimulus)))
+        poses_deg_[pose_key(stimulus)] = object_pose_deg(
+            read_picture(path_in_set(folder, stimulus.object_ids), manifest), stimulus.stimulus.object_index);
+  }
+
+  [[nodiscard]] ByteImage seen(const std::string& file, const ManifestStimulus& stimulus) const {
+    ByteImage picture = read_picture(path_in_set(folder_, file), manifest_);
+    if (!has_panoramas_) return picture;
+    return panorama_view(picture, *look_of(study_, stimulus.stimulus.condition),
+                         poses_deg_.at(pose_key(stimulus)));
+  }
+  /// What tells one view of a reference from another.
+  [[nodiscard]] std::string reference_key(const ManifestStimulus& stimulus) const {
+    return has_panoramas_ ? pose_key(stimulus) + "/" + stimulus.stimulus.condition : stimulus.reference;
+  }
+
+ private:
+  [[nodiscard]] static std::string pose_key(const ManifestStimulus& stimulus) {
+    return fmt::format("{}/{}", stimulus.reference, stimulus.stimulus.object_index);
+  }
+
+  const fs::path& folder_;
+  const Manifest& manifest_;
+  StudyDefinition study_;
+  bool has_panoramas_ = false;
+  std::map<std::string, std::array<double, 2>> poses_deg_;
+};
+
 /// Every reference of the set, looked at once.
-std::map<std::string, FlipPicture> read_references(const fs::path& folder, const Manifest& manifest,
+std::map<std::string, FlipPicture> read_references(const SeenPictures& pictures, const Manifest& manifest,
                                                    double ppd) {
   std::map<std::string, FlipPicture> references;
   for (const ManifestStimulus& stimulus : manifest.stimuli)
-    if (!references.contains(stimulus.reference))
-      references[stimulus.reference] =
-          flip_picture(read_picture(path_in_set(folder, stimulus.reference), manifest), ppd);
+    if (const std::string key = pictures.reference_key(stimulus); !references.contains(key))
+      references[key] = flip_picture(pictures.seen(stimulus.reference, stimulus), ppd);
   return references;
 }
 
@@ -61,14 +104,15 @@ double above_floor(double pooled, double floor) {
 VisibleDifferences visible_differences(const fs::path& set_folder, const Manifest& manifest,
                                        double pixels_per_degree, const DifferenceFloors& floors,
                                        int threads) {
+  const SeenPictures pictures(set_folder, manifest);
   const std::map<std::string, FlipPicture> references =
-      read_references(set_folder, manifest, pixels_per_degree);
+      read_references(pictures, manifest, pixels_per_degree);
   std::vector<double> pooled(manifest.stimuli.size());
   run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
     const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
-    const ByteImage image = read_picture(path_in_set(set_folder, stimulus.image), manifest);
     const Image flip =
-        flip_difference(references.at(stimulus.reference), flip_picture(image, pixels_per_degree));
+        flip_difference(references.at(pictures.reference_key(stimulus)),
+                        flip_picture(pictures.seen(stimulus.image, stimulus), pixels_per_degree));
     pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, pixels_per_degree);
   });
   VisibleDifferences differences;

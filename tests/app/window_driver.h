@@ -94,6 +94,10 @@ class WindowDriver {
   void click(double x_px, double y_px) const {
     xdotool(fmt::format("mousemove {:.0f} {:.0f} click 1", x_px, y_px));
   }
+  void drag(double from_x_px, double from_y_px, double to_x_px, double to_y_px) const {
+    xdotool(fmt::format("mousemove {:.0f} {:.0f} mousedown 1 mousemove {:.0f} {:.0f} mouseup 1", from_x_px,
+                        from_y_px, to_x_px, to_y_px));
+  }
   /// The middle of a rectangle of the trace.
   void click(const Line& rect) const {
     click(rect[0].get<double>() + rect[2].get<double>() / 2,

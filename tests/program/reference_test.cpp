@@ -44,7 +44,7 @@ std::set<std::string> keys_of_the_reader() {
   const std::regex asked(
       R"re((?:\.|->)(?:has|is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts|table|tables)\(\s*"([a-z0-9_]+)")re"),
       helped(
-          R"re((?:number|one_of<[\w:]+>|read_range|read_layer|read_even_width|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
+          R"re((?:number|one_of<[\w:]+>|read_range|read_layer|read_even_width|read_limits|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
   std::set<std::string> keys;
   for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/study_file")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;

@@ -50,12 +50,18 @@ const std::map<std::string, std::string> hashes = {
     {"tests/online/tiny.toml", "d218906e85c965a5d52d42cefa7db8f36567b9426eed2be5f9b637860399f797"},
 };
 
+/// Of studies that came later.
+const std::map<std::string, std::string> later_hashes = {
+    {"stimuli/look_round.toml", "3dec19ac12893836b66e61e7835341f63e4610747f2fd68e7c5a699d3fe1d0f6"},
+};
+
 StudyDefinition ready_study(const std::string& file) {
   return read_study_text(read_file(fs::path(SEAMLINE_SOURCE_DIR) / file), file);
 }
 
 TEST(ReadyStudies, HaveTheHashesThatTheyHad) {
-  for (const auto& [file, hash] : hashes) EXPECT_EQ(study_hash(ready_study(file)), hash) << file;
+  for (const auto* held : {&hashes, &later_hashes})
+    for (const auto& [file, hash] : *held) EXPECT_EQ(study_hash(ready_study(file)), hash) << file;
 }
 
 /// Of all of their stimuli: id, truth, and what of the depth is not the paper's.
@@ -74,7 +80,8 @@ TEST(ReadyStudies, AreAllHeld) {
   for (const auto& entry : fs::directory_iterator(fs::path(SEAMLINE_SOURCE_DIR) / "stimuli"))
     if (entry.path().extension() == ".toml") {
       ++found;
-      EXPECT_TRUE(hashes.contains("stimuli/" + entry.path().filename().string())) << entry.path();
+      const std::string file = "stimuli/" + entry.path().filename().string();
+      EXPECT_TRUE(hashes.contains(file) || later_hashes.contains(file)) << file;
     }
   EXPECT_GE(found, 20);
 }

@@ -1,0 +1,146 @@
+// Looking round in a browser: the codes of twenty poses of every view beside an independent resampling (panorama_view.py), and
+// a whole visit by mouse, in which the object behind the start is found. Pictures to look at: WORK/shots/look-*.png.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { staticHost } from "./hosts.mjs";
+import { act, actUntil, look, openBrowser } from "./person.mjs";
+
+const work = process.env.SEAMLINE_ONLINE_WORK;
+const shots = join(work, "shots");
+const codes = join(work, "look-codes");
+for (const folder of [shots, codes]) mkdirSync(folder, { recursive: true });
+const folder = join(work, "look-static");
+
+const host = await staticHost(join(work, "look"));
+const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { width: 1100, height: 800 });
+const page = browser.pages()[0];
+page.on("dialog", (dialog) => dialog.accept());
+page.on("pageerror", (error) => console.error(error));
+await page.goto(host.address);
+const shot = async (name) => writeFileSync(join(shots, "look-" + name + ".png"), await page.screenshot());
+
+/** Twenty poses of a trial's panorama, as the graphics draw them, against the resampling of another program. */
+async function comparePoses(trial) {
+  const poses = Array.from({ length: 20 }, (_, i) => ({ yaw_deg: -180 + 18.3 * i, pitch_deg: i === 0 ? 0 : -85 + ((i * 61) % 171) }));
+  poses[1] = { yaw_deg: 0, pitch_deg: 0 };
+  const drawn = await page.evaluate(
+    ([stimulus, poses]) => {
+      const app = globalThis.seamline;
+      const one = app.study.looks[app.study.look_of[stimulus]];
+      const texts = poses.map((pose) => {
+        app.view.draw(one, pose);
+        let text = "";
+        const bytes = app.view.read();
+        for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+        return btoa(text);
+      });
+      return { look: one, texts };
+    },
+    [trial.stimulus_id, poses]
+  );
+  drawn.texts.forEach((text, i) => writeFileSync(join(codes, i + ".rgba"), Buffer.from(text, "base64")));
+  const { view_px, horizontal_fov_deg } = drawn.look;
+  writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, trial.picture), view_px, horizontal_fov_deg, poses }));
+  console.log(execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim());
+}
+
+const middleOf = async () => {
+  const box = await page.locator("canvas.picture").boundingBox();
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+};
+/** How far, in pixels of the view's middle, the middle of an object is from the cross. */
+const wayTo = (picture, object) =>
+  page.evaluate(
+    async ([picture, object]) => {
+      const app = globalThis.seamline;
+      const frame = (await app.pictures.ready(picture)).map.frames[object - 1];
+      const { width, height } = app.view.size();
+      const there = {
+        yaw_deg: ((frame.x_px + frame.width_px / 2) / width - 0.5) * 360,
+        pitch_deg: (0.5 - (frame.y_px + frame.height_px / 2) / height) * 180,
+      };
+      const here = app.looking.pose();
+      const right = ((there.yaw_deg - here.yaw_deg + 540) % 360) - 180;
+      return { x: right / app.looking.degreesPerPixel, y: -(there.pitch_deg - here.pitch_deg) / app.looking.degreesPerPixel };
+    },
+    [picture, object]
+  );
+
+/** Drags until the object with this number is in the middle of what is seen, then clicks it. */
+async function findAndClick(picture, object, name) {
+  const at = await middleOf();
+  for (let i = 0; i < 60; ++i) {
+    const way = await wayTo(picture, object);
+    if (Math.hypot(way.x, way.y) < 3) break;
+    const step = Math.min(1, 200 / Math.hypot(way.x, way.y));
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    await page.mouse.move(at.x - way.x * step, at.y - way.y * step, { steps: 5 });
+    await page.mouse.up();
+  }
+  await shot(name);
+  await page.mouse.click(at.x, at.y);
+}
+
+const asked = () => page.waitForFunction(() => !document.querySelector(".questions")?.hidden && document.querySelector("canvas.visible"));
+const turns = () => page.evaluate(() => globalThis.seamline.looking.turns);
+
+await actUntil(page, ["training"]);
+await asked();
+await shot("practice");
+await comparePoses((await look(page)).trial);
+await page.evaluate(() => globalThis.seamline.looking.turn(0, 0)); // the view of the trial again
+
+// Practice by keys: the arrows turn, Enter takes what is under the cross.
+const practised = (await look(page)).trial;
+for (let i = 0; i < 400 && (await look(page)).phase === "choosing"; ++i) {
+  const way = await wayTo(practised.picture, practised.right_index);
+  const key = Math.abs(way.x) > 12 ? (way.x > 0 ? "ArrowRight" : "ArrowLeft") : Math.abs(way.y) > 12 ? (way.y > 0 ? "ArrowDown" : "ArrowUp") : "Enter";
+  await page.keyboard.press(key);
+}
+assert.equal((await look(page)).phase, "rating");
+await page.keyboard.press("3");
+await page.waitForSelector("#continue");
+await shot("feedback");
+await page.click("#continue");
+
+// The study by mouse: of every picture that turns the creature is chosen, which stands behind the start.
+const CREATURE = 3;
+let found = 0;
+const chosen = new Map(); // by trial
+const isOver = ({ screen }) => ["thanks", "stopped"].includes(screen);
+for (let now = await look(page); !isOver(now); now = await look(page)) {
+  if (now.screen !== "trial") await act(page, now, { mouse: true });
+  else if (now.asks && now.phase === "choosing") {
+    const turning = await turns();
+    if (turning) await findAndClick(now.trial.picture, CREATURE, "turned");
+    else {
+      await shot("still");
+      const box = await page.locator("#object-1").boundingBox();
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    }
+    const after = await look(page);
+    if (after.phase === "rating") chosen.set(now.answered, turning ? CREATURE : 1);
+    if (turning && found++ === 0) await shot("rating");
+  } else if (now.asks && now.phase === "rating") await page.click("#rating-2");
+  await page.waitForTimeout(10);
+}
+const messages = await page.evaluate(() => globalThis.seamline.store.messages());
+const answers = messages.filter(({ kind }) => kind === "answer").map(({ body }) => body);
+const looks = messages.filter(({ kind, body }) => kind === "event" && body.kind === "look").map(({ body }) => body);
+assert.equal(answers.length, 12);
+answers.forEach((answer) => assert.equal(answer.chosen_index, chosen.get(answer.trial_index)));
+for (const answer of answers) {
+  const poses = looks.filter((one) => one.trial_index === answer.trial_index).flatMap(({ detail }) => detail.split(";").map((pose) => pose.split(" ").map(Number)));
+  assert.ok(poses.length > 0 && poses[0][0] === 0 && Math.abs(poses[0][1]) < 0.1, "every trial says where it began");
+  const moving = chosen.get(answer.trial_index) === CREATURE;
+  assert.equal(poses.length > 3, moving, "fixed views do not move, the others do");
+  if (moving) assert.ok(Math.abs(Math.abs(poses.at(-1)[1]) - 177) < 6, "it ends at the creature, behind the start");
+  for (let i = 1; i < poses.length; ++i) assert.ok(poses[i][0] - poses[i - 1][0] >= 32, "at most thirty poses a second");
+}
+console.log("12 trials by mouse: " + found + " times the object behind the start was found and chosen, its poses are in the log");
+writeFileSync(join(work, "look.jsonl"), messages.map((message) => JSON.stringify(message) + "\n").join(""));
+await browser.close();
+await host.stop();
