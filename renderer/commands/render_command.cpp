@@ -18,6 +18,8 @@
 #include "renderer/set/set_errors.h"
 #include "renderer/set/set_work.h"
 #include "renderer/set/true_error_set.h"
+#include "stimuli/definition/clip_frames.h"
+#include "stimuli/set/clip_set.h"
 #include "stimuli/set/level_notes.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
@@ -155,7 +157,7 @@ void run_render(const RenderOptions& options) {
     throw input_error({.field = "study", .wanted = "a study file (or --status SET)", .found = "nothing"});
   const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
   if (options.dry_run) {
-    for (const Stimulus& stimulus : list_stimuli(study))
+    for (const Stimulus& stimulus : list_stimuli(rendered_study(study)))
       if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only))
         fmt::print("{}\n", id);
     return;
@@ -179,10 +181,14 @@ void run_render(const RenderOptions& options) {
   if (options.elements > 0 && options.slurm.empty() && options.parallel.empty())
     throw input_error(
         {.field = "--elements", .wanted = "--slurm DIR or --parallel DIR with it", .found = "neither"});
-  if (!options.slurm.empty() || !options.parallel.empty()) return make_job(options, study, request);
+  if (study.clip && !options.true_error.empty())
+    throw input_error(
+        {.field = "--true-error", .wanted = "a study of stills", .found = "a study with [clip]"});
+  const StudyDefinition rendered = rendered_study(study);
+  if (!options.slurm.empty() || !options.parallel.empty()) return make_job(options, rendered, request);
   if (!options.element.empty())
-    take_element(read_job(options.job), options.job, options.element, study, request);
-  if (options.explain) print_plan(study, request);
+    take_element(read_job(options.job), options.job, options.element, rendered, request);
+  if (options.explain) print_plan(rendered, request);
   if (options.set.empty()) return;
   const RenderSummary summary = render_set(study, request);
   fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", options.set, summary.rendered,
@@ -221,6 +227,7 @@ void run_verify(const std::string& set) {
   const Manifest manifest = read_manifest(set);
   (void)study_of_set(set, manifest);
   check_manifest_pictures(set, manifest);
+  check_clips(set);
   fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
              manifest.references.size());
 }

@@ -51,6 +51,9 @@ std::string_view word(ConvergencePart part) {
 ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest& request) {
   study.width_px = request.width_px.value_or(study.width_px);
   study.height_px = request.height_px.value_or(study.height_px);
+  if (study.clip)
+    throw input_error(
+        {.file = study.file.string(), .field = "clip", .wanted = "a study of stills", .found = "clips"});
   const Stimulus stimulus = the_one_stimulus(study, request.only);
   const Recipe how = recipe(stimulus.artifact, study.isolation);
   if (!how.answers.needs_depth())

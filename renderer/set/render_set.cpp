@@ -6,9 +6,11 @@
 #include "renderer/common/stopwatch.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
+#include "renderer/scene/moving_scenes.h"
 #include "renderer/scene/visible_objects.h"
 #include "renderer/set/contact_sheet.h"
 #include "renderer/set/render_plan.h"
+#include "renderer/set/set_clips.h"
 #include "renderer/set/set_layers.h"
 #include "renderer/set/set_manifest.h"
 #include "renderer/set/set_pictures.h"
@@ -20,7 +22,9 @@
 #include "renderer/set/stimulus_scene.h"
 #include "renderer/set/timings.h"
 #include "renderer/set/view_depth.h"
+#include "stimuli/definition/clip_frames.h"
 #include "stimuli/pictures/difference.h"
+#include "stimuli/set/clip_set.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/assets.h"
@@ -43,8 +47,10 @@ std::string part_name(const RenderRequest& request) {
 /// object, width.
 class SetRenderer {
  public:
-  SetRenderer(const StudyDefinition& study, const RenderRequest& request)
-      : study_(study),
+  /// `shown` is what people see, `study` what is rendered for it (`rendered_study`).
+  SetRenderer(const StudyDefinition& shown, const StudyDefinition& study, const RenderRequest& request)
+      : shown_(shown),
+        study_(study),
         request_(request),
         settings_(render_settings(study, request)),
         hashes_(study, settings_),
@@ -108,10 +114,10 @@ class SetRenderer {
 
   /// Manifest and study file change together, at the end: until then a set stays what it was.
   void write_set() {
-    identity_ = identity_in(request_.set_folder, study_);
+    identity_ = identity_in(request_.set_folder, shown_);
     Manifest written = manifest();
-    copy_carried_files(study_, request_.set_folder);
-    write_study_file(request_.set_folder, study_, identity_);
+    copy_carried_files(shown_, request_.set_folder);
+    write_study_file(request_.set_folder, shown_, identity_);
     write_manifest(request_.set_folder, written);
     // Another shard may have finished meanwhile: the last to look lists everything.
     for (Manifest now = manifest(); now.stimuli.size() != written.stimuli.size(); now = manifest()) {
@@ -147,7 +153,8 @@ class SetRenderer {
     if (request_.part != JobPart::truth && !work_.is_pending(definition.truth) &&
         records_.finished_reference(definition.truth, hashes_.of_reference(definition.truth)))
       return;
-    TruthScene scene = load_truth_scene(definition, study_.width_px, study_.height_px);
+    TruthScene scene = shown_.clip ? moving_.load(definition)
+                                   : load_truth_scene(definition, study_.width_px, study_.height_px);
     require_visible_objects(study_, scene);
     require_mirrors(study_, scene);
     lights_.emplace(definition.truth, light_facts(scene));
@@ -206,10 +213,12 @@ class SetRenderer {
   }
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
-    std::map<DepthSettings, std::vector<PendingStimulus>> by_mesh;
+    std::map<std::pair<std::string, DepthSettings>, std::vector<PendingStimulus>> by_mesh;
     for (const PendingStimulus& work : work_.pending)
-      if (truth_of(work.stimulus) == scene.definition.truth && work.stimulus.object_index == object_index)
-        by_mesh[work.stimulus.depth].push_back(work);
+      if (truth_of(work.stimulus) == scene.definition.truth && work.stimulus.object_index == object_index) {
+        const std::optional<SceneDefinition> captured = captured_scene(study_, work.stimulus);
+        by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
+      }
     if (by_mesh.empty()) return;
     const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
@@ -219,8 +228,15 @@ class SetRenderer {
     estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
-    for (const auto& [depth, works] : by_mesh) render_mesh(scene, estimator, depth, works);
+    for (const auto& [mesh, works] : by_mesh) render_mesh(scene, estimator, mesh.second, works);
     give_back_freed_memory();
+  }
+
+  /// What the depth camera saw, where that was not what is there now.
+  [[nodiscard]] std::optional<Geometry> captured_geometry(const Stimulus& stimulus) {
+    const std::optional<SceneDefinition> captured = captured_scene(study_, stimulus);
+    if (!captured) return std::nullopt;
+    return moving_.load(*captured).geometry_without(stimulus.object_index);
   }
 
   /// All stimuli of one depth map share its mesh.
@@ -235,7 +251,11 @@ class SetRenderer {
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
     const Answers asked = asked_of_depth(study_, scene.definition);
-    if (needed) depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_));
+    const std::optional<Geometry> captured =
+        needed ? captured_geometry(works.front().stimulus) : std::nullopt;
+    if (needed)
+      depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
+                                   captured ? &*captured : nullptr));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              settings.width_px),
@@ -283,9 +303,14 @@ class SetRenderer {
   }
 
   [[nodiscard]] Manifest manifest() {
-    return set_manifest({study_, settings_, hashes_, records_, identity_}, lights_);
+    Manifest of_pictures = set_manifest({study_, settings_, hashes_, records_, identity_}, lights_);
+    if (shown_.clip) return assemble_clips(shown_, request_.set_folder, of_pictures);
+    std::error_code error;
+    fs::remove(request_.set_folder / clip_set_file, error);  // the study may have had clips before
+    return of_pictures;
   }
 
+  const StudyDefinition& shown_;
   const StudyDefinition& study_;
   const std::vector<SceneDefinition> truths_ = list_truths(study_);
   const RenderRequest& request_;
@@ -298,6 +323,7 @@ class SetRenderer {
   SetWork work_;
   const WorkWeights weights_ = work_weights(settings_.estimator);
   std::size_t earlier_stimuli_ = 0;
+  MovingScenes moving_{study_.width_px, study_.height_px};  ///< of clips
   std::map<std::string, TruthScene> scenes_;
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
   SetTruths truths_of_others_{request_.set_folder};
@@ -326,7 +352,13 @@ RenderSettings render_settings(const StudyDefinition& study, const RenderRequest
 }
 
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
-  const RenderSummary summary = SetRenderer(study, request).run();
+  if (study.clip && request.error)
+    throw input_error({.field = "--error",
+                       .wanted = "a number of samples (--spp) for a study of clips: frames whose samples are "
+                                 "decided one by one flicker",
+                       .found = fmt::format("{}", *request.error)});
+  const StudyDefinition rendered = rendered_study(study);
+  const RenderSummary summary = SetRenderer(study, rendered, request).run();
   if (request.contact_sheet) write_contact_sheets(request.set_folder);
   return summary;
 }

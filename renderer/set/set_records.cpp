@@ -8,6 +8,7 @@
 #include "renderer/scene/gltf/gltf_load.h"
 #include "renderer/scene/gltf/gltf_uri.h"
 #include "renderer/tracing/ray_device.h"
+#include "stimuli/definition/clip_frames.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
@@ -121,6 +122,8 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
           if (!depth_files_.contains(file->path))
             depth_files_.emplace(file->path, sha256_of_file(file->path));
     settings_.insert(isolation_and_mesh(stimulus));
+    if (const auto captured = captured_scene(study, stimulus))
+      captured_[stimulus_id(stimulus)] = " depth of " + canonical_text(*captured);
   }
 }
 
@@ -139,8 +142,11 @@ std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
 }
 
 std::string InputHashes::of_stimulus(const Stimulus& stimulus) const {
-  return sha256(fmt::format("{} {} {} {}", common_, isolation_and_mesh(stimulus), stimulus_id(stimulus),
-                            truths_.at(truth_of(stimulus))));
+  const std::string id = stimulus_id(stimulus);
+  const auto captured = captured_.find(id);
+  return sha256(fmt::format("{} {} {} {}{}", common_, isolation_and_mesh(stimulus), id,
+                            truths_.at(truth_of(stimulus)),
+                            captured == captured_.end() ? std::string() : captured->second));
 }
 
 std::string InputHashes::of_reference(const std::string& truth) const {

@@ -37,6 +37,7 @@ class InputHashes {
   std::set<std::string> settings_;                            ///< isolations and meshes of the study
   std::map<std::string, std::string> truths_;                 ///< scenes and their files, by truth
   std::map<std::filesystem::path, std::string> depth_files_;  ///< hashes of depth maps that lie in files
+  std::map<std::string, std::string> captured_;  ///< scenes that late depth is of, by stimulus id
 };
 
 /// Finished pieces of a set, one small file each in `SET/records/`: what lets an interrupted job continue.

@@ -39,8 +39,9 @@ void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const De
 }  // namespace
 
 LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimator,
-                          const DepthSettings& settings, bool traces_rays, int threads) {
-  const Geometry& truth = estimator.geometry().truth;
+                          const DepthSettings& settings, bool traces_rays, int threads,
+                          const Geometry* captured) {
+  const Geometry& truth = captured != nullptr ? *captured : estimator.geometry().truth;
   Image photograph;
   if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
   LocalScene local =

@@ -10,6 +10,7 @@
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/estimators/rig_photograph.h"
 #include "renderer/scene/truth_scene.h"
+#include "stimuli/set/clip_set.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
@@ -38,6 +39,7 @@ Image photograph(const Geometry& scene, const Light& light, const Camera& camera
 
 /// The study, whose scene files are needed again.
 StudyDefinition study_of(const X3dRequest& request, const Manifest& manifest) {
+  refuse_clips(request.source, "X3D");
   (void)study_of_set(request.source, manifest);  // the hash is the manifest's
   return read_study(study_file_of_set(request.source, manifest), AssetCheck::must_exist, request.asset_root);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "stimuli/definition/at_level.h"
+#include "stimuli/definition/clip_frames.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -48,6 +49,8 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
       if (level == 0) depth.mesh = MeshDensity::full;
       break;
     case Quantity::sun_radius_deg:
+    case Quantity::object_speed_m_s:
+    case Quantity::depth_frames_per_s:  // of a clip's clock
       break;
     case Quantity::shadow_map_px:
     case Quantity::shadow_bias_texels:
@@ -67,9 +70,21 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
   return depth;
 }
 
-SceneDefinition scene_at(SceneDefinition scene, Quantity quantity, double level) {
-  if (quantity == Quantity::sun_radius_deg) scene.sun_radius_deg = level;
-  return scene;
+SceneDefinition scene_of_level(const StudyDefinition& study, const std::string& condition,
+                               SceneDefinition scene, double level) {
+  if (study.level.quantity == Quantity::sun_radius_deg) scene.sun_radius_deg = level;
+  return is_of_frames(study) ? scene_of_frame(study, condition, std::move(scene), level) : scene;
+}
+
+/// Clips whose objects move at different speeds have different truths, though they begin alike.
+std::string motion_of_level(const StudyDefinition& study, double level) {
+  const bool differs = study.level.quantity == Quantity::object_speed_m_s && !is_of_frames(study);
+  return differs ? fmt::format("speed {}", level) : std::string();
+}
+
+/// `-soft` of a condition; a frame's number stands without a dash.
+std::string condition_in_name(const std::string& condition) {
+  return condition.starts_with('@') ? condition : "-" + condition;
 }
 
 /// The truths of one scene of a study: what each condition and level is compared with, each once.
@@ -81,19 +96,21 @@ class TruthsOfScene {
     const std::size_t levels = facts(quantity_).changes_truth ? levels_.size() : 1;
     for (const ConditionDefinition& condition : conditions)
       for (std::size_t level = 0; level < levels; ++level) {
-        SceneDefinition truth = scene_at(condition.scenes.at(scene), quantity_, levels_.at(level));
+        SceneDefinition truth =
+            scene_of_level(study, condition.name, condition.scenes.at(scene), levels_.at(level));
         truth.truth.clear();
-        const std::string meaning = canonical_text(truth);
+        const std::string meaning = canonical_text(truth) + motion_of_level(study, levels_.at(level));
         auto [found, added] = names_.emplace(meaning, std::string());
         if (added) {
           found->second = name_of(truth.name, condition.name, level, conditions.size() > 1, levels > 1);
           scenes_.push_back(truth);
+          meanings_.push_back(meaning);
         }
         by_place_[{condition.name, level}] = meaning;
       }
     // One light for everything: the scene's name alone, as in studies without conditions.
     if (scenes_.size() == 1) names_.begin()->second = scenes_.front().name;
-    for (SceneDefinition& truth : scenes_) truth.truth = names_.at(canonical_text(truth));
+    for (std::size_t i = 0; i < scenes_.size(); ++i) scenes_[i].truth = names_.at(meanings_[i]);
   }
 
   [[nodiscard]] const std::vector<SceneDefinition>& scenes() const { return scenes_; }
@@ -105,7 +122,7 @@ class TruthsOfScene {
   [[nodiscard]] std::string name_of(const std::string& scene, const std::string& condition, std::size_t level,
                                     bool many_conditions, bool many_levels) const {
     std::string name = scene;
-    if (many_conditions) name += "-" + condition;
+    if (many_conditions) name += condition_in_name(condition);
     if (many_levels) name += "-" + level_in_id(quantity_, levels_[level]);
     return name;
   }
@@ -113,6 +130,7 @@ class TruthsOfScene {
   Quantity quantity_;
   const std::vector<double>& levels_;
   std::vector<SceneDefinition> scenes_;
+  std::vector<std::string> meanings_;                                    ///< of each scene
   std::map<std::string, std::string> names_;                             ///< by meaning
   std::map<std::pair<std::string, std::size_t>, std::string> by_place_;  ///< meaning of a condition and level
 };
@@ -121,7 +139,7 @@ class TruthsOfScene {
 
 std::string stimulus_id(const Stimulus& stimulus) {
   std::string id = fmt::format("{}-{}-{}", stimulus.scene, word(stimulus.artifact), stimulus.object);
-  if (!stimulus.condition.empty()) id += "-" + stimulus.condition;
+  if (!stimulus.condition.empty()) id += condition_in_name(stimulus.condition);
   id += "-" + level_in_id(stimulus.quantity, stimulus.level);
   if (stimulus.depth.yaw_texels == 0) return id;
   std::string yaw = fmt::format("{}", stimulus.depth.yaw_texels);
@@ -129,7 +147,7 @@ std::string stimulus_id(const Stimulus& stimulus) {
   return id + "-yaw" + yaw;
 }
 
-std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {
+std::vector<Stimulus> list_every_stimulus(const StudyDefinition& study) {
   const std::vector<ConditionDefinition> conditions = list_conditions(study);
   std::vector<Stimulus> stimuli;
   for (std::size_t s = 0; s < study.scenes.size(); ++s) {
@@ -152,6 +170,11 @@ std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {
                  .truth = truths.name(condition.name, level)});
   }
   return stimuli;
+}
+
+std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {
+  std::vector<Stimulus> stimuli = list_every_stimulus(study);
+  return is_of_frames(study) ? without_twins(study, std::move(stimuli)) : stimuli;
 }
 
 std::vector<SceneDefinition> list_truths(const StudyDefinition& study) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "stimuli/definition/views/look_definition.h"
+#include "stimuli/definition/moving/clip_definition.h"
 #include "support/files/hash.h"
 
 namespace seamline::inline stimuli {
@@ -76,6 +77,7 @@ std::string varied_text(const StudyDefinition& study) {
                        study.observer.people_sd_linear);
   if (study.level.noticeability != facts(study.level.quantity).noticeability)
     out += fmt::format("level {}\n", noticeability_word(study.level.noticeability));
+  if (study.clip) out += canonical_text(*study.clip);
   out += chain_line(study.depth);
   if (study.look) out += "look " + canonical_text(*study.look) + "\n";
   for (const ConditionDefinition& condition : study.conditions) {

@@ -4,11 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/pictures/flip.h"
 #include "stimuli/pictures/panorama_view.h"
+#include "stimuli/set/clip_file.h"
+#include "stimuli/set/clip_set.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
 #include "support/running/parallel.h"
@@ -85,6 +88,53 @@ std::map<std::string, FlipPicture> read_references(const SeenPictures& pictures,
   return references;
 }
 
+/// The clips of a set by name, each one's file.
+std::map<std::string, fs::path> clip_paths(const fs::path& folder, const std::vector<ClipRecord>& records) {
+  std::map<std::string, fs::path> paths;
+  for (const ClipRecord& one : records) paths[one.name] = path_in_set(folder, one.file);
+  return paths;
+}
+
+/// Pooled over a clip's frames as over places, of which each second has as many whatever its frames:
+/// (mean of F^p)^(1/p).
+double pooled_over_frames(const fs::path& shown, const fs::path& reference, double ppd) {
+  ClipReader frames(shown), references(reference);
+  double sum = 0;
+  for (int frame = 0; frame < frames.frames(); ++frame) {
+    const Image flip =
+        flip_difference(flip_picture(references.decode(), ppd), flip_picture(frames.decode(), ppd));
+    sum += std::pow(pooled_difference(flip, ppd), pooling_exponent);
+  }
+  return std::pow(sum / frames.frames(), 1 / pooling_exponent);
+}
+
+std::vector<double> pooled_of_clips(const fs::path& folder, const Manifest& manifest, const ClipSet& clips,
+                                    double ppd, int threads) {
+  const std::map<std::string, fs::path> shown = clip_paths(folder, clips.stimuli),
+                                        references = clip_paths(folder, clips.references);
+  std::vector<double> pooled(manifest.stimuli.size());
+  run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
+    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
+    pooled[static_cast<std::size_t>(index)] =
+        pooled_over_frames(shown.at(stimulus.id), references.at(truth_of(stimulus.stimulus)), ppd);
+  });
+  return pooled;
+}
+
+std::vector<double> pooled_of_stills(const fs::path& folder, const Manifest& manifest, double ppd,
+                                     int threads) {
+  const SeenPictures pictures(folder, manifest);
+  const std::map<std::string, FlipPicture> references = read_references(pictures, manifest, ppd);
+  std::vector<double> pooled(manifest.stimuli.size());
+  run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
+    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
+    const Image flip = flip_difference(references.at(pictures.reference_key(stimulus)),
+                                       flip_picture(pictures.seen(stimulus.image, stimulus), ppd));
+    pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, ppd);
+  });
+  return pooled;
+}
+
 }  // namespace
 
 double pooled_difference(const Image& flip, double pixels_per_degree) {
@@ -104,17 +154,10 @@ double above_floor(double pooled, double floor) {
 VisibleDifferences visible_differences(const fs::path& set_folder, const Manifest& manifest,
                                        double pixels_per_degree, const DifferenceFloors& floors,
                                        int threads) {
-  const SeenPictures pictures(set_folder, manifest);
-  const std::map<std::string, FlipPicture> references =
-      read_references(pictures, manifest, pixels_per_degree);
-  std::vector<double> pooled(manifest.stimuli.size());
-  run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
-    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
-    const Image flip =
-        flip_difference(references.at(pictures.reference_key(stimulus)),
-                        flip_picture(pictures.seen(stimulus.image, stimulus), pixels_per_degree));
-    pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, pixels_per_degree);
-  });
+  const std::optional<ClipSet> clips = read_clip_set(set_folder);
+  const std::vector<double> pooled =
+      clips ? pooled_of_clips(set_folder, manifest, *clips, pixels_per_degree, threads)
+            : pooled_of_stills(set_folder, manifest, pixels_per_degree, threads);
   VisibleDifferences differences;
   for (std::size_t i = 0; i < pooled.size(); ++i) differences[manifest.stimuli[i].id].pooled = pooled[i];
   DifferenceFloors known = difference_floors(manifest, differences);

@@ -31,7 +31,8 @@ using VisibleDifferences = std::map<std::string, VisibleDifference>;
 /// Pooled FLIP of `none` stimuli, by truth and object: rendering noise, which is not a seam.
 using DifferenceFloors = std::map<std::string, double>;
 
-/// The visible difference of every stimulus of a set from its reference. `floors` are used as well as the
+/// The visible difference of every stimulus of a set from its reference; of clips, pooled over their frames
+/// too, (mean of F^p over frames)^(1/p), which nobody has tested on people. `floors` are used as well as the
 /// `none` stimuli of the set itself, which come first; where there are neither the floor is 0. The same for
 /// any number of threads (0: as many as the machine has). Throws InputError when a picture is missing or has
 /// another size than its reference.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "stimuli/set/clip_set.h"
 #include "stimuli/set/json_fields.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
@@ -94,7 +95,7 @@ Artifact read_artifact(const JsonFields& fields) {
 /// A scene or an object, as study files name them: it stands in logs, reports and figures.
 std::string read_name(const JsonFields& fields, const char* key, bool may_be_empty = false) {
   const auto name = fields.get<std::string>(key);
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_@";
   if ((name.empty() && !may_be_empty) || name.find_first_not_of(letters) != std::string::npos)
     throw fields.complaint(key, "lower-case letters, digits and _", "another name");
   return name;
@@ -110,7 +111,7 @@ int read_depth_width(const JsonFields& condition) {
 /// A scene's name, and what condition and level add to it; part of file names.
 std::string read_truth(const JsonFields& fields, const char* key) {
   const auto truth = fields.get<std::string>(key);
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_-";
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_-@";
   if (truth.empty() || truth.size() > 200 || truth.find_first_not_of(letters) != std::string::npos)
     throw fields.complaint(key, "lower-case letters, digits, dashes and _", "another name");
   return truth;
@@ -157,7 +158,7 @@ Stimulus read_stimulus(const JsonFields& fields) {
 /// It becomes part of file names.
 std::string read_id(const JsonFields& fields) {
   const auto id = fields.get<std::string>("id");
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-@";
   if (id.empty() || id.size() > 200 || id.front() == '.' ||
       id.find_first_not_of(letters) != std::string::npos)
     throw fields.complaint("id", "letters, digits, dots, dashes and underscores", "\"" + id + "\"");
@@ -233,11 +234,20 @@ void check_version(const JsonFields& fields) {
   if (format != manifest_format)
     throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
   const int version = fields.get<int>("version");
-  if (version != manifest_version && version != manifest_version_with_conditions)
+  if (version != manifest_version && version != manifest_version_with_conditions &&
+      version != manifest_version_with_clips)
     throw fields.complaint(
         "version",
         "version " + std::to_string(manifest_version) + " (render the set again with this program)",
         std::to_string(version));
+}
+
+/// The list of clips is a part of the manifest in a file of its own.
+void check_clip_list(const JsonFields& clips, const std::filesystem::path& set_folder) {
+  std::error_code error;
+  const std::filesystem::path path = set_folder / clip_set_file;
+  if (!std::filesystem::exists(path, error) || sha256_of_file(path) != clips.get<std::string>("sha256"))
+    throw clips.complaint("file", std::string(clip_set_file) + " as it was rendered", "none, or another one");
 }
 
 std::filesystem::path manifest_path(const std::filesystem::path& set_folder) {
@@ -254,6 +264,7 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
   const Json json = parse(read_file(path), path.string());
   const JsonFields fields(json, path.string(), "");
   check_version(fields);
+  if (fields.has("clips")) check_clip_list(fields.object("clips"), set_folder);
   Manifest manifest;
   const JsonFields study = fields.object("study");
   manifest.study_name = study.get<std::string>("name");
@@ -292,6 +303,11 @@ void write_manifest(const std::filesystem::path& set_folder, const Manifest& man
   const bool varied = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
                                   [](const ManifestStimulus& one) { return is_varied(one.stimulus); });
   json["version"] = varied ? manifest_version_with_conditions : manifest_version;
+  std::error_code error;
+  if (std::filesystem::exists(set_folder / clip_set_file, error)) {
+    json["version"] = manifest_version_with_clips;
+    json["clips"] = {{"file", clip_set_file}, {"sha256", sha256_of_file(set_folder / clip_set_file)}};
+  }
   json["study"] = {
       {"name", manifest.study_name}, {"sha256", manifest.study_hash}, {"file", manifest.study_file}};
   json["program"] = {{"version", manifest.program_version}, {"instruction_set", manifest.instruction_set}};

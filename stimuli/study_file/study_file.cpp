@@ -7,6 +7,7 @@
 
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/parts/study_file_look.h"
+#include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -70,6 +71,8 @@ std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
     case Quantity::light_count:
     case Quantity::field_bands:
     case Quantity::field_shells:
+    case Quantity::object_speed_m_s:
+    case Quantity::depth_frames_per_s:
       return midpoint;  // nobody knows
   }
   return midpoint;
@@ -176,23 +179,27 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
   study.seed = static_cast<std::uint64_t>(table.long_integer("seed", 1, {0, most_seed}));
   study.level = read_level(table);
-  study.depth = read_depth(table, study.level, study.seed);
+  std::shared_ptr<ClipDefinition> clip;
+  if (const auto given = table.table("clip")) clip = std::make_shared<ClipDefinition>(read_clip(*given));
+  study.depth = read_depth(table, study.level, study.seed, clip ? &clip->clocks[""] : nullptr);
   if (const auto session = table.table("session")) study.session = read_session(*session);
   study.procedure = read_procedure(table, study.level);
   if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
   read_people(table, study);
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
-    study.scenes.push_back(read_scene(scene, folders, assets));
+    study.scenes.push_back(read_scene(scene, folders, assets, study.level.quantity, clip.get()));
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }
   study.look = read_look(table, nullptr);
   const View view = read_view(table, {}, false);
   for (SceneDefinition& scene : study.scenes) scene.view = view;
-  study.conditions = read_conditions(table, study, folders, assets);
+  study.conditions = read_conditions(table, study, folders, assets, clip.get());
+  study.clip = clip;
   if (study.conditions.empty())
-    require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level);
+    require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level,
+                           study.clip != nullptr);
   if (assets == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
   check_mesh_albedo_is_seen(table, study);
@@ -200,6 +207,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_pipelines_are_seen(table, study);
   check_views(table, study);
   check_looks(table, study);
+  check_clip(table, study);
   if (const auto analysis = table.table("analysis")) static_cast<void>(read_analysis(*analysis));
   const auto observer = table.table("observer");
   study.observer =

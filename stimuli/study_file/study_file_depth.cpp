@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <string_view>
 
 #include "stimuli/settings/depth_settings.h"
 #include "stimuli/settings/read_settings.h"
+#include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/study_file/study_file_depth_source.h"
 
 namespace seamline::inline stimuli {
@@ -55,9 +57,19 @@ void require_pixels_to_test(const TomlTable& table, const DepthChain& chain, con
       fmt::format("\"{}\" with a sensor elsewhere and no registration", word(chain.occlusion)));
 }
 
+/// Of clips the age of the depth is the clock's, and its camera stands still.
+void move_to_clock(const TomlTable& table, DepthChain& chain, DepthClock& clock) {
+  if (table.has("velocity_m_s"))
+    throw table.complaint("velocity_m_s", "nothing in a study with [clip]: its camera stands still",
+                          "a speed of the rig");
+  clock.frames_per_s = table.number("frames_per_s", clock.frames_per_s, {0, 1000, "frames per second"});
+  if (table.has("delay_ms")) clock.delay_ms = chain.delay_ms;
+  chain.delay_ms = 0;
+}
+
 /// What a panorama from the photograph's own position cannot have is refused where it is said, and left out
 /// where it is only inherited.
-void keep_panorama_links(const TomlTable& table, DepthChain& chain) {
+void keep_panorama_links(const TomlTable& table, bool is_clip, DepthChain& chain) {
   const DepthChain usual;
   const auto left_out = [&](const char* key, const char* wanted) {
     if (table.has(key)) throw table.complaint(key, wanted, "source = \"panorama\"");
@@ -79,7 +91,8 @@ void keep_panorama_links(const TomlTable& table, DepthChain& chain) {
     chain.repair = usual.repair;
   }
   for (const char* key : {"calibration_error_deg", "calibration_error_m", "delay_ms", "velocity_m_s"})
-    left_out(key, "a pinhole or a file, which has a pose");
+    if (!is_clip || key != std::string_view("delay_ms"))
+      left_out(key, "a pinhole or a file, which has a pose");
   chain.calibration_error_deg = chain.calibration_error_m = chain.delay_ms = 0;
   chain.velocity_m_s = usual.velocity_m_s;
 }
@@ -98,6 +111,9 @@ void refuse_idle(const TomlTable& table, const DepthChain& chain, const LevelDef
 
 /// Of the table `depth`, or of one source.
 void refuse_levels(const TomlTable& table, Quantity level) {
+  if (level == Quantity::depth_frames_per_s && table.has("frames_per_s"))
+    throw table.complaint("frames_per_s", "nothing, because depth_frames_per_s is the level",
+                          "a setting of its own");
   refuse_level<DepthChain>(table, level);
   refuse_level<sensors::PinholeCamera>(table, level);
   if (!table.has("noise") || table.is_text("noise")) return;
@@ -109,7 +125,8 @@ void refuse_levels(const TomlTable& table, Quantity level) {
 }  // namespace
 
 std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std::optional<DepthChain>& usual,
-                                           const LevelDefinition& level, std::uint64_t seed) {
+                                           const LevelDefinition& level, std::uint64_t seed,
+                                           DepthClock* clock) {
   const std::optional<TomlTable> table = settings.table("depth");
   if (!table) return usual;
   DepthChain chain = usual.value_or(DepthChain{});
@@ -120,16 +137,18 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
   read_repair(*table, chain);
   read_settings(*table, chain);
   read_buffer(*table, chain);
+  if (clock != nullptr) move_to_clock(*table, chain, *clock);
   require_something_to_repair(*table, chain);
   chain.seed = seed;
-  if (is_panorama(chain)) keep_panorama_links(*table, chain);
+  if (is_panorama(chain)) keep_panorama_links(*table, clock != nullptr, chain);
   refuse_idle(*table, chain, level);
   require_pixels_to_test(*table, chain, level);
   table->finish();
   // What is the level needs what `meaningful` drops beside a delay or an error of 0.
   const std::array<double, 3> velocity_m_s = chain.velocity_m_s;
   std::optional<DepthChain> kept = meaningful(std::move(chain));
-  if (kept && level.quantity == Quantity::depth_delay_ms) kept->velocity_m_s = velocity_m_s;
+  if (kept && level.quantity == Quantity::depth_delay_ms && clock == nullptr)
+    kept->velocity_m_s = velocity_m_s;
   if (kept &&
       (level.quantity == Quantity::calibration_error_deg || level.quantity == Quantity::calibration_error_m))
     kept->seed = seed;
@@ -137,7 +156,7 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
 }
 
 void require_level_in_chain(const TomlTable& settings, const std::optional<DepthChain>& chain, int width_px,
-                            const LevelDefinition& level) {
+                            const LevelDefinition& level, bool is_clip) {
   const auto wanted = [&](const std::string& what, const std::string& found) {
     return settings.complaint(
         "depth", fmt::format("{}, because {} is the level", what, facts(level.quantity).key), found);
@@ -170,6 +189,7 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
       if (!sensor) throw wanted("a pinhole or a file, which has a pose", "a panorama");
       break;
     case Quantity::depth_delay_ms:
+      if (is_clip) break;
       if (!sensor || chain->velocity_m_s == std::array<double, 3>{0, 0, 0})
         throw wanted("a pinhole or a file with velocity_m_s", sensor ? "a rig at rest" : "a panorama");
       break;
@@ -183,6 +203,8 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
     case Quantity::light_count:
     case Quantity::field_bands:
     case Quantity::field_shells:
+    case Quantity::object_speed_m_s:
+    case Quantity::depth_frames_per_s:
       break;
   }
   if (!chain || sensor) return;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "stimuli/study_file/parts/study_file_look.h"
+#include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -70,6 +71,8 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
     case Quantity::shadow_bias_texels:
     case Quantity::field_bands:
     case Quantity::field_shells:
+    case Quantity::object_speed_m_s:
+    case Quantity::depth_frames_per_s:
       break;
   }
 }
@@ -138,6 +141,8 @@ void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
     case Quantity::light_count:
     case Quantity::field_bands:
     case Quantity::field_shells:
+    case Quantity::object_speed_m_s:  // these of paths, and of the table `depth`
+    case Quantity::depth_frames_per_s:
       return;
   }
 }
@@ -198,19 +203,20 @@ std::string meaning(const ConditionDefinition& condition) {
 }
 
 ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study,
-                                   const AssetFolders& folders, AssetCheck assets) {
+                                   const AssetFolders& folders, AssetCheck assets, DepthClock* clock) {
   ConditionDefinition condition{.name = read_condition_name(table),
                                 .isolation = read_isolation(table, study.isolation),
                                 .depth = study.depth,
                                 .scenes = study.scenes};
   condition.look = read_look(table, study.look);
   refuse_level_keys(table, study.level);
-  condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed);
+  condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed, clock);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))
     throw table.complaint("depth_width_px", "the width of the condition's panorama", "nothing");
   read_depth_keys(table, study.level, condition.depth);
   require_level_in_chain(table, condition.depth.chain,
-                         width_is_level(study.level.quantity) ? 0 : condition.depth.width_px, study.level);
+                         width_is_level(study.level.quantity) ? 0 : condition.depth.width_px, study.level,
+                         clock != nullptr);
   if (condition.depth.mesh == MeshDensity::full && table.has("mesh_tolerance"))
     throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
                           "mesh = \"full\"");
@@ -250,9 +256,10 @@ Isolation read_isolation(const TomlTable& table, Isolation fallback) {
   return *isolation;
 }
 
-DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, std::uint64_t seed) {
+DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, std::uint64_t seed,
+                         DepthClock* clock) {
   DepthSettings depth;
-  depth.chain = read_depth_chain(study, std::nullopt, level, seed);
+  depth.chain = read_depth_chain(study, std::nullopt, level, seed, clock);
   if (!has_sensor(depth) && !width_is_level(level.quantity) && !study.has("depth_width_px"))
     throw study.complaint(
         "depth_width_px",
@@ -263,16 +270,20 @@ DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, s
 }
 
 std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const StudyDefinition& study,
-                                                 const AssetFolders& folders, AssetCheck assets) {
+                                                 const AssetFolders& folders, AssetCheck assets,
+                                                 ClipDefinition* clip) {
   std::vector<ConditionDefinition> conditions;
   std::map<std::string, std::string> names;  // by meaning
   std::set<std::string> used;
   for (const TomlTable& one : table.tables("condition")) {
-    conditions.push_back(read_condition(one, study, folders, assets));
+    DepthClock clock = clip != nullptr ? clip->clocks.at("") : DepthClock{};
+    conditions.push_back(read_condition(one, study, folders, assets, clip != nullptr ? &clock : nullptr));
     const ConditionDefinition& condition = conditions.back();
     if (!used.insert(condition.name).second)
       throw one.complaint("name", "a name that no other condition has", "\"" + condition.name + "\"");
-    const auto [twin, added] = names.emplace(meaning(condition), condition.name);
+    const std::string of_clock = fmt::format("depth clock {} {}", clock.frames_per_s, clock.delay_ms);
+    if (clip != nullptr) clip->clocks[condition.name] = clock;
+    const auto [twin, added] = names.emplace(meaning(condition) + of_clock, condition.name);
     if (!added)
       throw one.complaint("name", "settings that no other condition has",
                           "those of \"" + twin->second + "\" under the name \"" + condition.name + "\"");

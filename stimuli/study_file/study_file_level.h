@@ -6,6 +6,8 @@
 
 namespace seamline::inline stimuli {
 
+struct DepthClock;
+
 /// What the study's curves run over: `[level]`, or `depth_width_px = [...]` as the short form of the
 /// commonest one.
 [[nodiscard]] LevelDefinition read_level(const TomlTable& study);
@@ -13,16 +15,17 @@ namespace seamline::inline stimuli {
 /// `isolation`, where the table has it.
 [[nodiscard]] Isolation read_isolation(const TomlTable& table, Isolation fallback);
 
-/// The depth settings of the study itself, besides what is the level; `seed` is that of the noise.
+/// The depth settings of the study itself, besides what is the level; `seed` is that of the noise, `clock`
+/// is null of stills.
 [[nodiscard]] DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level,
-                                       std::uint64_t seed);
+                                       std::uint64_t seed, DepthClock* clock);
 
 /// Every `[[condition]]`, over the study's own settings and scenes, which must have been read. Throws
 /// InputError where a condition sets what is the level, sets what another of its settings makes void, or is
-/// another one under a second name.
+/// another one under a second name. `clip` is null of stills; of clips it gets each condition's clock.
 [[nodiscard]] std::vector<ConditionDefinition> read_conditions(const TomlTable& table,
                                                                const StudyDefinition& study,
-                                                               const AssetFolders& folders,
-                                                               AssetCheck assets);
+                                                               const AssetFolders& folders, AssetCheck assets,
+                                                               ClipDefinition* clip);
 
 }  // namespace seamline::inline stimuli

@@ -1,5 +1,5 @@
 #pragma once
-#include "stimuli/definition/parameter_range.h"
+#include "stimuli/definition/methods/parameter_range.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {

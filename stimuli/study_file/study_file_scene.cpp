@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "support/text/limits.h"
 
@@ -38,6 +39,7 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   object.scale = table.number("scale", 1.0, {1e-9, unlimited});
   object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
   object.rest = table.boolean("rest", false);
+  static_cast<void>(table.has("path"));  // read by `read_path`
   table.finish();
   object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
@@ -49,6 +51,16 @@ bool read_projection(const TomlTable& table) {
   if (text != "perspective" && text != "panorama")
     throw table.complaint("projection", "\"perspective\" or \"panorama\"", "\"" + text + "\"");
   return text == "panorama";
+}
+
+void read_path(const TomlTable& table, const ObjectDefinition& object, const std::string& scene,
+               Quantity level, ClipDefinition* clip) {
+  if (!table.has("path")) return;
+  if (clip == nullptr)
+    throw table.complaint("path", "a table [clip] in the study beside it: objects of stills stand still",
+                          "none");
+  clip->motions.emplace(std::pair(scene, object.name),
+                        read_motion(*table.table("path"), object.position_m, level));
 }
 
 CameraDefinition read_camera(const TomlTable& table) {
@@ -89,7 +101,8 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 
 }  // namespace
 
-SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
+SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets,
+                           Quantity level, ClipDefinition* clip) {
   SceneDefinition scene;
   scene.name = read_name(table);
   scene.file = table.text("file");
@@ -108,6 +121,7 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
     if (!names.insert(scene.objects.back().name).second)
       throw object.complaint("name", "a name that no other object of the scene has",
                              "\"" + scene.objects.back().name + "\"");
+    read_path(object, scene.objects.back(), scene.name, level, clip);
   }
   table.finish();
   if (scene.objects.size() != 3)

@@ -6,8 +6,9 @@
 
 namespace seamline::inline stimuli {
 
-/// Reads one `[[scene]]` with its `[[scene.object]]`, `[scene.sun]` and `[scene.camera]`.
+/// Reads one `[[scene]]` with its `[[scene.object]]`, `[scene.sun]` and `[scene.camera]`. `clip` is null of
+/// stills; of clips it gets the paths of the objects, `level` being that of the study.
 [[nodiscard]] SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders,
-                                         AssetCheck assets);
+                                         AssetCheck assets, Quantity level, ClipDefinition* clip);
 
 }  // namespace seamline::inline stimuli

@@ -16,9 +16,18 @@ namespace {
 constexpr double longest_wait_s = 0.25;             ///< after which Ctrl-C in the terminal is seen
 constexpr std::int64_t decoding_wait_ns = 2000000;  ///< between looks at a picture that is being decoded
 constexpr int most_layouts = 4;
+constexpr std::int64_t longest_clip_ns = 3'600'000'000'000;  ///< after which nothing changes by itself
 
 bool is_awaiting(const Session* session) {
   return session != nullptr && std::holds_alternative<AwaitingImage>(session->phase);
+}
+
+/// When the picture came that people look at; none where none is on the screen.
+std::optional<std::int64_t> onset_of(const Session* session) {
+  if (session == nullptr) return std::nullopt;
+  if (const auto* choosing = std::get_if<Choosing>(&session->phase)) return choosing->onset_ns;
+  if (const auto* rating = std::get_if<Rating>(&session->phase)) return rating->onset_ns;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -50,7 +59,7 @@ void Application::run_frame() {
     if (const std::optional<DisplayProfile> known = known_display())
       return step(DisplayConfirmed{display_facts(stage_, *known)});
   if (stage_.text_scale != type_scale_) set_type();
-  prepare_pictures();
+  prepare_pictures(begun_ns);
 
   stage_.panorama.reset();
   ui_.begin(stage_.input, stage_.screen_px);
@@ -111,6 +120,11 @@ void Application::note_answer(const VisitEvent& event) {
   if (std::holds_alternative<RatingGiven>(*inner)) note_poses(monotonic_ns());
   if (const auto* given = std::get_if<RatingGiven>(inner))
     note("rating", given->now_ns, fmt::format("{}{}", practice, given->rating));
+  if (const ClipPlayer* clip = pictures_.clip();
+      clip != nullptr && std::holds_alternative<RatingGiven>(*inner))
+    note("clip", std::get<RatingGiven>(*inner).now_ns,
+         fmt::format("{}shown {} late {} dropped {}", practice, clip->showing().shown, clip->showing().late,
+                     clip->showing().dropped));
 }
 
 /// Where the person looked in the trial that is answered; stored before its answer.
@@ -149,12 +163,15 @@ bool Application::handle_pause() {
   return input.close;
 }
 
-void Application::prepare_pictures() {
+void Application::prepare_pictures(std::int64_t now_ns) {
   const std::optional<Trial> due = trial_on_screen(visit_);
   if (!due) return;
   const Session* session = session_on_screen(visit_);
+  const std::optional<std::int64_t> onset_ns = onset_of(session);
+  if (!onset_ns) pictures_.end_clip();
   try {
     pictures_.prepare(*due, session == nullptr ? std::nullopt : trial_after_current(session->trials));
+    if (onset_ns) pictures_.play(*due, now_ns - *onset_ns);
   } catch (const InputError& error) {
     step(StoreFailed{error.what()});
   }
@@ -180,6 +197,9 @@ void Application::show_frame(std::int64_t begun_ns) {
                     .shown_ns = shown_ns,
                     .late = late,
                     .turn_ns = first_of_picture ? turn_ns_ : std::nullopt});
+  if (ClipPlayer* clip = pictures_.clip(); clip != nullptr)
+    if (const auto onset_ns = onset_of(session))
+      clip->note_shown(shown_ns - *onset_ns, static_cast<std::int64_t>(period_ns));
   trace_.shown(visit_, stage_);
   if (first_of_picture) {
     note("shown", shown_ns, std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice" : "");
@@ -202,6 +222,12 @@ void Application::plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns) 
     const std::int64_t open_ns = choosing->onset_ns + session->pace.minimum_viewing_ns;
     if (open_ns > begun_ns) due_ns_ = open_ns;
   }
+  const ClipPlayer* clip = pictures_.clip();
+  const std::optional<std::int64_t> onset_ns = onset_of(session);
+  if (!onset_ns || !set_.study.clip) return;
+  const std::int64_t frame_ns =
+      *onset_ns + (clip != nullptr ? clip->next_due_ns().value_or(longest_clip_ns) : 0);
+  due_ns_ = std::min(due_ns_.value_or(frame_ns), frame_ns);
 }
 
 }  // namespace seamline::study::app

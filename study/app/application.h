@@ -44,7 +44,7 @@ class Application {
   void note_poses(std::int64_t now_ns);
   void step(const VisitEvent& event);
   [[nodiscard]] bool handle_pause();
-  void prepare_pictures();
+  void prepare_pictures(std::int64_t now_ns);
   void show_frame(std::int64_t begun_ns);
   void plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns);
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "stimuli/definition/axis.h"
-#include "stimuli/definition/sigmoid.h"
+#include "stimuli/definition/methods/sigmoid.h"
 
 namespace seamline::study {
 

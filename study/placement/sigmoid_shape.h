@@ -1,5 +1,5 @@
 #pragma once
-#include "stimuli/definition/sigmoid.h"
+#include "stimuli/definition/methods/sigmoid.h"
 
 namespace seamline::study {
 

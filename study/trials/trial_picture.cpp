@@ -2,6 +2,7 @@
 
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "study/trials/trial_clip.h"
 
 namespace seamline::study {
 namespace {
@@ -25,6 +26,7 @@ ByteImage load_object_ids(const RenderedSet& set, const Trial& trial) {
 }
 
 ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
+  if (shows_clips(set)) return TrialClip(set, trial).next();
   switch (trial.kind) {
     case TrialKind::stimulus:
       return read_manifest_picture(set.folder, stimulus_picture(set.manifest, record_of(set, trial)));

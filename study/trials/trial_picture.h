@@ -5,10 +5,10 @@
 
 namespace seamline::study {
 
-/// The picture of a trial as it goes to the screen: sRGB codes, 3 channels, the size that the manifest says.
-/// Reads files and nothing else, so threads may load pictures ahead. Throws InputError naming the file when
-/// it is missing, has other bytes than the set was rendered with or another size, or the set has no reference
-/// of the scene.
+/// The picture of a trial, or the first frame of its clip, as it goes to the screen: sRGB codes, 3 channels,
+/// the size that the manifest says. Reads files and nothing else, so threads may load pictures ahead. Throws
+/// InputError naming the file when it is missing, has other bytes than the set was rendered with or another
+/// size, or the set has no reference of the scene.
 [[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial);
 
 /// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.

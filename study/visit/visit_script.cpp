@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stimuli/definition/moving/clip_definition.h"
 #include "study/trials/training_trials.h"
 #include "study/trials/trial_picture.h"
 
@@ -16,17 +17,24 @@ std::int64_t nanoseconds(double seconds) {
   return static_cast<std::int64_t>(seconds * 1e9);
 }
 
+/// After which the question is open: once a clip has been shown, where it is asked after it.
+double viewing_s(const StudyDefinition& study) {
+  const ClipDefinition* clip = study.clip.get();
+  if (clip == nullptr || clip->question == ClipQuestion::during) return study.session.minimum_viewing_s;
+  return std::max(study.session.minimum_viewing_s, clip->frames / clip->frames_per_s);
+}
+
 }  // namespace
 
 VisitScript make_visit_script(const RenderedSet& set) {
   const StudyDefinition& study = set.study;
-  VisitScript script{.form = study.form,
-                     .instruction_pages = static_cast<int>(study.instructions.size()),
-                     .training = training_trials(set),
-                     .pace = {.break_every_trials = study.session.break_every_trials,
-                              .minimum_viewing_ns =
-                                  std::max(fastest_choice_ns, nanoseconds(study.session.minimum_viewing_s)),
-                              .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
+  VisitScript script{
+      .form = study.form,
+      .instruction_pages = static_cast<int>(study.instructions.size()),
+      .training = training_trials(set),
+      .pace = {.break_every_trials = study.session.break_every_trials,
+               .minimum_viewing_ns = std::max(fastest_choice_ns, nanoseconds(viewing_s(study))),
+               .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
   for (const Trial& trial : script.training) script.training_right.push_back(right_object(set, trial));
   return script;
 }

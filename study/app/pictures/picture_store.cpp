@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/moving/clip_definition.h"
 #include "study/trials/trial_picture.h"
 
 namespace seamline::study::app {
@@ -26,9 +27,11 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     const Trial trial{.stimulus = i};
     const std::string& truth = truth_of(set, trial);
     if (!objects_.contains(truth))
-      objects_[truth] = is_panorama(set.study)
-                            ? make_panorama_map(load_object_ids(set, trial))
-                            : make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth]);
+      objects_[truth] =
+          shows_clips(set) ? objects_of_frames(set, trial)
+          : is_panorama(set.study)
+              ? std::vector{make_panorama_map(load_object_ids(set, trial))}
+              : std::vector{make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth])};
   }
 }
 
@@ -64,7 +67,28 @@ const Texture* PictureStore::find(const Trial& trial) const {
 }
 
 const ObjectMap& PictureStore::objects(const Trial& trial) const {
-  return objects_.at(truth_of(set_, trial));
+  const std::vector<ObjectMap>& of_frames = objects_.at(truth_of(set_, trial));
+  return player_ && playing_ == trial ? of_frames.at(static_cast<std::size_t>(player_->frame_on_screen()))
+                                      : of_frames.front();
+}
+
+void PictureStore::play(const Trial& trial, std::int64_t now_ns) {
+  if (!shows_clips(set_)) return;
+  if (!player_ || playing_ != trial) {
+    player_ = std::make_unique<ClipPlayer>(TrialClip(set_, trial), set_.study.clip->loops);
+    playing_ = trial;
+  }
+  const std::optional<ByteImage> frame = player_->take(now_ns);
+  if (!frame) return;
+  for (Slot& slot : slots_)
+    if (slot.trial == trial) slot.texture.upload(*frame);
+}
+
+void PictureStore::end_clip() {
+  if (!player_) return;
+  player_.reset();
+  for (Slot& slot : slots_)
+    if (slot.trial == playing_) slot.trial.reset();
 }
 
 }  // namespace seamline::study::app

@@ -1,9 +1,13 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "study/app/pictures/clip_player.h"
 #include "study/app/pictures/picture_loader.h"
 #include "study/trials/object_map.h"
 #include "study/trials/rendered_set.h"
@@ -25,8 +29,15 @@ class PictureStore {
   /// The trial's picture when it is ready to be shown.
   [[nodiscard]] const Texture* find(const Trial& trial) const;
 
-  /// Where the objects of the trial's scene are.
+  /// Where the objects of the trial's scene are, in the frame that is on the screen.
   [[nodiscard]] const ObjectMap& objects(const Trial& trial) const;
+
+  /// Puts the frame of a trial's clip that is due at `now_ns` after its onset into its texture; nothing of
+  /// stills. The clip begins with the first call for a trial. Throws InputError when it cannot be read.
+  void play(const Trial& trial, std::int64_t now_ns);
+  /// The clip that plays; null of stills, and before the first call of `play`.
+  [[nodiscard]] ClipPlayer* clip() const { return player_.get(); }
+  void end_clip();  ///< shown again, it begins with its first frame
 
  private:
   struct Slot {
@@ -41,7 +52,9 @@ class PictureStore {
   bool scaled_;
   std::array<Slot, 3> slots_;
   std::int64_t clock_ = 0;
-  std::map<std::string, ObjectMap> objects_;  ///< by scene
+  std::map<std::string, std::vector<ObjectMap>> objects_;  ///< by scene; of each frame of a clip
+  std::optional<Trial> playing_ = {};
+  std::unique_ptr<ClipPlayer> player_;
   PictureLoader loader_;
 };
 

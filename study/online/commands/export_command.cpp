@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "stimuli/set/clip_video.h"
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
 #include "support/text/command_help.h"
@@ -23,7 +24,7 @@ constexpr int usual_k = 5;
 
 struct ExportOptions {
   std::string source;
-  std::string web, csv, psych_ds, bids;
+  std::string web, csv, psych_ds, bids, y4m;
   std::optional<int> slots, k;
   bool serve = false, jatos = false, pilot = false, anonymise = false;
 };
@@ -59,21 +60,26 @@ void run_tables(const ExportOptions& options, const std::string& folder, TableLa
 
 void run_export(const ExportOptions& options, const OtherPage& other) {
   std::vector<std::string> asked;
-  for (const auto& [folder, flag] :
-       {std::pair(options.web, "--web"), std::pair(options.csv, "--csv"),
-        std::pair(options.psych_ds, "--psych-ds"), std::pair(options.bids, "--bids")})
+  for (const auto& [folder, flag] : {std::pair(options.web, "--web"), std::pair(options.csv, "--csv"),
+                                     std::pair(options.psych_ds, "--psych-ds"),
+                                     std::pair(options.bids, "--bids"), std::pair(options.y4m, "--y4m")})
     if (!folder.empty()) asked.emplace_back(flag);
   if (other.is_asked()) asked.push_back(other.flag);
   if (asked.size() != 1)
     throw input_error(
         {.field = "seamline export",
-         .wanted = fmt::format("--web DIR with a set, {} DIR with a set or a scene, or one of --csv, "
-                               "--psych-ds and --bids DIR with a log",
-                               other.flag),
+         .wanted =
+             fmt::format("--web DIR or --y4m DIR with a set, {} DIR with a set or a scene, or one of --csv, "
+                         "--psych-ds and --bids DIR with a log",
+                         other.flag),
          .found = asked.empty() ? "nothing to write" : fmt::format("{}", fmt::join(asked, " and "))});
-  if (options.anonymise && (!options.web.empty() || other.is_asked()))
+  if (options.anonymise && (!options.web.empty() || !options.y4m.empty() || other.is_asked()))
     throw input_error({.field = "--anonymise", .wanted = "a log's tables to write", .found = asked.front()});
   if (other.is_asked()) return other.write(options.source);
+  if (!options.y4m.empty()) {
+    const int written = write_videos(options.source, options.y4m);
+    return fmt::print("{}: {} videos\n", options.y4m, written);
+  }
   if (!options.csv.empty()) return run_tables(options, options.csv, TableLayout::plain);
   if (!options.psych_ds.empty()) return run_tables(options, options.psych_ds, TableLayout::psych_ds);
   if (!options.bids.empty()) return run_tables(options, options.bids, TableLayout::bids);
@@ -102,9 +108,10 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
   CLI::App* command =
       app.add_subcommand("export", "a study as a page for browsers, a log as tables, a scene in X3D");
   command
-      ->add_option("source", options->source,
-                   "folder of the rendered set for --web and --x3d (there also a scene: .glb, .gltf or "
-                   "builtin:NAME), else the log, LOG.sqlite")
+      ->add_option(
+          "source", options->source,
+          "folder of the rendered set for --web, --y4m and --x3d (there also a scene: .glb, .gltf or "
+          "builtin:NAME), else the log, LOG.sqlite")
       ->required();
   CLI::Option* web = command->add_option(
       "--web", options->web,
@@ -115,6 +122,8 @@ void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
                       "folder for the same tables in the layout of Psych-DS");
   command->add_option("--bids", options->bids,
                       "folder for the same answers in the layout of BIDS (behaviour)");
+  command->add_option("--y4m", options->y4m,
+                      "folder for a set's clips as uncompressed video, for programs that measure video");
   CLI::Option* anonymise =
       command->add_flag("--anonymise", options->anonymise,
                         "of tables: new codes, times to a tenth of a second, nothing that tells who came "

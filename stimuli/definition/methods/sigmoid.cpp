@@ -1,4 +1,4 @@
-#include "stimuli/definition/sigmoid.h"
+#include "stimuli/definition/methods/sigmoid.h"
 
 namespace seamline::inline stimuli {
 

@@ -1,4 +1,4 @@
-#include "stimuli/definition/parameter_range.h"
+#include "stimuli/definition/methods/parameter_range.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,107 @@
+#include "stimuli/definition/moving/clip_definition.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "support/running/overloaded.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+/// A moment that is meant to be a capture's own may have been rounded to just before it.
+constexpr double same_capture = 1e-9;
+
+std::string point_text(const Eigen::Vector3d& v) {
+  return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
+}
+
+ObjectPose pose_between(const MotionKey& from, const MotionKey& to, double time_s) {
+  const double between_s = to.time_s - from.time_s;
+  const double share = between_s > 0 ? (time_s - from.time_s) / between_s : 0;
+  return {.position_m = from.pose.position_m + share * (to.pose.position_m - from.pose.position_m),
+          .rotation_deg = from.pose.rotation_deg + share * (to.pose.rotation_deg - from.pose.rotation_deg)};
+}
+
+ObjectPose on_line(const LineMotion& line, ObjectPose pose, double gone_m) {
+  const Eigen::Vector3d way_m = line.to_m - pose.position_m;
+  const double gone = gone_m / way_m.norm();
+  const double there_and_back = gone - 2 * std::floor(gone / 2);
+  const double share =
+      line.comes_back ? std::min(there_and_back, 2 - there_and_back) : std::clamp(gone, 0.0, 1.0);
+  if (share != 0) pose.position_m += share * way_m;
+  return pose;
+}
+
+ObjectPose on_keys(const KeyedMotion& path, double time_s) {
+  const auto after = std::find_if(path.keys.begin(), path.keys.end(),
+                                  [&](const MotionKey& key) { return key.time_s > time_s; });
+  if (after == path.keys.begin()) return path.keys.front().pose;
+  if (after == path.keys.end()) return path.keys.back().pose;
+  return pose_between(*std::prev(after), *after, time_s);
+}
+
+std::string motion_text(const ObjectMotion& motion) {
+  return std::visit(
+      Overloaded{[](const LineMotion& line) {
+                   return fmt::format("line to {} at {}{}", point_text(line.to_m), line.speed_m_s,
+                                      line.comes_back ? "" : " and stops");
+                 },
+                 [](const TurnMotion& turn) { return fmt::format("turn {}", turn.speed_deg_s); },
+                 [](const KeyedMotion& path) {
+                   std::string text = "keys";
+                   for (const MotionKey& key : path.keys)
+                     text += fmt::format(" {} {} {}", key.time_s, point_text(key.pose.position_m),
+                                         point_text(key.pose.rotation_deg));
+                   return text;
+                 }},
+      motion);
+}
+
+}  // namespace
+
+std::string_view word(ClipQuestion question) {
+  switch (question) {
+    case ClipQuestion::during:
+      return "during";
+    case ClipQuestion::after:
+      return "after";
+  }
+  return {};
+}
+
+ObjectPose pose_at(const ObjectMotion& motion, const ObjectPose& start, double time_s,
+                   const std::optional<double>& speed_m_s) {
+  return std::visit(Overloaded{[&](const LineMotion& line) {
+                                 return on_line(line, start, speed_m_s.value_or(line.speed_m_s) * time_s);
+                               },
+                               [&](const TurnMotion& turn) {
+                                 ObjectPose pose = start;
+                                 pose.rotation_deg.y() += turn.speed_deg_s * time_s;
+                                 return pose;
+                               },
+                               [&](const KeyedMotion& path) { return on_keys(path, time_s); }},
+                    motion);
+}
+
+double capture_time_s(const DepthClock& clock, double time_s) {
+  const double newest_s = time_s - clock.delay_ms / 1000;
+  if (clock.frames_per_s == 0) return newest_s;
+  return std::floor(newest_s * clock.frames_per_s + same_capture) / clock.frames_per_s;
+}
+
+std::string canonical_text(const ClipDefinition& clip) {
+  std::string text = fmt::format("clip {} frames {} per s {} question {}\n", clip.frames, clip.frames_per_s,
+                                 clip.loops ? "loop" : "once", word(clip.question));
+  for (const auto& [object, motion] : clip.motions)
+    text += fmt::format("path {} {} {}\n", object.first, object.second, motion_text(motion));
+  for (const auto& [condition, clock] : clip.clocks)
+    if (clock != DepthClock{})
+      text +=
+          fmt::format("depth clock {} {} per s late {} ms\n", condition, clock.frames_per_s, clock.delay_ms);
+  return text;
+}
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,165 @@
+#include "stimuli/study_file/moving/study_file_clip.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/stimulus.h"
+#include "support/text/limits.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr double farthest_m = limits::farthest_place_m;
+constexpr double fastest_m_s = 100, fastest_deg_s = 3600, longest_s = 600;
+constexpr std::size_t most_keys = 1000;
+
+Eigen::Vector3d vector_of(const std::array<double, 3>& values) {
+  return {values[0], values[1], values[2]};
+}
+
+/// Which of two words a key has; the first where it has none.
+bool is_second(const TomlTable& table, const char* key, const char* first, const char* second) {
+  const std::string word = table.text(key, first);
+  if (word != first && word != second)
+    throw table.complaint(key, fmt::format("\"{}\" or \"{}\"", first, second), "\"" + word + "\"");
+  return word == second;
+}
+
+LineMotion read_line(const TomlTable& path, const Eigen::Vector3d& position_m, Quantity level) {
+  LineMotion line;
+  if (!path.has("to_m")) throw path.complaint("to_m", "where the line ends", "nothing");
+  line.to_m = vector_of(path.triple("to_m", {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
+  if ((line.to_m - position_m).norm() < 1e-6)
+    throw path.complaint("to_m", "another place than the object's position_m", "the same");
+  line.comes_back = !is_second(path, "then", "back", "stop");
+  const bool is_level = level == Quantity::object_speed_m_s;
+  if (path.has("speed_m_s") && is_level)
+    throw path.complaint("speed_m_s", "nothing, because object_speed_m_s is the level", "a speed of its own");
+  if (!path.has("speed_m_s") && !is_level)
+    throw path.complaint("speed_m_s", "a speed, because the level is another quantity", "nothing");
+  line.speed_m_s = path.number("speed_m_s", 0, {0, fastest_m_s, "m/s"});
+  return line;
+}
+
+KeyedMotion read_keys(const TomlTable& path) {
+  KeyedMotion keyed;
+  for (const TomlTable& one : path.tables("keys")) {
+    MotionKey key;
+    key.time_s = one.number("time_s", 0, {-longest_s, longest_s, "s"});
+    key.pose.position_m = vector_of(one.triple("position_m", {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
+    key.pose.rotation_deg = vector_of(one.triple("rotation_deg", {0, 0, 0}, {-36000, 36000, "degrees"}));
+    one.finish();
+    if (!keyed.keys.empty() && key.time_s <= keyed.keys.back().time_s)
+      throw one.complaint("time_s",
+                          fmt::format("a time after {} s, that of the key before", keyed.keys.back().time_s),
+                          fmt::format("{} s", key.time_s));
+    keyed.keys.push_back(key);
+  }
+  if (keyed.keys.size() < 2 || keyed.keys.size() > most_keys)
+    throw path.complaint("keys", fmt::format("2 to {} keys", most_keys),
+                         fmt::format("{}", keyed.keys.size()));
+  return keyed;
+}
+
+/// Why a condition's pictures cannot be frames of a clip: key, wanted, found.
+struct ClipRefusal {
+  const char* key;
+  std::string wanted, found;
+};
+
+std::optional<ClipRefusal> refusal_of(const ConditionDefinition& condition) {
+  if (condition.task) return ClipRefusal{"task", "the task \"object\" in a study with [clip]", "another one"};
+  if (condition.look) return ClipRefusal{"look", "one fixed view in a study with [clip]", "[look]"};
+  for (const SceneDefinition& scene : condition.scenes)
+    if (!scene.view.is_mono())
+      return ClipRefusal{"view", "pictures for one eye in a study with [clip]", "another view"};
+  if (!condition.depth.chain) return std::nullopt;
+  if (has_noise(*condition.depth.chain))
+    return ClipRefusal{
+        "depth", "depth without noise in a study with [clip]: noise would have to be new in every frame",
+        "a source with noise"};
+  for (const DepthSource& source : condition.depth.chain->sources)
+    if (std::holds_alternative<FileSource>(source))
+      return ClipRefusal{"depth", "a panorama or a pinhole in a study with [clip]: a file shows one moment",
+                         "a file"};
+  return std::nullopt;
+}
+
+bool some_line_moves(const ClipDefinition& clip, const std::string& scene) {
+  return std::any_of(clip.motions.begin(), clip.motions.end(), [&](const auto& one) {
+    return one.first.first == scene && std::holds_alternative<LineMotion>(one.second);
+  });
+}
+
+void check_motions(const TomlTable& table, const StudyDefinition& study) {
+  const ClipDefinition& clip = *study.clip;
+  if (clip.motions.empty()) throw table.complaint("clip", "an object with a path in some scene", "none");
+  for (const SceneDefinition& scene : study.scenes) {
+    if (study.level.quantity == Quantity::object_speed_m_s && !some_line_moves(clip, scene.name))
+      throw table.complaint("level.quantity", "an object on a line in every scene",
+                            "none in the scene \"" + scene.name + "\"");
+    for (const ObjectDefinition& object : scene.objects)
+      if (object.rest && clip.motions.contains({scene.name, object.name}))
+        throw table.complaint("scene.object.rest", "one of rest and path",
+                              "both of the object \"" + object.name + "\"");
+  }
+}
+
+}  // namespace
+
+ClipDefinition read_clip(const TomlTable& table) {
+  ClipDefinition clip;
+  clip.frames = table.integer("frames", clip.frames, {2, 999, "frames"});
+  clip.frames_per_s = table.number("frames_per_s", clip.frames_per_s, {1, 240, "frames per second"});
+  clip.loops = !is_second(table, "plays", "loop", "once");
+  clip.question =
+      is_second(table, "question", "during", "after") ? ClipQuestion::after : ClipQuestion::during;
+  table.finish();
+  if (clip.question == ClipQuestion::after && clip.loops)
+    throw table.complaint("question", "plays = \"once\" beside \"after\": a loop has no end",
+                          "plays = \"loop\"");
+  return clip;
+}
+
+ObjectMotion read_motion(const TomlTable& path, const Eigen::Vector3d& position_m, Quantity level) {
+  const std::string kind = path.text("kind");
+  ObjectMotion motion;
+  if (kind == "line")
+    motion = read_line(path, position_m, level);
+  else if (kind == "turn")
+    motion = TurnMotion{.speed_deg_s =
+                            path.number("speed_deg_s", 0, {-fastest_deg_s, fastest_deg_s, "degrees/s"})};
+  else if (kind == "keys")
+    motion = read_keys(path);
+  else
+    throw path.complaint("kind", "\"line\" or \"turn\" or \"keys\"", "\"" + kind + "\"");
+  path.finish();
+  return motion;
+}
+
+void check_clip(const TomlTable& table, const StudyDefinition& study) {
+  const Quantity level = study.level.quantity;
+  if (!study.clip) {
+    if (level == Quantity::object_speed_m_s || level == Quantity::depth_frames_per_s)
+      throw table.complaint("clip", fmt::format("a table [clip], because {} is the level", facts(level).key),
+                            "nothing");
+    return;
+  }
+  for (const ConditionDefinition& condition : list_conditions(study))
+    if (const auto why = refusal_of(condition)) throw table.complaint(why->key, why->wanted, why->found);
+  if (study.task) throw table.complaint("task", "the task \"object\" in a study with [clip]", "another one");
+  if (study.look) throw table.complaint("look", "one fixed view in a study with [clip]", "[look]");
+  if (is_panorama(study))
+    throw table.complaint("scene.camera.projection", "\"perspective\" in a study with [clip]", "\"panorama\"");
+  check_motions(table, study);
+  const std::size_t frames = list_stimuli(study).size() * static_cast<std::size_t>(study.clip->frames);
+  if (frames > static_cast<std::size_t>(limits::most_stimuli))
+    throw table.complaint("clip.frames",
+                          fmt::format("at most {} frames of all stimuli", limits::most_stimuli),
+                          fmt::format("{}", frames));
+}
+
+}  // namespace seamline::inline stimuli

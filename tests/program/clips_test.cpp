@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "run_program.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// The small study's second scene as clips of three frames a quarter of a second apart; its left object
+/// moves.
+std::string moving_study(const std::string& depth, const std::string& speed_m_s) {
+  return test::small_study_with(
+      {{"depth_width_px = [64, 256, 512, 1024, 2048]",
+        "depth_width_px = [64]\n" + depth + "[clip]\nframes = 3\nframes_per_s = 4\n"},
+       {"position_m = [-3.0, 0.0, -7.0]",
+        "position_m = [-3.0, 0.0, -7.0]\n  path = { kind = \"line\", to_m = [-2.0, 0.0, -7.0], speed_m_s = " +
+            speed_m_s + " }"}});
+}
+
+std::string still_study(const std::string& x_m) {
+  return test::small_study_with(
+      {{"depth_width_px = [64, 256, 512, 1024, 2048]", "depth_width_px = [64]"},
+       {"position_m = [-3.0, 0.0, -7.0]", "position_m = [" + x_m + ", 0.0, -7.0]"}});
+}
+
+/// Renders some stimuli of a study in a folder of its own; returns the set.
+fs::path rendered(const std::string& name, const std::string& study,
+                  const std::string& options = "--threads 2") {
+  const fs::path folder = test::fresh_folder("clips_" + name);
+  test::write_small_study(folder, study);
+  const auto ran =
+      test::run_seamline("render " + (folder / "study.toml").string() + " --out " +
+                         (folder / "set").string() + " --spp 2 --only gazebo-shadow-* " + options);
+  EXPECT_EQ(ran.status, 0) << ran.output;
+  return folder / "set";
+}
+
+std::string frame_of(const fs::path& set, const std::string& object, const std::string& frame) {
+  return test::read_text(set / "stimuli" / ("gazebo-shadow-" + object + frame + "-0064.png"));
+}
+
+Json record_of(const fs::path& set, const std::string& object, const std::string& frame) {
+  return Json::parse(test::read_text(set / "records" / ("gazebo-shadow-" + object + frame + "-0064.json")))
+      .at("record");
+}
+
+}  // namespace
+
+TEST(RenderedClips, FramesAreTheStillsAtTheirPlaces) {
+  const fs::path clips = rendered("moving", moving_study("", "0.5"));
+  const fs::path there = rendered("there", still_study("-2.75"));
+  for (const std::string object : {"beast", "lion", "dragon"}) {
+    const std::string frame = frame_of(clips, object, "@002");
+    ASSERT_FALSE(frame.empty());
+    EXPECT_EQ(frame, frame_of(there, object, "")) << object;
+    EXPECT_NE(frame, frame_of(clips, object, "@000")) << object;
+  }
+  EXPECT_EQ(test::run_seamline("verify " + clips.string()).status, 0);
+  const Json list = Json::parse(test::read_text(clips / "clips.json"));
+  EXPECT_EQ(list.at("stimuli").size(), 3U);
+  const fs::path clip = clips / std::string(list.at("stimuli").at(1).at("file"));
+  test::write_text(clip, test::read_text(clip) + "x");
+  EXPECT_EQ(test::run_seamline("verify " + clips.string()).status, 1);
+}
+
+TEST(RenderedClips, AtSpeedZeroTheStillIsRenderedOnce) {
+  const fs::path clips = rendered("zero", moving_study("", "0"));
+  const fs::path still = rendered("still", still_study("-3.0"));
+  EXPECT_EQ(frame_of(clips, "lion", "@000"), frame_of(still, "lion", ""));
+  EXPECT_FALSE(fs::exists(clips / "stimuli" / "gazebo-shadow-lion@001-0064.png"));
+}
+
+TEST(RenderedClips, ADelayOfOneFrameHasTheMeshOfTheFrameBefore) {
+  const fs::path late = rendered("late", moving_study("[depth]\ndelay_ms = 250\n", "0.5"));
+  const fs::path now = rendered("now", moving_study("", "0.5"));
+  const Json mesh = record_of(late, "lion", "@002").at("mesh");
+  EXPECT_EQ(mesh, record_of(now, "lion", "@001").at("mesh"));
+  EXPECT_NE(mesh, record_of(now, "lion", "@002").at("mesh"));
+  EXPECT_NE(frame_of(late, "lion", "@002"), frame_of(now, "lion", "@002"));
+  EXPECT_EQ(frame_of(late, "beast", "@002"), frame_of(now, "beast", "@002")) << "nothing real moves";
+}
+
+TEST(RenderedClips, PiecesAndThreadsGiveTheSameBytes) {
+  const std::string study = moving_study("", "0.5");
+  const fs::path whole = rendered("whole", study, "--threads 1");
+  const fs::path pieces = rendered("pieces", study, "--threads 2 --shard 1/2");
+  const auto rest =
+      test::run_seamline("render " + (pieces.parent_path() / "study.toml").string() + " --out " +
+                         pieces.string() + " --spp 2 --only gazebo-shadow-* --threads 2 --shard 2/2");
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  EXPECT_EQ(test::read_text(whole / "manifest.json"), test::read_text(pieces / "manifest.json"));
+  EXPECT_EQ(test::read_text(whole / "clips.json"), test::read_text(pieces / "clips.json"));
+}
+
+}  // namespace seamline

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "stimuli/definition/clip_frames.h"
+#include "stimuli/set/clip_file.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A study of one scene whose left object moves; `more` goes into the top of the file, `path` into the
+/// object.
+std::string clip_study(const std::string& level, const std::string& path, const std::string& more = "") {
+  std::string text = "format = \"seamline study 1\"\nname = \"moving\"\n" + level + "\n" + more +
+                     "\n[[scene]]\nname = \"room\"\nfile = \"room.glb\"\nartifacts = [\"shadow\"]\n";
+  for (const char* name : {"left", "middle", "right"}) {
+    text += std::string("[[scene.object]]\nname = \"") + name + "\"\nfile = \"cube.gltf\"\n";
+    if (name == std::string("left")) text += path;
+  }
+  return text;
+}
+
+const std::string widths = "depth_width_px = [64, 128]";
+const std::string clip_table = "[clip]\nframes = 4\nframes_per_s = 2\n";
+const std::string line = "path = { kind = \"line\", to_m = [1, 0, 0], speed_m_s = 0.5 }\n";
+
+StudyDefinition read_clips(const std::string& text) {
+  return read_study_text(text, "moving.toml");
+}
+
+std::string complaint_of(const std::string& text) {
+  try {
+    static_cast<void>(read_clips(text));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Clips, ALineGoesThereAndBackAtItsSpeed) {
+  const ObjectMotion motion = LineMotion{.to_m = {3, 4, 0}, .speed_m_s = 2.5};
+  const auto at = [&](double time_s) { return pose_at(motion, {}, time_s, std::nullopt).position_m; };
+  EXPECT_TRUE(at(0).isZero());
+  EXPECT_TRUE(at(1).isApprox(Eigen::Vector3d(1.5, 2, 0)));
+  EXPECT_TRUE(at(2).isApprox(Eigen::Vector3d(3, 4, 0)));
+  EXPECT_TRUE(at(3).isApprox(Eigen::Vector3d(1.5, 2, 0)));
+  EXPECT_TRUE(at(4).isZero());
+  EXPECT_TRUE(at(-1).isApprox(at(1)));
+  const ObjectMotion stops = LineMotion{.to_m = {3, 4, 0}, .speed_m_s = 2.5, .comes_back = false};
+  EXPECT_TRUE(pose_at(stops, {}, 9, std::nullopt).position_m.isApprox(Eigen::Vector3d(3, 4, 0)));
+  EXPECT_TRUE(pose_at(motion, {}, 1, 0).position_m.isZero()) << "the level's speed stands for the line's";
+}
+
+TEST(Clips, KeysAreMetAndJoinedByStraightLines) {
+  const ObjectMotion motion = KeyedMotion{.keys = {{.time_s = 0, .pose = {{0, 0, 0}, {0, 0, 0}}},
+                                                   {.time_s = 2, .pose = {{2, 0, 0}, {0, 90, 0}}},
+                                                   {.time_s = 3, .pose = {{2, 1, 0}, {0, 90, 0}}}}};
+  const auto at = [&](double time_s) { return pose_at(motion, {}, time_s, std::nullopt); };
+  EXPECT_TRUE(at(1).position_m.isApprox(Eigen::Vector3d(1, 0, 0)));
+  EXPECT_DOUBLE_EQ(at(1).rotation_deg.y(), 45);
+  EXPECT_TRUE(at(2).position_m.isApprox(Eigen::Vector3d(2, 0, 0)));
+  EXPECT_TRUE(at(-1).position_m.isZero());
+  EXPECT_TRUE(at(99).position_m.isApprox(Eigen::Vector3d(2, 1, 0)));
+}
+
+TEST(Clips, DepthIsHeldBetweenCapturesAndNeverYoungerThanItsDelay) {
+  const DepthClock clock{.frames_per_s = 8, .delay_ms = 40};
+  for (int frame = 0; frame < 240; ++frame) {
+    const double now_s = frame / 24.0, then_s = capture_time_s(clock, now_s);
+    EXPECT_LE(then_s, now_s - 0.04 + 1e-9);
+    EXPECT_GT(then_s, now_s - 0.04 - 1.0 / 8);
+    EXPECT_NEAR(then_s * 8, std::round(then_s * 8), 1e-9);
+  }
+  EXPECT_EQ(capture_time_s({}, 0.375), 0.375);
+  EXPECT_EQ(capture_time_s({.frames_per_s = 8}, 9 / 24.0), 3 / 8.0) << "a capture at the frame's own time";
+}
+
+TEST(Clips, FramesAreStillsNamedByTheirNumber) {
+  const StudyDefinition study = read_clips(clip_study(widths, line, clip_table));
+  const StudyDefinition frames = rendered_study(study);
+  const std::vector<Clip> clips = list_clips(study);
+  ASSERT_EQ(clips.size(), list_stimuli(study).size());
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    EXPECT_EQ(stimulus_id(clips[i].shown), stimulus_id(list_stimuli(study)[i]));
+    ASSERT_EQ(clips[i].frames.size(), 4U);
+  }
+  EXPECT_EQ(stimulus_id(clips[0].shown), "room-shadow-left-0064");
+  EXPECT_EQ(stimulus_id(clips[0].frames[3]), "room-shadow-left@003-0064");
+  EXPECT_EQ(clips[0].frames[3].truth, "room@003");
+  std::vector<double> places_m;
+  for (const SceneDefinition& truth : list_truths(frames))
+    places_m.push_back(truth.objects[0].position_m.x());
+  EXPECT_EQ(places_m, (std::vector<double>{0, 0.25, 0.5, 0.75}));
+}
+
+TEST(Clips, AFrameIsTheStillAtThatPlace) {
+  const StudyDefinition frames = rendered_study(read_clips(clip_study(widths, line, clip_table)));
+  const StudyDefinition still = read_clips(clip_study(widths, "position_m = [0.5, 0, 0]\n"));
+  SceneDefinition frame = list_truths(frames).at(2);
+  EXPECT_EQ(canonical_text(frame), canonical_text(list_truths(still).at(0)));
+}
+
+TEST(Clips, WhatStandsStillIsOneFrame) {
+  const StudyDefinition study =
+      read_clips(clip_study("depth_width_px = 64\n[level]\nquantity = \"object_speed_m_s\"\nvalues = [0, 1]",
+                            "path = { kind = \"line\", to_m = [1, 0, 0] }\n", "[clip]\nframes = 4\n"));
+  const std::vector<Clip> clips = list_clips(study);
+  std::set<std::string> still, moving;
+  for (const Stimulus& frame : clips[0].frames) still.insert(stimulus_id(frame));
+  for (const Stimulus& frame : clips[1].frames) moving.insert(stimulus_id(frame));
+  EXPECT_EQ(still.size(), 1U);
+  EXPECT_EQ(moving.size(), 4U);
+}
+
+TEST(Clips, ADelayOfOneFrameIsTheDepthOfTheFrameBefore) {
+  const StudyDefinition frames = rendered_study(
+      read_clips(clip_study("depth_width_px = [64]", line, clip_table + "[depth]\ndelay_ms = 500\n")));
+  int late = 0;
+  for (const Stimulus& stimulus : list_stimuli(frames)) {
+    const std::optional<SceneDefinition> captured = captured_scene(frames, stimulus);
+    if (stimulus.object == "left") {
+      EXPECT_FALSE(captured) << "nothing real moves";
+    } else if (stimulus.truth != "room@000") {
+      ASSERT_TRUE(captured);
+      const int before = std::stoi(stimulus.truth.substr(5)) - 1;
+      EXPECT_EQ(canonical_text(*captured),
+                canonical_text(list_truths(frames).at(static_cast<std::size_t>(before))));
+      ++late;
+    }
+  }
+  EXPECT_EQ(late, 6);
+}
+
+TEST(Clips, WhatCannotBeIsRefusedByName) {
+  EXPECT_NE(complaint_of(clip_study(widths, line)).find("[clip]"), std::string::npos);
+  EXPECT_NE(complaint_of(clip_study(widths, "", clip_table)).find("an object with a path"),
+            std::string::npos);
+  EXPECT_NE(complaint_of(clip_study(widths, line, clip_table + "[view]\nkind = \"side_by_side\"\n"))
+                .find("one eye"),
+            std::string::npos);
+  EXPECT_NE(complaint_of(clip_study(widths, "rest = true\n" + line, clip_table)).find("one of rest and path"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint_of(clip_study(widths, line, "[clip]\nquestion = \"after\"\n")).find("a loop has no end"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint_of(
+          clip_study("depth_width_px = 64\n[level]\nquantity = \"depth_frames_per_s\"\nvalues = [1, 2]", ""))
+          .find("[clip]"),
+      std::string::npos);
+}
+
+TEST(Clips, AFileGivesBackEveryPixelOfEveryFrame) {
+  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "clip_file.clip";
+  fs::create_directories(path.parent_path());
+  ClipWriter writer({.width_px = 31, .height_px = 17, .channels = 3, .frames_per_s = 24});
+  std::vector<ByteImage> frames;
+  for (unsigned k = 0; k < 9; ++k) {
+    ByteImage frame{31, 17, 3, {}};
+    for (unsigned i = 0; i < 31 * 17 * 3; ++i)
+      frame.values.push_back(static_cast<std::uint8_t>((i * 2654435761U * (k + 1)) >> 13));
+    writer.add(frame);
+    frames.push_back(frame);
+  }
+  const std::string bytes = writer.bytes();
+  write_file_atomically(path, bytes);
+  ClipReader reader(path);
+  ASSERT_EQ(reader.frames(), 9);
+  for (int round = 0; round < 2; ++round)
+    for (const ByteImage& frame : frames) EXPECT_EQ(reader.decode().values, frame.values);
+  for (const std::size_t at : {bytes.size() - 1, bytes.size() / 2, std::size_t{3}}) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    write_file_atomically(path, damaged);
+    EXPECT_THROW(
+        {
+          ClipReader broken(path);
+          for (int k = 0; k < 9; ++k) static_cast<void>(broken.decode());
+        },
+        InputError)
+        << at;
+  }
+}
+
+}  // namespace seamline
