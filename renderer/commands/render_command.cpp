@@ -157,7 +157,7 @@ void run_render(const RenderOptions& options) {
     throw input_error({.field = "study", .wanted = "a study file (or --status SET)", .found = "nothing"});
   const StudyDefinition study = read_study(options.study, AssetCheck::must_exist, options.asset_root);
   if (options.dry_run) {
-    for (const Stimulus& stimulus : list_stimuli(rendered_study(study)))
+    for (const Stimulus& stimulus : list_stimuli(still_study(study)))
       if (const std::string id = stimulus_id(stimulus); matches_pattern(id, options.only))
         fmt::print("{}\n", id);
     return;
@@ -184,7 +184,7 @@ void run_render(const RenderOptions& options) {
   if (study.clip && !options.true_error.empty())
     throw input_error(
         {.field = "--true-error", .wanted = "a study of stills", .found = "a study with [clip]"});
-  const StudyDefinition rendered = rendered_study(study);
+  const StudyDefinition rendered = still_study(study);
   if (!options.slurm.empty() || !options.parallel.empty()) return make_job(options, rendered, request);
   if (!options.element.empty())
     take_element(read_job(options.job), options.job, options.element, rendered, request);

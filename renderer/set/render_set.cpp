@@ -47,7 +47,7 @@ std::string part_name(const RenderRequest& request) {
 /// object, width.
 class SetRenderer {
  public:
-  /// `shown` is what people see, `study` what is rendered for it (`rendered_study`).
+  /// `shown` is what people see, `study` what is rendered for it (`still_study`).
   SetRenderer(const StudyDefinition& shown, const StudyDefinition& study, const RenderRequest& request)
       : shown_(shown),
         study_(study),
@@ -357,7 +357,7 @@ RenderSummary render_set(const StudyDefinition& study, const RenderRequest& requ
                        .wanted = "a number of samples (--spp) for a study of clips: frames whose samples are "
                                  "decided one by one flicker",
                        .found = fmt::format("{}", *request.error)});
-  const StudyDefinition rendered = rendered_study(study);
+  const StudyDefinition rendered = still_study(study);
   const RenderSummary summary = SetRenderer(study, rendered, request).run();
   if (request.contact_sheet) write_contact_sheets(request.set_folder);
   return summary;

@@ -62,7 +62,7 @@ PictureMeaning picture_meaning(const StudyDefinition& frames, const Stimulus& st
 
 }  // namespace
 
-StudyDefinition rendered_study(const StudyDefinition& study) {
+StudyDefinition still_study(const StudyDefinition& study) {
   if (!study.clip) return study;
   StudyDefinition frames = study;
   ClipDefinition clip = *study.clip;
@@ -123,7 +123,7 @@ std::vector<Stimulus> without_twins(const StudyDefinition& frames, std::vector<S
 }
 
 std::vector<Clip> list_clips(const StudyDefinition& study) {
-  const StudyDefinition rendered = rendered_study(study);
+  const StudyDefinition rendered = still_study(study);
   const std::vector<Stimulus> shown = list_stimuli(study);
   const std::vector<Stimulus> frames = list_every_stimulus(rendered);
   const std::size_t levels = study.level.values.size();

@@ -11,7 +11,7 @@ namespace seamline::inline stimuli {
 /// are the frames. That one has each condition once for every frame, named `soft@012`, or `@012` where there
 /// are no conditions. So a frame is rendered, recorded, shared out and resumed as any still is, and its truth
 /// is named `bedroom@012`.
-[[nodiscard]] StudyDefinition rendered_study(const StudyDefinition& study);
+[[nodiscard]] StudyDefinition still_study(const StudyDefinition& study);
 [[nodiscard]] bool is_of_frames(const StudyDefinition& study);
 
 /// A clip that people are shown, and the stills that are its frames; one that looks like an earlier one is

@@ -19,7 +19,7 @@ Questions: [NAME], [ADDRESS].
 By choosing "I agree" you say that you are at least [AGE] years old, that you have read this text, and that you take part of your own will.)";
 
 /// The words of a text with one space between them.
-std::string words_of(const std::string& text) {
+std::string without_spacing(const std::string& text) {
   std::string words;
   bool gap = false;
   for (const char letter : text) {
@@ -43,7 +43,7 @@ ConsentDefinition default_consent() {
 }
 
 bool is_default_consent(const ConsentDefinition& consent) {
-  return words_of(consent.text) == words_of(shipped_text);
+  return without_spacing(consent.text) == without_spacing(shipped_text);
 }
 
 }  // namespace seamline::inline stimuli

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "stimuli/definition/axis.h"
-#include "stimuli/definition/methods/sigmoid.h"
 #include "stimuli/definition/methods/parameter_range.h"
+#include "stimuli/definition/methods/sigmoid.h"
 
 namespace seamline::inline stimuli {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <string_view>
 
+#include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/settings/depth_settings.h"
 #include "stimuli/settings/read_settings.h"
-#include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/study_file/study_file_depth_source.h"
 
 namespace seamline::inline stimuli {

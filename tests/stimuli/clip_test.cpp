@@ -89,7 +89,7 @@ TEST(Clips, DepthIsHeldBetweenCapturesAndNeverYoungerThanItsDelay) {
 
 TEST(Clips, FramesAreStillsNamedByTheirNumber) {
   const StudyDefinition study = read_clips(clip_study(widths, line, clip_table));
-  const StudyDefinition frames = rendered_study(study);
+  const StudyDefinition frames = still_study(study);
   const std::vector<Clip> clips = list_clips(study);
   ASSERT_EQ(clips.size(), list_stimuli(study).size());
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -106,7 +106,7 @@ TEST(Clips, FramesAreStillsNamedByTheirNumber) {
 }
 
 TEST(Clips, AFrameIsTheStillAtThatPlace) {
-  const StudyDefinition frames = rendered_study(read_clips(clip_study(widths, line, clip_table)));
+  const StudyDefinition frames = still_study(read_clips(clip_study(widths, line, clip_table)));
   const StudyDefinition still = read_clips(clip_study(widths, "position_m = [0.5, 0, 0]\n"));
   SceneDefinition frame = list_truths(frames).at(2);
   EXPECT_EQ(canonical_text(frame), canonical_text(list_truths(still).at(0)));
@@ -125,7 +125,7 @@ TEST(Clips, WhatStandsStillIsOneFrame) {
 }
 
 TEST(Clips, ADelayOfOneFrameIsTheDepthOfTheFrameBefore) {
-  const StudyDefinition frames = rendered_study(
+  const StudyDefinition frames = still_study(
       read_clips(clip_study("depth_width_px = [64]", line, clip_table + "[depth]\ndelay_ms = 500\n")));
   int late = 0;
   for (const Stimulus& stimulus : list_stimuli(frames)) {
@@ -146,9 +146,6 @@ TEST(Clips, ADelayOfOneFrameIsTheDepthOfTheFrameBefore) {
 TEST(Clips, WhatCannotBeIsRefusedByName) {
   EXPECT_NE(complaint_of(clip_study(widths, line)).find("[clip]"), std::string::npos);
   EXPECT_NE(complaint_of(clip_study(widths, "", clip_table)).find("an object with a path"),
-            std::string::npos);
-  EXPECT_NE(complaint_of(clip_study(widths, line, clip_table + "[view]\nkind = \"side_by_side\"\n"))
-                .find("one eye"),
             std::string::npos);
   EXPECT_NE(complaint_of(clip_study(widths, "rest = true\n" + line, clip_table)).find("one of rest and path"),
             std::string::npos);
