@@ -34,9 +34,11 @@ const std::map<std::string, std::string> hashes = {
     {"stimuli/environment_light.toml", "1d594589d243ebea0dd981abac9dfd5556a1559070f4f0656f4a205544c6e534"},
     {"stimuli/field_of_view.toml", "5a8cb77b06abca13eaccae8d1773e0a6a434b6883cc99397c4cdc6a134640331"},
     {"stimuli/furnished_room.toml", "f6598a787dc08bff8633a130ff2bc940181e1f48e75b03a6f5c4ded73152b219"},
+    {"stimuli/late_depth.toml", "f7f7b0f7c1321d71b7a389eaa5f936bd2f32a81ba67e775aba53987461efe891"},
     {"stimuli/many_lights.toml", "bed65e9b101f4a94f8536b5155ae8d34e2fdd2c11bd8070a90110410aaf31de7"},
     {"stimuli/mesh_tolerance.toml", "12e087c58c5a2c994307059f8076f0b79e8ea71a0506814dd9f35a94e2b45b54"},
     {"stimuli/mitigations.toml", "b4e7c302d7925f40f83f6de87ddb7dea39ed6ba3feb3c335cf3ae9b490ae4d6a"},
+    {"stimuli/moving_objects.toml", "9f74862e368a386fdfbfb81dbaff29450b5574056bfb7b045f253a14e3ad222a"},
     {"stimuli/occlusion_method.toml", "7a8cfc956f8512800b758e6072587f3963a6718ed021c6fbd0451611eac2eb9d"},
     {"stimuli/quick.toml", "f5c491d8f27a66c48fc65b07769da733bf4a114c4c09bcc4e8fb253be8448a28"},
     {"stimuli/realtime_methods.toml", "8f5577bc4dd12bf502b3ba28617d09b60cc6c647bdcd84ab5f71ea385c30d5a7"},
@@ -72,7 +74,7 @@ TEST(ReadyStudies, ShowTheStimuliThatTheyShowed) {
       said += stimulus_id(one) + "|" + one.truth + "|" + std::to_string(one.depth.width_px) + "|" +
               canonical_text(one.depth.chain) + "|" + canonical_text(one.depth.mitigation) + "|" +
               canonical_text(one.depth.pipeline) + "\n";
-  EXPECT_EQ(sha256(said), "164824688702e59f224653a012aab674e862dc45128f7ad04259be642b53fa7f");
+  EXPECT_EQ(sha256(said), "fb4cf433365aef8c074a01b3c588e62adfc92a9d90baa73b7a5e9db15870d023");
 }
 
 TEST(ReadyStudies, AreAllHeld) {
