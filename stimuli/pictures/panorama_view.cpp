@@ -8,7 +8,7 @@
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr double pi = std::numbers::pi, rad_of_deg = std::numbers::pi / 180;
+constexpr double half_turn_rad = std::numbers::pi, rad_of_deg = std::numbers::pi / 180;
 
 /// Codes of a panorama, whose columns go round.
 class PanoramaCodes {
@@ -16,10 +16,12 @@ class PanoramaCodes {
   explicit PanoramaCodes(const ByteImage& panorama) : panorama_(panorama) {}
 
   [[nodiscard]] double at(const Eigen::Vector3d& direction, int channel) const {
-    const double u = (std::atan2(direction.x(), -direction.z()) / (2 * pi) + 0.5) * panorama_.width_px - 0.5;
-    const double v = (0.5 - std::atan2(direction.y(), std::hypot(direction.x(), direction.z())) / pi) *
-                         panorama_.height_px -
-                     0.5;
+    const double u =
+        (std::atan2(direction.x(), -direction.z()) / (2 * half_turn_rad) + 0.5) * panorama_.width_px - 0.5;
+    const double v =
+        (0.5 - std::atan2(direction.y(), std::hypot(direction.x(), direction.z())) / half_turn_rad) *
+            panorama_.height_px -
+        0.5;
     const double left = std::floor(u), top = std::floor(v), s = u - left, t = v - top;
     const int x = static_cast<int>(left), y = static_cast<int>(top);
     return (1 - t) * ((1 - s) * code(x, y, channel) + s * code(x + 1, y, channel)) +
@@ -63,12 +65,13 @@ ByteImage panorama_view(const ByteImage& panorama, const LookDefinition& look,
 std::array<double, 2> object_pose_deg(const ByteImage& object_ids, int object_index) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int y = 0; y < object_ids.height_px; ++y) {
-    const double elevation = (0.5 - (y + 0.5) / object_ids.height_px) * pi;
+    const double elevation = (0.5 - (y + 0.5) / object_ids.height_px) * half_turn_rad;
     for (int x = 0; x < object_ids.width_px; ++x) {
       if (object_ids.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(object_ids.width_px) +
                             static_cast<std::size_t>(x)] != object_index)
         continue;
-      const double azimuth = ((x + 0.5) / object_ids.width_px - 0.5) * 2 * pi, flat = std::cos(elevation);
+      const double azimuth = ((x + 0.5) / object_ids.width_px - 0.5) * 2 * half_turn_rad,
+                   flat = std::cos(elevation);
       sum += flat * Eigen::Vector3d(std::sin(azimuth) * flat, std::sin(elevation), -std::cos(azimuth) * flat);
     }
   }

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "stimuli/study_file/carried_files.h"
-#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
+#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"

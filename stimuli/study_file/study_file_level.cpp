@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/study_file/study_file_mitigation.h"

@@ -153,7 +153,8 @@ void check_clip(const TomlTable& table, const StudyDefinition& study) {
   if (study.task) throw table.complaint("task", "the task \"object\" in a study with [clip]", "another one");
   if (study.look) throw table.complaint("look", "one fixed view in a study with [clip]", "[look]");
   if (is_panorama(study))
-    throw table.complaint("scene.camera.projection", "\"perspective\" in a study with [clip]", "\"panorama\"");
+    throw table.complaint("scene.camera.projection", "\"perspective\" in a study with [clip]",
+                          "\"panorama\"");
   check_motions(table, study);
   const std::size_t frames = list_stimuli(study).size() * static_cast<std::size_t>(study.clip->frames);
   if (frames > static_cast<std::size_t>(limits::most_stimuli))

@@ -1,4 +1,4 @@
-#include "renderer/set/set_clips.h"
+#include "renderer/set/clips/set_clips.h"
 
 #include <algorithm>
 #include <map>
