@@ -1,5 +1,5 @@
 // A build tool: writes the manual pages, the page of all commands and the completion of bash from the
-// program's own list of options.
+// program's own list of options, and the tables of the page of study files from its settings.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -10,12 +10,13 @@
 #include "packaging/manual_page.h"
 #include "packaging/reference_page.h"
 #include "program.h"
+#include "stimuli/settings/settings_page.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: write_manual FOLDER\n");
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: write_manual FOLDER PAGE_OF_STUDY_FILES\n");
     return 1;
   }
   try {
@@ -32,6 +33,8 @@ int main(int argc, char** argv) {
       seamline::write_file_atomically(folder / "man1" / (seamline::packaging::page_name(command) + ".1"),
                                       seamline::packaging::command_page(command, version));
     seamline::write_file_atomically(folder / "commands.md", seamline::packaging::reference_page(line));
+    seamline::write_file_atomically(folder / "study_file.md",
+                                    seamline::with_settings_tables(seamline::read_file(argv[2])));
     seamline::write_file_atomically(folder / "seamline.bash", seamline::packaging::bash_completion(line));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_manual: %s\n", error.what());

@@ -9,18 +9,6 @@
 namespace seamline::inline stimuli {
 namespace {
 
-std::string vector_text(const Eigen::Vector3d& v) {
-  return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
-}
-std::string vector_text(const std::array<double, 3>& v) {
-  return fmt::format("[{},{},{}]", v[0], v[1], v[2]);
-}
-
-std::string object_text(const ObjectDefinition& object) {
-  return fmt::format("object {} {} {} {} {}{}\n", object.name, object.file, vector_text(object.position_m),
-                     vector_text(object.rotation_deg), object.scale, object.rest ? " rests" : "");
-}
-
 std::string session_text(const SessionDefinition& session, const ObserverDefinition& observer) {
   std::string out = fmt::format("session {} | {} | {}\n", session.question, session.rating_question,
                                 session.break_every_trials);
@@ -107,42 +95,6 @@ std::string_view word(Estimator estimator) {
       return "path";
   }
   return {};
-}
-
-std::string_view word(MeshDensity density) {
-  switch (density) {
-    case MeshDensity::adaptive:
-      return "adaptive";
-    case MeshDensity::full:
-      return "full";
-  }
-  return {};
-}
-
-std::string canonical_text(const SceneDefinition& scene) {
-  std::string out = fmt::format("scene {} {} env {} ao {} {} bounces {} albedo {} ev {}\n", scene.name,
-                                scene.file, vector_text(scene.environment_radiance), scene.ambient_occlusion,
-                                scene.ao_distance_m, scene.bounces, scene.albedo, scene.exposure_ev);
-  for (const ObjectDefinition& object : scene.objects) out += object_text(object);
-  if (scene.sun) out += canonical_text(*scene.sun);
-  if (scene.camera)
-    out += fmt::format("camera {} {} {}\n", vector_text(scene.camera->position_m),
-                       vector_text(scene.camera->look_at_m), scene.camera->horizontal_fov_deg);
-  if (scene.environment) out += canonical_text(*scene.environment);
-  if (scene.suns) {
-    out += "suns\n";
-    for (const SunDefinition& sun : *scene.suns) out += canonical_text(sun);
-  }
-  if (scene.lamps) {
-    out += "lamps\n";
-    for (const LampDefinition& lamp : *scene.lamps) out += canonical_text(lamp);
-  }
-  if (scene.sun_radius_deg) out += fmt::format("sun radius {}\n", *scene.sun_radius_deg);
-  if (scene.materials != MaterialModel::diffuse) out += fmt::format("materials {}\n", word(scene.materials));
-  if (scene.object_metallic) out += fmt::format("object metallic {}\n", *scene.object_metallic);
-  if (scene.object_roughness) out += fmt::format("object roughness {}\n", *scene.object_roughness);
-  if (!scene.view.is_mono()) out += fmt::format("view {}\n", canonical_text(scene.view));
-  return out;
 }
 
 std::vector<ConditionDefinition> list_conditions(const StudyDefinition& study) {

@@ -8,6 +8,7 @@
 
 #include "stimuli/set/clip_set.h"
 #include "stimuli/set/json_fields.h"
+#include "stimuli/settings/study_settings.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
@@ -117,20 +118,22 @@ std::string read_truth(const JsonFields& fields, const char* key) {
   return truth;
 }
 
+/// A setting that is a word, as study files write it.
+void read_choice(const JsonFields& condition, const char* key, DepthSettings& depth) {
+  const auto& choice = std::get<Choice<DepthSettings>>(setting<DepthSettings>(key).slot);
+  const auto text = condition.get<std::string>(key);
+  const auto found = std::find(choice.words.begin(), choice.words.end(), text);
+  if (found == choice.words.end())
+    throw condition.complaint(key, words_text(choice.words), "\"" + text + "\"");
+  choice.choose(depth, static_cast<std::size_t>(found - choice.words.begin()));
+}
+
 /// What only sets with conditions or with other levels than widths say.
 void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus& stimulus) {
   stimulus.condition = read_name(condition, "name", true);
-  const auto mesh = condition.get<std::string>("mesh");
-  if (mesh != word(MeshDensity::full) && mesh != word(MeshDensity::adaptive))
-    throw condition.complaint("mesh", "adaptive or full", "\"" + mesh + "\"");
-  stimulus.depth.mesh = mesh == word(MeshDensity::full) ? MeshDensity::full : MeshDensity::adaptive;
-  stimulus.depth.mesh_tolerance = condition.real("mesh_tolerance", 0, 1);
-  if (condition.has("mesh_albedo")) {
-    const auto albedo = condition.get<std::string>("mesh_albedo");
-    if (albedo != word(MeshAlbedo::truth) && albedo != word(MeshAlbedo::photograph))
-      throw condition.complaint("mesh_albedo", "truth or photograph", "\"" + albedo + "\"");
-    stimulus.depth.albedo = albedo == word(MeshAlbedo::truth) ? MeshAlbedo::truth : MeshAlbedo::photograph;
-  }
+  read_choice(condition, "mesh", stimulus.depth);
+  stimulus.depth.mesh_tolerance = condition.real("mesh_tolerance", 0, 1);  // 0: a level, the full mesh
+  if (condition.has("mesh_albedo")) read_choice(condition, "mesh_albedo", stimulus.depth);
   const JsonFields level = fields.object("level");
   const auto quantity = quantity_from_key(level.get<std::string>("quantity"));
   if (!quantity)

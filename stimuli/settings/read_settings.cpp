@@ -4,14 +4,11 @@ namespace seamline::inline stimuli {
 
 std::size_t read_word(const TomlTable& table, std::string_view key, std::span<const std::string_view> words) {
   const std::string text = table.text(std::string(key));
-  std::string wanted;
-  for (std::size_t place = 0; place < words.size(); ++place) {
+  for (std::size_t place = 0; place < words.size(); ++place)
     if (words[place] == text) return place;
-    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", words[place]);
-  }
   const std::string nearest = nearest_word(text, std::vector<std::string>(words.begin(), words.end()));
   throw table.complaint(
-      std::string(key), wanted,
+      std::string(key), words_text(words),
       fmt::format("\"{}\"{}", text, nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }
 

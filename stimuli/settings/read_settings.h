@@ -42,6 +42,10 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
                           [&](std::array<double, 3> Owner::*member) {
                             owner.*member = table.triple(key, {0, 0, 0}, row.range);
                           },
+                          [&](Eigen::Vector3d Owner::*member) {
+                            const std::array<double, 3> three = table.triple(key, {0, 0, 0}, row.range);
+                            owner.*member = {three[0], three[1], three[2]};
+                          },
                           [&](std::optional<std::array<double, 3>> Owner::*member) {
                             owner.*member = table.triple(key, {0, 0, 0}, row.range);
                           },
@@ -52,8 +56,10 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
                row.slot);
   }
   if (row.fault == nullptr) return;
-  if (const std::string wanted = row.fault(owner); !wanted.empty())
-    throw table.complaint(key, wanted, value_text(row, owner));
+  const std::string wanted = row.fault(owner);
+  if (wanted.empty()) return;
+  const bool is_text = std::holds_alternative<std::string Owner::*>(row.slot);
+  throw table.complaint(key, wanted, is_text ? "\"" + value_text(row, owner) + "\"" : value_text(row, owner));
 }
 
 /// Reads what a table says over what `owner` holds, row by row. Throws InputError for a value that no row

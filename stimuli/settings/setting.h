@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -61,16 +62,18 @@ struct Described {
 };
 
 template <class Owner>
-using Slot =
-    std::variant<double Owner::*, std::optional<double> Owner::*, int Owner::*, std::uint64_t Owner::*,
-                 bool Owner::*, std::string Owner::*, std::array<double, 3> Owner::*,
-                 std::optional<std::array<double, 3>> Owner::*, Choice<Owner>, Part<Owner>, Described>;
+using Slot = std::variant<double Owner::*, std::optional<double> Owner::*, int Owner::*,
+                          std::uint64_t Owner::*, bool Owner::*, std::string Owner::*,
+                          std::array<double, 3> Owner::*, std::optional<std::array<double, 3>> Owner::*,
+                          Eigen::Vector3d Owner::*, Choice<Owner>, Part<Owner>, Described>;
 
-/// Up to three words. (An array would do, but for GCC 12, which cannot build part of one in a constant.)
+/// Up to four words. (An array would do, but for GCC 12, which cannot build part of one in a constant.)
 struct OneOf {
-  std::string_view first = {}, second = {}, third = {};
+  std::string_view first = {}, second = {}, third = {}, fourth = {};
 
-  [[nodiscard]] constexpr std::array<std::string_view, 3> all() const { return {first, second, third}; }
+  [[nodiscard]] constexpr std::array<std::string_view, 4> all() const {
+    return {first, second, third, fourth};
+  }
 };
 
 /// When a setting has a meaning: beside one of these words of another setting of the same owner, which stands

@@ -78,7 +78,8 @@ template <auto member>
       .is_usual = [](const Owner& owner) { return !(owner.*member).has_value(); }};
 }
 
-[[nodiscard]] inline std::string three_text(const std::array<double, 3>& three) {
+template <class Three>
+[[nodiscard]] std::string three_text(const Three& three) {
   return fmt::format("[{},{},{}]", three[0], three[1], three[2]);
 }
 
@@ -92,6 +93,7 @@ template <class Owner>
           },
           [&](bool Owner::*member) { return std::string(owner.*member ? row.wording.yes : row.wording.no); },
           [&](std::array<double, 3> Owner::*member) { return three_text(owner.*member); },
+          [&](Eigen::Vector3d Owner::*member) { return three_text(owner.*member); },
           [&](std::optional<std::array<double, 3>> Owner::*member) {
             return owner.*member ? three_text(*(owner.*member)) : std::string();
           },
@@ -116,6 +118,14 @@ template <class Owner>
                  [](const Described&) { return true; },
                  [&](auto Owner::*member) { return owner.*member == usual.*member; }},
       row.slot);
+}
+
+/// `"pcf" or "pcss"`.
+[[nodiscard]] inline std::string words_text(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words)
+    if (!word.empty()) text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", word);
+  return text;
 }
 
 /// `shadows = "traced"`: what the setting is that another stands beside.
@@ -143,9 +153,7 @@ template <class Owner>
 /// `shadows = "shadow_map"`, or several words with "or" between: what a setting stands beside.
 template <class Owner>
 [[nodiscard]] std::string beside_text(const Setting<Owner>& row) {
-  std::string words;
-  for (const std::string_view word : row.beside.words.all())
-    if (!word.empty()) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", word);
+  const std::string words = words_text(row.beside.words.all());
   return fmt::format("{} = {}", row.beside.key, words.empty() ? "true" : words);
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/study_settings.h"
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/parts/study_file_look.h"
@@ -26,7 +28,6 @@ namespace seamline::inline stimuli {
 namespace {
 
 constexpr const char* study_format = "seamline study 1";
-constexpr double most_seed = 9007199254740991;  // all whole numbers up to here are numbers of TOML and JSON
 
 void check_format(const TomlTable& table) {
   const std::string format = table.text("format");
@@ -174,10 +175,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   study.file = path;
   study.name = table.text("name");
   study.isolation = read_isolation(table, study.isolation);
-  study.width_px = table.integer("width_px", study.width_px, {8, 16384, "px"});
-  study.height_px = table.integer("height_px", study.height_px, {8, 16384, "px"});
-  study.samples_per_pixel = table.integer("samples_per_pixel", study.samples_per_pixel, {1, 65536});
-  study.seed = static_cast<std::uint64_t>(table.long_integer("seed", 1, {0, most_seed}));
+  read_settings(table, study);
   study.level = read_level(table);
   std::shared_ptr<ClipDefinition> clip;
   if (const auto given = table.table("clip")) clip = std::make_shared<ClipDefinition>(read_clip(*given));

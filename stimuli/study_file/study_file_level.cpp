@@ -8,6 +8,9 @@
 #include <set>
 
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/scene_settings.h"
+#include "stimuli/settings/study_settings.h"
 #include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
@@ -99,11 +102,6 @@ std::vector<double> sorted_levels(const TomlTable& table, const char* key, Quant
   return levels;
 }
 
-MeshDensity read_mesh(const TomlTable& table, MeshDensity fallback) {
-  return one_of<MeshDensity>(table, "mesh", fallback,
-                             {{"adaptive", MeshDensity::adaptive}, {"full", MeshDensity::full}});
-}
-
 bool width_is_level(Quantity quantity) {
   return quantity == Quantity::depth_width_px || quantity == Quantity::texels_per_degree;
 }
@@ -114,44 +112,11 @@ int read_width(const TomlTable& table, int fallback) {
   return width_px;
 }
 
-void refuse_level_key(const TomlTable& table, const char* key, const LevelDefinition& level) {
-  if (table.has(key))
-    throw table.complaint(key, fmt::format("nothing, because {} is the level", facts(level.quantity).key),
-                          "a setting of its own");
-}
-
 void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
-  switch (level.quantity) {
-    case Quantity::depth_width_px:
-    case Quantity::texels_per_degree:
-      return refuse_level_key(table, "depth_width_px", level);
-    case Quantity::mesh_tolerance:
-      refuse_level_key(table, "mesh", level);
-      return refuse_level_key(table, "mesh_tolerance", level);
-    case Quantity::sun_radius_deg:
-      return refuse_level_key(table, "sun_radius_deg", level);
-    case Quantity::depth_noise:  // these are keys of the table `depth`
-    case Quantity::outlier_share:
-    case Quantity::calibration_error_deg:
-    case Quantity::calibration_error_m:
-    case Quantity::depth_field_of_view_deg:
-    case Quantity::depth_delay_ms:
-    case Quantity::shadow_map_px:  // and these of the table `pipeline`
-    case Quantity::shadow_bias_texels:
-    case Quantity::light_count:
-    case Quantity::field_bands:
-    case Quantity::field_shells:
-    case Quantity::object_speed_m_s:  // these of paths, and of the table `depth`
-    case Quantity::depth_frames_per_s:
-      return;
-  }
-}
-
-MeshAlbedo read_mesh_albedo(const TomlTable& table, MeshAlbedo usual) {
-  return one_of<MeshAlbedo>(table, "mesh_albedo", usual,
-                            {{"constant", MeshAlbedo::constant},
-                             {"truth", MeshAlbedo::truth},
-                             {"photograph", MeshAlbedo::photograph}});
+  if (width_is_level(level.quantity) && table.has("depth_width_px"))
+    throw level_complaint(table, "depth_width_px", level.quantity);
+  refuse_level<DepthSettings>(table, level.quantity);
+  refuse_level<SceneDefinition>(table, level.quantity);
 }
 
 bool has_sensor(const DepthSettings& depth) {
@@ -159,11 +124,7 @@ bool has_sensor(const DepthSettings& depth) {
 }
 
 void read_depth_keys(const TomlTable& table, const LevelDefinition& level, DepthSettings& depth) {
-  if (level.quantity != Quantity::mesh_tolerance) {
-    depth.mesh = read_mesh(table, depth.mesh);
-    depth.mesh_tolerance = table.number("mesh_tolerance", depth.mesh_tolerance, {1e-9, 1});
-  }
-  depth.albedo = read_mesh_albedo(table, depth.albedo);
+  read_settings(table, depth);
   depth.mitigation = read_mitigation(table, depth.mitigation);
   depth.pipeline = read_pipeline(table, level, depth.pipeline);
   if (has_sensor(depth)) {
@@ -176,7 +137,7 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
     return;
   }
   if (!width_is_level(level.quantity)) depth.width_px = read_width(table, depth.width_px);
-  depth.yaw_texels = table.number("yaw_texels", depth.yaw_texels, {-16384, 16384, "texels"});
+  read_setting(table, "yaw_texels", depth);
 }
 
 std::string read_condition_name(const TomlTable& table) {

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -10,9 +12,7 @@ namespace {
 
 ConsentDefinition read_consent(const TomlTable& table) {
   ConsentDefinition consent = default_consent();
-  consent.text = table.text("text", consent.text);
-  consent.accept = table.text("accept", consent.accept);
-  consent.decline = table.text("decline", consent.decline);
+  read_settings(table, consent);
   table.finish();
   return consent;
 }
@@ -97,9 +97,7 @@ TrainingDefinition read_training(const TomlTable& table) {
     training.stimuli = table.texts("stimuli");
     training.trials = static_cast<int>(training.stimuli.size());
   }
-  training.trials = table.integer("trials", training.trials, {0, 1000, "trials"});
-  training.feedback_right = table.text("feedback_right", training.feedback_right);
-  training.feedback_wrong = table.text("feedback_wrong", training.feedback_wrong);
+  read_settings(table, training);
   table.finish();
   return training;
 }

@@ -7,18 +7,13 @@
 #include <set>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/scene_settings.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/study_file_light.h"
-#include "support/text/limits.h"
 
 namespace seamline::inline stimuli {
 namespace {
-
-constexpr double unlimited = limits::farthest_place_m;
-
-Eigen::Vector3d vector(const std::array<double, 3>& values) {
-  return {values[0], values[1], values[2]};
-}
 
 std::string read_name(const TomlTable& table) {
   const std::string name = table.text("name");
@@ -34,11 +29,7 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   ObjectDefinition object;
   object.name = read_name(table);
   object.file = table.text("file");
-  object.position_m = vector(table.triple("position_m", {0, 0, 0}, {-unlimited, unlimited, "m"}));
-  object.rotation_deg = vector(table.triple("rotation_deg", {0, 0, 0}, {-360, 360, "degrees"}));
-  object.scale = table.number("scale", 1.0, {1e-9, unlimited});
-  object.exempt_from_shape_rules = table.boolean("exempt_from_shape_rules", false);
-  object.rest = table.boolean("rest", false);
+  read_settings(table, object);
   static_cast<void>(table.has("path"));  // read by `read_path`
   table.finish();
   object.path = find_asset(table, "file", object.file, folders, assets);
@@ -65,17 +56,14 @@ void read_path(const TomlTable& table, const ObjectDefinition& object, const std
 
 CameraDefinition read_camera(const TomlTable& table) {
   CameraDefinition camera;
-  camera.position_m = vector(table.triple("position_m", {0, 0, 0}, {-unlimited, unlimited, "m"}));
-  camera.look_at_m = vector(table.triple("look_at_m", {0, 0, -1}, {-unlimited, unlimited, "m"}));
-  if (read_projection(table)) {
-    camera.horizontal_fov_deg = panorama_fov_deg;
-    if (table.has("horizontal_fov_deg"))
-      throw table.complaint("horizontal_fov_deg",
-                            "look.horizontal_fov_deg, which is of the view: a panorama shows all directions",
-                            "both");
-  } else {
-    camera.horizontal_fov_deg = table.number("horizontal_fov_deg", 60, {1, 170, "degrees"});
-  }
+  camera.look_at_m = {0, 0, -1};  // without the signs of zeros that the default has: they stand in the hash
+  const bool is_panorama = read_projection(table);
+  if (is_panorama && table.has("horizontal_fov_deg"))
+    throw table.complaint("horizontal_fov_deg",
+                          "look.horizontal_fov_deg, which is of the view: a panorama shows all directions",
+                          "both");
+  read_settings(table, camera);
+  if (is_panorama) camera.horizontal_fov_deg = panorama_fov_deg;
   const Eigen::Vector3d view = camera.look_at_m - camera.position_m;
   if (view.cross(Eigen::Vector3d::UnitY()).norm() <= 1e-9 * view.norm())
     throw table.complaint("look_at_m", "a point that is not straight above, below or at the camera",

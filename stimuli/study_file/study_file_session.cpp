@@ -1,15 +1,13 @@
 #include "stimuli/study_file/study_file_session.h"
 
 #include <algorithm>
-#include <regex>
 
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
-
-/// Catch trials of one kind that a session may have; more would be another study.
-constexpr double most_catches = 1000;
 
 void read_labels(const TomlTable& table, SessionDefinition& session) {
   if (!table.has("rating_labels")) return;
@@ -19,42 +17,19 @@ void read_labels(const TomlTable& table, SessionDefinition& session) {
   std::copy(labels.begin(), labels.end(), session.rating_labels.begin());
 }
 
-/// A tag of BCP 47 as far as its form goes: parts of one to eight letters and digits, the first of letters.
-std::string read_language(const TomlTable& table, const std::string& usual) {
-  const std::string language = table.text("language", usual);
-  static const std::regex tag("[A-Za-z]{1,8}(-[A-Za-z0-9]{1,8}){0,7}");
-  if (!std::regex_match(language, tag))
-    throw table.complaint("language", "a tag such as \"en\" or \"pt-BR\"", "\"" + language + "\"");
-  return language;
-}
-
 }  // namespace
 
 SessionDefinition read_session(const TomlTable& table) {
   SessionDefinition session;
-  session.question = table.text("question", session.question);
-  session.rating_question = table.text("rating_question", session.rating_question);
   read_labels(table, session);
-  session.break_every_trials =
-      table.integer("break_every_trials", session.break_every_trials, {1, 100000, "trials"});
-  session.minimum_viewing_s = table.number("minimum_viewing_s", session.minimum_viewing_s, {0, 60, "s"});
-  session.inter_trial_s = table.number("inter_trial_s", session.inter_trial_s, {0, 60, "s"});
-  session.resume = one_of<ResumePolicy>(table, "resume", session.resume,
-                                        {{"resume", ResumePolicy::resume},
-                                         {"restart", ResumePolicy::restart},
-                                         {"refuse", ResumePolicy::refuse}});
-  session.orders = table.integer("orders", session.orders, {0, 100000, "orders"});
-  session.text_scale = table.number("text_scale", session.text_scale, {0.5, 4});
-  session.font = table.text("font", session.font);
-  session.language = read_language(table, session.language);
+  read_settings(table, session);
   table.finish();
   return session;
 }
 
 CatchDefinition read_catches(const TomlTable& table) {
   CatchDefinition catches;
-  catches.attention = table.integer("attention", catches.attention, {0, most_catches, "trials"});
-  catches.reference = table.integer("reference", catches.reference, {0, most_catches, "trials"});
+  read_settings(table, catches);
   table.finish();
   return catches;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "stimuli/settings/read_settings.h"
+#include "stimuli/settings/view_settings.h"
 #include "stimuli/study_file/study_file_words.h"
 #include "support/text/limits.h"
 
@@ -101,37 +103,19 @@ View read_view(const TomlTable& settings, const View& usual, bool is_condition) 
   const std::optional<TomlTable> table = settings.table("view");
   if (!table) return usual;
   View out = usual;
-  out.kind = one_of<ViewKind>(*table, "kind", out.kind,
-                              {{"mono", ViewKind::mono},
-                               {"side_by_side", ViewKind::side_by_side},
-                               {"anaglyph", ViewKind::anaglyph},
-                               {"interleaved", ViewKind::interleaved},
-                               {"2d_plus_depth", ViewKind::depth_image}});
+  read_setting(*table, "kind", out);
   if (is_condition)
     for (const char* key : view_keys)
       if (table->has(key) && !uses(out.kind, key))
         throw table->complaint(key, "kind = " + kinds_that_use(key) + " beside it",
                                fmt::format("kind = \"{}\"", word(out.kind)));
-  out.separation_m = table->number("separation_m", out.separation_m, {1e-6, 1000, "m"});
-  out.zero_parallax_m = table->number("zero_parallax_m", out.zero_parallax_m,
-                                      {1e-3, limits::farthest_place_m, "m in front of the eyes"});
   if (one_of<SheetPreset>(*table, "preset", SheetPreset::none, {{"five_views", SheetPreset::five_views}}) ==
       SheetPreset::five_views) {
     out.views = 5;
     out.sheet = five_views_sheet;
   }
-  out.views = table->integer("views", out.views, {2, 64, "views"});
-  out.sheet.pitch_subpixels =
-      table->number("pitch_subpixels", out.sheet.pitch_subpixels, {1, 10000, "sub-pixels"});
-  out.sheet.slant_deg = table->number("slant_deg", out.sheet.slant_deg, {-80, 80, "degrees"});
-  out.sheet.offset_subpixels =
-      table->number("offset_subpixels", out.sheet.offset_subpixels, {-10000, 10000, "sub-pixels"});
-  out.matrix = one_of<AnaglyphMatrix>(*table, "matrix", out.matrix,
-                                      {{"dubois", AnaglyphMatrix::dubois},
-                                       {"colour", AnaglyphMatrix::colour},
-                                       {"half_colour", AnaglyphMatrix::half_colour},
-                                       {"grey", AnaglyphMatrix::grey}});
-  out.max_depth_m = table->number("max_depth_m", out.max_depth_m, {1e-3, limits::farthest_place_m, "m"});
+  read_settings(*table, out);
+  read_settings(*table, out.sheet);
   out.panel_px = read_panel(*table, out.panel_px);
   table->finish();
   return out;

@@ -13,6 +13,8 @@
 #include "stimuli/definition/artifact.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/quantity.h"
+#include "stimuli/settings/settings_page.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
@@ -79,6 +81,13 @@ bool code_has(const std::string& code, const std::string& key) {
   return code.find("\"" + key + "\"") != std::string::npos ||
          code.find("\"" + stem + "\"") != std::string::npos ||
          code.find("\"" + stem + "_\"") != std::string::npos;
+}
+
+TEST(Reference, TablesOfSettingsAreThoseOfTheReader) {
+  const std::string page = test::read_text(source_folder() / "documentation/reference/study_file.md");
+  EXPECT_EQ(page, with_settings_tables(page)) << "copy manual/study_file.md of the build folder";
+  EXPECT_EQ(test::complaint_of([] { (void)with_settings_tables("<!-- settings nonsense -->\n"); }),
+            "<!-- settings nonsense -->: wanted the name of a table, found nonsense");
 }
 
 TEST(Reference, TheStudyFilesPageHasEveryKeyThatIsReadAndNoOther) {

@@ -129,7 +129,7 @@ TEST(StudyFileLevel, AModelOfMaterialsIsAnotherTruthAndTheUsualOneIsNotSaid) {
   EXPECT_EQ(study_hash(study_with(turned + "materials = \"diffuse\"")), study_hash(study_with(turned)));
   EXPECT_EQ(canonical_text(study_with(turned)).find("materials"), std::string::npos);
   EXPECT_THAT(complaint(base + "materials = \"glossy\""),
-              HasSubstr("materials: wanted diffuse or gltf, found \"glossy\""));
+              HasSubstr("materials: wanted \"diffuse\" or \"gltf\", found \"glossy\""));
 }
 
 TEST(StudyFileLevel, AnObserverMayHaveMidpointsInACondition) {

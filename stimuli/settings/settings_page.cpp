@@ -1,0 +1,191 @@
+#include "stimuli/settings/settings_page.h"
+
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/mitigation_settings.h"
+#include "stimuli/settings/pipeline_settings.h"
+#include "stimuli/settings/scene_settings.h"
+#include "stimuli/settings/session_settings.h"
+#include "stimuli/settings/study_settings.h"
+#include "stimuli/settings/view_settings.h"
+#include "support/text/error.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+/// "1e-9", "0.001", "20000" and "1e15": as people write them.
+std::string number_cell(double number) {
+  std::string text = fmt::format("{}", number);
+  const std::string powers = fmt::format("{:g}", number);
+  if (text.size() > 6 && powers.size() < text.size() && std::stod(powers) == number) text = powers;
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  const bool is_small = text[exponent + 1] == '-';
+  const std::size_t digits = text.find_first_not_of("+-0", exponent + 1);
+  return text.substr(0, exponent) + (is_small ? "e-" : "e") + text.substr(digits);
+}
+
+template <class Three>
+std::string three_cell(const Three& three) {
+  return fmt::format("[{}, {}, {}]", three[0] + 0.0, three[1] + 0.0, three[2] + 0.0);  // no sign of zeros
+}
+
+template <class Owner>
+std::string type_cell(const Setting<Owner>& row) {
+  return std::visit(Overloaded{[](double Owner::*) { return std::string("number"); },
+                               [](std::optional<double> Owner::*) { return std::string("number"); },
+                               [](int Owner::*) { return std::string("whole"); },
+                               [](std::uint64_t Owner::*) { return std::string("whole"); },
+                               [](bool Owner::*) { return std::string("boolean"); },
+                               [](const Choice<Owner>&) { return std::string("text"); },
+                               [](std::string Owner::*) { return std::string("text"); },
+                               [](const Part<Owner>&) { return std::string("table"); },
+                               [](const Described& described) { return std::string(described.type); },
+                               [](auto Owner::*) { return std::string("three numbers"); }},
+                    row.slot);
+}
+
+template <class Owner>
+std::string range_cell(const Setting<Owner>& row) {
+  std::string text(row.form);
+  if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot))
+    for (const std::string_view word : choice->words)
+      text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
+  if (row.range.least == row.range.most || row.form == "not zero") return text;
+  text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", number_cell(row.range.least),
+                      number_cell(row.range.most));
+  return row.range.unit.empty() ? text : fmt::format("{} {}", text, row.range.unit);
+}
+
+template <class Owner>
+std::string usual_cell(const Setting<Owner>& row) {
+  if (!row.usual.empty()) return std::string(row.usual);
+  if (!row.required.empty()) return "required";
+  const Owner usual{};
+  return std::visit(
+      Overloaded{[&](const Choice<Owner>& choice) {
+                   return fmt::format("`\"{}\"`", choice.words[choice.place(usual)]);
+                 },
+                 [&](double Owner::*member) { return number_cell(usual.*member); },
+                 [&](bool Owner::*member) { return std::string(usual.*member ? "true" : "false"); },
+                 [&](std::string Owner::*member) { return fmt::format("\"{}\"", usual.*member); },
+                 [](const Part<Owner>&) { return std::string(); },
+                 [](const Described&) { return std::string(); },
+                 [](std::optional<double> Owner::*) { return std::string("none"); },
+                 [&](Eigen::Vector3d Owner::*member) { return three_cell(usual.*member); },
+                 [&](std::array<double, 3> Owner::*member) { return three_cell(usual.*member); },
+                 [&](auto Owner::* /*member*/) { return value_text(row, usual); }},
+      row.slot);
+}
+
+template <class Owner>
+std::string meaning_cell(const Setting<Owner>& row) {
+  std::string text(row.meaning);
+  if (!row.beside.key.empty()) text += " Beside `" + beside_text(row) + "`.";
+  if (row.level && !std::holds_alternative<Choice<Owner>>(row.slot))
+    text += row.key == facts(*row.level).key ? " Can be the level."
+                                             : fmt::format(" Can be the level, `{}`.", facts(*row.level).key);
+  return text;
+}
+
+/// The rows of these structs, each key once; `of` is what the second column says in place of the type.
+class Table {
+ public:
+  explicit Table(std::string second = "type") : second_(std::move(second)) {}
+
+  template <class Owner>
+  void add(const std::string& of = {}) {
+    for (const Setting<Owner>& row : settings_of<Owner>) {
+      if (row.key.empty()) continue;
+      if (!keys_.emplace(of, row.key).second) continue;
+      const bool has_type = of.empty();
+      std::string range = range_cell(row);
+      if (!has_type && range.empty()) range = type_cell(row);
+      lines_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, has_type ? type_cell(row) : of, range,
+                            usual_cell(row), meaning_cell(row));
+    }
+  }
+
+  [[nodiscard]] std::string text() const {
+    return fmt::format("| key | {} | range | default | meaning |\n| --- | --- | --- | --- | --- |\n",
+                       second_) +
+           lines_;
+  }
+
+ private:
+  std::string second_, lines_;
+  std::set<std::pair<std::string, std::string_view>> keys_;
+};
+
+template <class... Owners>
+std::string table_of() {
+  Table table;
+  (table.add<Owners>(), ...);
+  return table.text();
+}
+
+std::string noise_table() {
+  Table table("model");
+  table.add<SourceNoise>("all");
+  table.add<sensors::Outliers>("all");
+  table.add<sensors::GenericNoise>("generic");
+  table.add<sensors::TimeOfFlightNoise>("time of flight");
+  table.add<sensors::StructuredLightNoise>("structured light");
+  return table.text();
+}
+
+std::string repair_table() {
+  Table table("method");
+  table.add<sensors::MedianRepair>("median");
+  table.add<sensors::JointBilateralRepair>("joint bilateral");
+  table.add<sensors::PlaneRepair>("planes");
+  return table.text();
+}
+
+std::string table_named(const std::string& name) {
+  if (name == "study") return table_of<StudyDefinition, DepthSettings>();
+  if (name == "depth")
+    return table_of<sensors::PinholeCamera, sensors::SensorRange, PinholeSource, FileSource, PanoramaSource,
+                    DepthChain, sensors::DepthBuffer>();
+  if (name == "depth.pose") return table_of<SensorPose>();
+  if (name == "depth.noise") return noise_table();
+  if (name == "depth.repair") return repair_table();
+  if (name == "mitigation") return table_of<Mitigation>();
+  if (name == "pipeline") return table_of<Pipeline>();
+  if (name == "view") return table_of<View, LensSheet>();
+  if (name == "scene") return table_of<SceneDefinition, EnvironmentDefinition>();
+  if (name == "sun") return table_of<SunDefinition>();
+  if (name == "lamp") return table_of<LampDefinition>();
+  if (name == "camera") return table_of<CameraDefinition>();
+  if (name == "object") return table_of<ObjectDefinition>();
+  if (name == "session") return table_of<SessionDefinition>();
+  if (name == "catch") return table_of<CatchDefinition>();
+  if (name == "consent") return table_of<ConsentDefinition>();
+  if (name == "training") return table_of<TrainingDefinition>();
+  throw input_error(
+      {.field = "<!-- settings " + name + " -->", .wanted = "the name of a table", .found = name});
+}
+
+}  // namespace
+
+std::string with_settings_tables(const std::string& page) {
+  const std::string begin = "<!-- settings ", close = " -->", end = "<!-- end -->";
+  std::istringstream lines(page);
+  std::string out, inside;
+  for (std::string line; std::getline(lines, line);) {
+    if (!inside.empty() && line != end) continue;
+    inside.clear();
+    out += line + "\n";
+    if (!line.starts_with(begin) || !line.ends_with(close)) continue;
+    inside = line.substr(begin.size(), line.size() - begin.size() - close.size());
+    out += table_named(inside);
+  }
+  if (!inside.empty())
+    throw input_error({.field = begin + inside + close, .wanted = end + " below it", .found = "none"});
+  return out;
+}
+
+}  // namespace seamline::inline stimuli
