@@ -5,6 +5,8 @@
 
 #include "renderer/commands/pictures/asset_root_option.h"
 #include "renderer/commands/pictures/transparent_option.h"
+#include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/setting_option.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/number_option.h"
@@ -96,7 +98,7 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
           "--repair", options.repair,
           "of depth of the photograph's own view, whose noise would be shaded: none, nearest (holes alone), "
           "median, joint_bilateral (guided by the photograph) or planes")
-      ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
+      ->check(CLI::IsMember(option_words<sensors::RepairMethod>()))
       ->capture_default_str();
   add_number(
       command, "--depth-width", options.depth_width_px, {2, 16384, "px"},
@@ -205,13 +207,9 @@ void add_answer_options(CLI::App& command, CompositeOptions& options) {
           "same in a depth buffer, or always the object (none)")
       ->check(CLI::IsMember({"mesh", "depth_test", "depth_buffer", "none"}))
       ->capture_default_str();
-  add_number(command, "--depth-buffer-bits", request.buffer.bits, {8, 32, "bits"},
-             "of --occlusion depth_buffer")
-      ->capture_default_str();
-  add_number(command, "--depth-buffer-near", request.buffer.nearest_m, {1e-6, 1e9, "m"}, "its nearer plane")
-      ->capture_default_str();
-  add_number(command, "--depth-buffer-far", request.buffer.farthest_m, {1e-6, 1e9, "m"}, "its farther plane")
-      ->capture_default_str();
+  add_setting(command, "--depth-buffer-bits", "buffer_bits", request.buffer, "of --occlusion depth_buffer");
+  add_setting(command, "--depth-buffer-near", "buffer_near_m", request.buffer, "its nearer plane");
+  add_setting(command, "--depth-buffer-far", "buffer_far_m", request.buffer, "its farther plane");
   command.add_option(
       "--occlusion-mask", request.occlusion_mask,
       "who is in front, given: .png or .exr, white where something real stands before all objects; by "
