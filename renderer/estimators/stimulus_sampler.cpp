@@ -1,5 +1,6 @@
 #include "renderer/estimators/stimulus_sampler.h"
 
+#include "renderer/estimators/seen_emission.h"
 #include "renderer/tracing/surface_point.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
@@ -80,10 +81,21 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
       sample.covered_in_depth = answers_.occlusion == Who::depth && sample.object &&
                                 is_in_front({depth_, occlusion_}, {rays[i].direction, place_of(sample)},
                                             *sample.object, sample.depth);
+      if (sampling_.seen != nullptr) even_out(sample);
       sample.shows = shown(sample);
       out.push_back(sample);
     }
   }
+}
+
+void StimulusSampler::even_out(StimulusSample& sample) const {
+  const SurfacePoint* front = sample.covered_in_truth ? &*sample.object
+                              : sample.real           ? &*sample.real
+                                                      : nullptr;
+  if (front == nullptr) return;
+  const int first = front->object_index;
+  if (sample.real) sampling_.seen->even_out(sample.x, sample.y, first, *sample.real);
+  if (sample.covered_in_truth) sampling_.seen->even_out(sample.x, sample.y, first, *sample.object);
 }
 
 /// Gives the depth mesh's point the normal that a method says.

@@ -14,6 +14,8 @@
 
 namespace seamline::renderer {
 
+class SeenEmission;
+
 /// What the camera ray of one sample meets.
 struct StimulusSample {
   int number = 0;  ///< of the pixel's samples
@@ -33,6 +35,7 @@ struct StimulusSample {
 struct LightSampling {
   bool may_filter = false;
   int tail_every = 1;
+  const SeenEmission* seen = nullptr;  ///< in place of what single samples see of small emitters
 };
 
 /// Light that the depth mesh has a part in, of one sample.
@@ -149,6 +152,7 @@ class StimulusSampler {
   [[nodiscard]] bool methods_light_object() const {
     return methods_light() && answers_.object_lit == Who::depth;
   }
+  void even_out(StimulusSample& sample) const;
   void take_normals(StimulusSample& sample) const;
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                             SamplingWork& work) const;

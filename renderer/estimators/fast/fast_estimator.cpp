@@ -8,6 +8,7 @@
 #include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/estimators/fast/truth_sums.h"
+#include "renderer/estimators/seen_emission.h"
 
 namespace seamline::renderer {
 namespace {
@@ -32,6 +33,7 @@ class FastEstimator : public SceneEstimator {
         scene_(with_chosen_light(scene, choices_)),
         seed_(options.seed),
         threads_(options.threads),
+        seen_(find_seen_emission(scene_, threads_)),
         scene_geometry_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera)) {
     judged_.strength = choices_.filters.size() - 1;
@@ -64,7 +66,13 @@ class FastEstimator : public SceneEstimator {
                              const ReportProgress& progress) override {
     FastStimulusOptions options{.seed = seed_, .threads = threads_, .filter = filter(), .progress = progress};
     if (choices_.error) options.target = ErrorTarget{*choices_.error};
-    const ObjectTruth truth{scene_, sums_, *geometry_, object_index_, truth_, judged_.error(object_index_)};
+    const ObjectTruth truth{.scene = scene_,
+                            .scene_sums = sums_,
+                            .geometry = *geometry_,
+                            .object_index = object_index_,
+                            .truth_sums = truth_,
+                            .error = judged_.error(object_index_),
+                            .seen = seen_.get()};
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
     add(made.saved);
     return {std::move(made.sums), made.error.rmse(), made.error.worst_tile()};
@@ -130,6 +138,7 @@ class FastEstimator : public SceneEstimator {
                              .threads = threads_,
                              .tail_every = choices_.tail_every,
                              .who_is_in_front = choices_.keeps_who_is_in_front,
+                             .seen = seen_.get(),
                              .progress = {}};
     // Rounds are not known beforehand: each takes half of what is left of the progress bar.
     double done = 0, part = choices_.error ? 0.5 : 1.0;
@@ -228,6 +237,7 @@ class FastEstimator : public SceneEstimator {
   const TruthScene scene_;  ///< with the light that is followed
   const std::uint64_t seed_;
   const int threads_;
+  const std::shared_ptr<const SeenEmission> seen_;       ///< null: nothing small that emits is in view
   std::unique_ptr<const SceneGeometry> scene_geometry_;  ///< until the truth pass is done
   SceneSums sums_;
   PhotographJudgement judged_;

@@ -37,7 +37,7 @@ class StimulusRounds {
         choices_(choices),
         options_(options),
         sampler_(truth.scene, truth.geometry, depth, recipe, options.seed,
-                 {.may_filter = true, .tail_every = choices.tail_every}),
+                 {.may_filter = true, .tail_every = choices.tail_every, .seen = truth.seen}),
         depth_(empty_answers(truth.scene.camera, recipe.answers, truth.scene_sums.spp,
                              truth.geometry.truth.is_glossy() || truth.geometry.object.is_glossy() ||
                                  (depth.mesh != nullptr && depth.mesh->is_glossy()))),

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "renderer/common/parallel.h"
+#include "renderer/estimators/seen_emission.h"
 #include "renderer/scene/camera.h"
 #include "renderer/transport/path_batch.h"
 
@@ -48,6 +49,8 @@ class TileSampler {
     LightOf light_of;
     int object;  ///< 0: none
     std::size_t pixel, place, half;
+    int x, y;
+    int front;  ///< the object that the camera ray meets first; 0: none
   };
 
   void look(int x, int y, int from, int to) {
@@ -104,7 +107,7 @@ class TileSampler {
     const auto half = static_cast<std::size_t>(sample % 2);
     const SurfacePoint* front = seen_without(i, 0);
     const int object = front == nullptr ? 0 : front->object_index;
-    const Followed seen{LightOf::front, object, sums_.index(x, y), place, half};
+    const Followed seen{LightOf::front, object, sums_.index(x, y), place, half, x, y, object};
     const Sampler sampler(options_.seed, x, y, sample);
     const PathRules rules = path_rules(sampler, options_.tail_every);
     if (front != nullptr) {
@@ -144,11 +147,14 @@ class TileSampler {
       on_rays.set(id.number, id.x, id.y, covered ? ObjectOnRays::Is::covered : ObjectOnRays::Is::in_front);
       if (k == seen.object) continue;
       there.halves[seen.half][seen.place].hidden_samples += 1.0F;
-      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half}, {only_world(0), *hit, sampler, rules});
+      follow({LightOf::hidden, k, seen.pixel, seen.place, seen.half, id.x, id.y, seen.front},
+             {only_world(0), *hit, sampler, rules});
     }
   }
 
-  void follow(const Followed& followed, const PathStart& start) {
+  void follow(const Followed& followed, PathStart start) {
+    if (options_.seen != nullptr && followed.light_of != LightOf::hidden)
+      options_.seen->even_out(followed.x, followed.y, followed.front, start.point);
     followed_.push_back(followed);
     paths_.add(start);
   }

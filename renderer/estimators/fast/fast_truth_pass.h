@@ -8,6 +8,8 @@
 
 namespace seamline::renderer {
 
+class SeenEmission;
+
 /// How the fast estimator's truth pass runs: one for all objects of a scene.
 struct ScenePassOptions {
   std::uint64_t seed = 1;
@@ -16,6 +18,7 @@ struct ScenePassOptions {
   bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
   /// Decides whether the room hides an object, in place of distance; null: nobody does.
   const OcclusionTest* occlusion = nullptr;
+  const SeenEmission* seen = nullptr;  ///< in place of what single samples see of small emitters
   std::function<void(double share_done)> progress = {};
 };
 

@@ -6,6 +6,8 @@
 
 namespace seamline::renderer {
 
+class SeenEmission;
+
 /// What the fast estimator knows of one object before any stimulus with it.
 struct ObjectTruth {
   const TruthScene& scene;
@@ -16,6 +18,7 @@ struct ObjectTruth {
   const ErrorEstimate& error;   ///< of the truth's pictures
   /// Whether its sums are sorted by who is in front in the world of depth, which then agrees with the truth.
   bool sorted_by_depth = false;
+  const SeenEmission* seen = nullptr;  ///< by which its sums were made
 };
 
 }  // namespace seamline::renderer

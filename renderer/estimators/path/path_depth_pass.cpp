@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "renderer/common/parallel.h"
+#include "renderer/estimators/path/path_emission.h"
 #include "renderer/estimators/stimulus_sampler.h"
 #include "support/running/interrupt.h"
 
@@ -144,11 +145,17 @@ class PixelRenderer {
 
 StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry, const DepthWorld& depth,
                              const TruthSums& truth, const Recipe& recipe, const PassOptions& options) {
+  return render_stimulus(scene, geometry, depth, truth, recipe, options, nullptr);
+}
+
+StimulusSums render_stimulus(const TruthScene& scene, const ObjectGeometry& geometry, const DepthWorld& depth,
+                             const TruthSums& truth, const Recipe& recipe, const PassOptions& options,
+                             const SeenEmission* seen) {
   assert(truth.spp == options.spp && (depth.mesh != nullptr || !needs_mesh(recipe.answers, depth)));
   StimulusSums sums{.width_px = truth.width_px, .height_px = truth.height_px, .spp = options.spp};
   for (auto& half : sums.halves) half.resize(truth.guides.size());
   sums.guides.resize(truth.guides.size());
-  const StimulusSampler sampler(scene, geometry, depth, recipe, options.seed);
+  const StimulusSampler sampler(scene, geometry, depth, recipe, options.seed, {.seen = seen});
   sums.depth_lights_uncovered = depth_lights_uncovered(recipe.answers) && !sampler.is_dark_layer();
   sums.compositing = sampler.compositing();
   sums.wraps = wraps(scene.camera);

@@ -2,7 +2,8 @@
 #include "renderer/error/error_estimate.h"
 #include "renderer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator.h"
-#include "renderer/estimators/path/path_depth_pass.h"
+#include "renderer/estimators/path/path_emission.h"
+#include "renderer/estimators/seen_emission.h"
 #include "renderer/scene/panorama_camera.h"
 
 namespace seamline::renderer {
@@ -40,13 +41,14 @@ class PathEstimator : public SceneEstimator {
             estimator_choices(Estimator::path, light_facts(scene), scene.definition.exposure_ev, options)),
         scene_(with_chosen_light(scene, choices_)),
         seed_(options.seed),
-        threads_(options.threads) {}
+        threads_(options.threads),
+        seen_(find_seen_emission(scene_, threads_)) {}
 
   [[nodiscard]] const EstimatorChoices& choices() const override { return choices_; }
 
   SceneReference reference(const ReportProgress& progress) override {
     find_spp(progress);
-    return render_reference(scene_, pass(progress));
+    return render_reference(scene_, pass(progress), seen_.get());
   }
 
   void take_object(int object_index, const ReportProgress& progress) override {
@@ -58,7 +60,7 @@ class PathEstimator : public SceneEstimator {
       given_.reset();
       return;
     }
-    truth_ = render_truth(scene_, *geometry_, pass(progress));
+    truth_ = render_truth(scene_, *geometry_, pass(progress), seen_.get());
   }
 
   [[nodiscard]] int truth_pieces() const override { return 3; }
@@ -84,7 +86,8 @@ class PathEstimator : public SceneEstimator {
 
   EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                              const ReportProgress& progress) override {
-    EstimatedStimulus out{render_stimulus(scene_, *geometry_, depth, truth_, recipe, pass(progress)), {}, {}};
+    EstimatedStimulus out{
+        render_stimulus(scene_, *geometry_, depth, truth_, recipe, pass(progress), seen_.get()), {}, {}};
     if (out.sums.spp < 2) return out;
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
@@ -111,7 +114,7 @@ class PathEstimator : public SceneEstimator {
     const ErrorTarget target{*choices_.error * choices_.photograph_share};
     const ObjectGeometry geometry = object_geometry(scene_, 1);
     for (; *spp_ < choices_.most_spp; *spp_ *= 2) {
-      const TruthSums truth = render_truth(scene_, geometry, pass(progress));
+      const TruthSums truth = render_truth(scene_, geometry, pass(progress), seen_.get());
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
         pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);
@@ -125,7 +128,8 @@ class PathEstimator : public SceneEstimator {
   const TruthScene scene_;  ///< with the light that is followed
   const std::uint64_t seed_;
   const int threads_;
-  std::optional<int> spp_;  ///< when it is found
+  const std::shared_ptr<const SeenEmission> seen_;  ///< null: nothing small that emits is in view
+  std::optional<int> spp_;                          ///< when it is found
 
   /// An object's truth that another process made.
   struct Given {

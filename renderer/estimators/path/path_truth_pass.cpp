@@ -3,17 +3,24 @@
 #include <atomic>
 
 #include "renderer/common/parallel.h"
+#include "renderer/estimators/path/path_emission.h"
+#include "renderer/estimators/seen_emission.h"
 #include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
 
-/// Adds one sample of the truth to its pixel's sums.
+/// Adds one sample of the truth to its pixel's sums. `even_out(front, point)` is called with the surfaces
+/// that the sample sees.
+template <class EvenOut>
 void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const Ray& ray,
-                const Sampler& sampler, TruthPixel& sums, RayCounts& counts) {
-  const std::optional<SurfacePoint> real = geometry.truth.nearest(ray, &counts);
-  const std::optional<SurfacePoint> object =
+                const Sampler& sampler, const EvenOut& even_out, TruthPixel& sums, RayCounts& counts) {
+  std::optional<SurfacePoint> real = geometry.truth.nearest(ray, &counts);
+  std::optional<SurfacePoint> object =
       geometry.object.nearest({ray.origin_m, ray.direction, real ? real->distance_m : ray.far_m}, &counts);
+  const int front = object ? object->object_index : real ? real->object_index : 0;
+  if (real) even_out(front, *real);
+  if (object) even_out(front, *object);
   if (object) {
     ++sums.covered;
     const RealQuestion truth{&geometry.truth, &*object};
@@ -44,6 +51,11 @@ std::uint8_t id_at_centre(const ObjectGeometry& geometry, const Ray& ray, Guide&
 }  // namespace
 
 TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options) {
+  return render_truth(scene, geometry, options, nullptr);
+}
+
+TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, const PassOptions& options,
+                       const SeenEmission* seen) {
   const Camera& camera = scene.camera;
   TruthSums sums{.width_px = camera.width_px, .height_px = camera.height_px, .spp = options.spp};
   const std::size_t pixels =
@@ -58,9 +70,12 @@ TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, 
       stop_if_interrupted();
       const std::size_t pixel = sums.index(x, y);
       sums.object_ids[pixel] = id_at_centre(geometry, centre_ray(camera, x, y), sums.guides[pixel], counts);
+      const auto even_out = [&](int front, SurfacePoint& point) {
+        if (seen != nullptr) seen->even_out(x, y, front, point);
+      };
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
-        add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler,
+        add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler, even_out,
                    sums.halves[static_cast<std::size_t>(sample % 2)][pixel], counts);
       }
     }
@@ -74,6 +89,11 @@ TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, 
 }
 
 SceneReference render_reference(const TruthScene& scene, const PassOptions& options) {
+  return render_reference(scene, options, nullptr);
+}
+
+SceneReference render_reference(const TruthScene& scene, const PassOptions& options,
+                                const SeenEmission* seen) {
   const Camera& camera = scene.camera;
   const Geometry everything = scene.geometry(true, {1, 2, 3});
   SceneReference reference{Image(camera.width_px, camera.height_px, 3), click_map(scene), 0};
@@ -86,7 +106,8 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
         const Ray ray = camera_ray(camera, x, y, sampler);
-        const std::optional<SurfacePoint> point = everything.nearest(ray, &counts);
+        std::optional<SurfacePoint> point = everything.nearest(ray, &counts);
+        if (point && seen != nullptr) seen->even_out(x, y, point->object_index, *point);
         sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts)
                            .without_object.total()
                      : scene.light.sky(ray.direction);
