@@ -10,14 +10,14 @@
 namespace seamline::renderer {
 namespace {
 
-using Shares = std::array<float, depth_roles>;
+using RoleShares = std::array<float, depth_roles>;
 
 constexpr int weights_width_px = 1024, weights_height_px = weights_width_px / 2;
-constexpr int margin_texels = 3;
+constexpr int weights_margin_texels = 3;
 /// Of the object's and the surfaces' hiding of the sky: it darkens softly, without an edge.
-constexpr float sky_share = 0.3F;
+constexpr float sky_role_share = 0.3F;
 
-float& share(Shares& shares, DepthRole role) {
+float& role_share(RoleShares& shares, DepthRole role) {
   return shares[static_cast<std::size_t>(role)];
 }
 
@@ -48,15 +48,15 @@ bool is_in_photograph(const Camera& camera, const Eigen::Vector3f& direction) {
 }
 
 /// What is asked of one direction.
-class Asked {
+class AskedDirection {
  public:
-  explicit Asked(const ShownScene& scene) : scene_(scene), ball_(scene.object) {}
+  explicit AskedDirection(const ShownScene& scene) : scene_(scene), ball_(scene.object) {}
 
-  [[nodiscard]] Shares at(const Eigen::Vector3f& direction) const {
-    Shares shares{};
+  [[nodiscard]] RoleShares at(const Eigen::Vector3f& direction) const {
+    RoleShares shares{};
     if (ball_.radius_m == 0) return shares;
     const Ray view{Eigen::Vector3f::Zero(), direction};
-    if (scene_.object.occluded(view)) share(shares, DepthRole::occluder) = 1;
+    if (scene_.object.occluded(view)) role_share(shares, DepthRole::occluder) = 1;
     const auto hit = scene_.truth.nearest(view);
     if (!hit) return shares;
     const bool seen = is_in_photograph(scene_.photograph, direction);
@@ -72,9 +72,9 @@ class Asked {
  private:
   /// The line through a surface to a light: the object may be before the surface or behind it.
   void add_line(const Eigen::Vector3f& at_m, const Eigen::Vector3f& to_light, float far_m, bool seen,
-                Shares& shares) const {
-    if (seen && meets(at_m, to_light, far_m)) share(shares, DepthRole::receiver) = 1;
-    if (meets(at_m, -to_light, endless)) share(shares, DepthRole::blocker) = 1;
+                RoleShares& shares) const {
+    if (seen && meets(at_m, to_light, far_m)) role_share(shares, DepthRole::receiver) = 1;
+    if (meets(at_m, -to_light, endless)) role_share(shares, DepthRole::blocker) = 1;
   }
 
   [[nodiscard]] bool meets(const Eigen::Vector3f& from_m, const Eigen::Vector3f& direction,
@@ -85,34 +85,35 @@ class Asked {
     return scene_.object.occluded({from_m, direction, far_m});
   }
 
-  void add_sky(const Eigen::Vector3f& at_m, bool seen, Shares& shares) const {
+  void add_sky(const Eigen::Vector3f& at_m, bool seen, RoleShares& shares) const {
     const float distance_m = (at_m - ball_.centre_m).norm();
     if (distance_m - ball_.radius_m > scene_.light.sky_distance_m) return;
     const float filled = std::min(1.0F, ball_.radius_m / std::max(distance_m, 1e-6F));
-    const float weight = sky_share * filled * filled;
+    const float weight = sky_role_share * filled * filled;
     for (const DepthRole role : {DepthRole::receiver, DepthRole::blocker})
-      if (seen || role == DepthRole::blocker) share(shares, role) = std::max(share(shares, role), weight);
+      if (seen || role == DepthRole::blocker)
+        role_share(shares, role) = std::max(role_share(shares, role), weight);
   }
 
   const ShownScene& scene_;
   ObjectBall ball_;
 };
 
-std::size_t texel(int column, int row) {
+std::size_t weights_texel(int column, int row) {
   return static_cast<std::size_t>(row) * weights_width_px +
          static_cast<std::size_t>((column + weights_width_px) % weights_width_px);
 }
 
 /// The largest of the texels around, along the rows or the columns.
-std::vector<Shares> spread(const std::vector<Shares>& texels, bool along_rows, int threads) {
-  std::vector<Shares> out(texels.size());
+std::vector<RoleShares> spread_weights(const std::vector<RoleShares>& texels, bool along_rows, int threads) {
+  std::vector<RoleShares> out(texels.size());
   run_parallel(weights_height_px, threads, [&](int row) {
     for (int column = 0; column < weights_width_px; ++column)
-      for (int i = -margin_texels; i <= margin_texels; ++i) {
-        const Shares& other = along_rows
-                                  ? texels[texel(column + i, row)]
-                                  : texels[texel(column, std::clamp(row + i, 0, weights_height_px - 1))];
-        Shares& here = out[texel(column, row)];
+      for (int i = -weights_margin_texels; i <= weights_margin_texels; ++i) {
+        const RoleShares& other =
+            along_rows ? texels[weights_texel(column + i, row)]
+                       : texels[weights_texel(column, std::clamp(row + i, 0, weights_height_px - 1))];
+        RoleShares& here = out[weights_texel(column, row)];
         for (std::size_t role = 0; role < depth_roles; ++role) here[role] = std::max(here[role], other[role]);
       }
   });
@@ -128,23 +129,23 @@ double share_seen(DepthRole role, double width_px) {
 }
 
 ShownWeights where_it_shows(const ShownScene& scene) {
-  const Asked asked(scene);
+  const AskedDirection asked(scene);
   ShownWeights weights{.width_px = weights_width_px, .height_px = weights_height_px, .texels = {}};
   weights.texels.resize(std::size_t{weights_width_px} * weights_height_px);
   run_parallel(weights_height_px, scene.threads, [&](int row) {
     for (int column = 0; column < weights_width_px; ++column)
-      weights.texels[texel(column, row)] =
+      weights.texels[weights_texel(column, row)] =
           asked.at(panorama_direction(column + 0.5, row + 0.5, weights_width_px, weights_height_px)
                        .cast<float>()
                        .normalized());
   });
-  weights.texels = spread(spread(weights.texels, true, scene.threads), false, scene.threads);
+  weights.texels = spread_weights(spread_weights(weights.texels, true, scene.threads), false, scene.threads);
   return weights;
 }
 
 bool nothing_shows(const ShownWeights& weights) {
   return std::all_of(weights.texels.begin(), weights.texels.end(),
-                     [](const Shares& shares) { return shares == Shares{}; });
+                     [](const RoleShares& shares) { return shares == RoleShares{}; });
 }
 
 }  // namespace seamline::renderer
