@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,8 +56,10 @@ struct CompositeRequest {
   bool shadows = true;  ///< that objects cast onto real surfaces; else these keep the photograph's bytes
 
   std::optional<int>
-      depth_width_px;     ///< of the panorama that the local scene is seen through; none: all of it
-  bool seamless = false;  ///< that width is chosen by thresholds
+      depth_width_px;  ///< of the panorama that the local scene is seen through; none: all of it
+  /// In place of a width: samples spent where wrong depth would show; none: by width.
+  std::optional<std::int64_t> depth_samples;
+  bool seamless = false;              ///< that width is chosen by thresholds
   std::string thresholds, condition;  ///< `thresholds.json`; empty: the paper's
 
   std::optional<Estimator> estimator;  ///< none: fast where it can
@@ -66,7 +69,7 @@ struct CompositeRequest {
   int threads = 0;  ///< 0: one for each core
   bool additive = false;
 
-  std::string out, layers, report, local_scene;  ///< files; empty: not written
+  std::string out, layers, report, local_scene, samples_picture;  ///< files; empty: not written
   double exposure_ev = 0;
   double pixels_per_degree = default_pixels_per_degree;  ///< for FLIP in the report
 };

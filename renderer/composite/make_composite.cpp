@@ -15,6 +15,8 @@
 #include "renderer/composite/photo_world.h"
 #include "renderer/composite/placing.h"
 #include "renderer/composite/seamless_width.h"
+#include "renderer/depth/budget/budgeted_panorama.h"
+#include "renderer/depth/budget/samples_picture.h"
 #include "renderer/set/set_layers.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -232,6 +234,16 @@ ChosenWidth choose_width(const CompositeRequest& request, const PhotoScene& scen
   return {width.width_px, width};
 }
 
+/// Samples of the whole local scene, spent where wrong depth would show.
+DepthMesh budgeted_mesh(const CompositeRequest& request, const PhotoScene& scene, MadeComposite& made) {
+  ShownWeights weights =
+      where_it_shows({scene.depth, scene.objects, scene.light, scene.camera, request.threads});
+  BudgetedMesh spent = spend_samples(scene.depth, *request.depth_samples, &weights, 0, request.threads);
+  made.depth_text +=
+      fmt::format("; of it {} samples, spent where wrong depth would show", spent.measured + spent.holes);
+  return std::move(spent.mesh);
+}
+
 }  // namespace
 
 void make_composite(const CompositeRequest& asked) {
@@ -300,14 +312,17 @@ void make_composite(const CompositeRequest& asked) {
   std::optional<PhotoLocalScene> finest;
   if (chosen.width_px && depth.map && *chosen.width_px >= depth.width_px) {
     notes.say(fmt::format("the depth map has {} texels a row, so that it is used as it is", depth.width_px));
-  } else if (chosen.width_px) {
+  } else if (chosen.width_px || request.depth_samples) {
     const Stopwatch watch;
-    DepthMesh mesh = reduced_photo_mesh(local.mesh, *chosen.width_px, request.depth);
+    DepthMesh mesh = request.depth_samples ? budgeted_mesh(request, photo_scene(local), made)
+                                           : reduced_photo_mesh(local.mesh, *chosen.width_px, request.depth);
     if (mesh.triangles.empty())
-      throw input_error({.field = "--depth-width",
-                         .wanted = "a width at which something of the depth map is left",
-                         .found = std::to_string(*chosen.width_px)});
-    made.depth_text += fmt::format("; of it a panorama of {} x {}", *chosen.width_px, *chosen.width_px / 2);
+      throw input_error(
+          {.field = request.depth_samples ? "--depth-samples" : "--depth-width",
+           .wanted = "so much that something of the depth map is left",
+           .found = std::to_string(request.depth_samples.value_or(chosen.width_px.value_or(0)))});
+    if (chosen.width_px)
+      made.depth_text += fmt::format("; of it a panorama of {} x {}", *chosen.width_px, *chosen.width_px / 2);
     PhotoLocalScene reduced =
         local_scene_of(std::move(mesh), known, request.albedo, watch.seconds(), request.threads);
     finest = std::move(local);
@@ -347,6 +362,10 @@ void make_composite(const CompositeRequest& asked) {
   if (!request.layers.empty()) write_layers(request, scene, sums, made.picture);
   if (!request.local_scene.empty())
     write_png(request.local_scene, display_image(shaded_picture(seen.camera, *local.geometry)));
+  if (!request.samples_picture.empty())
+    write_png(request.samples_picture,
+              display_image(samples_picture(local.mesh, seen.camera, made.picture.picture, request.threads),
+                            request.exposure_ev));
   if (!request.report.empty()) {
     made.local_scene = shaded_picture(seen.camera, *local.geometry);
     std::optional<FullDepth> full;

@@ -22,8 +22,8 @@ class LeafWriter {
       write_unit(
           lattice_, t, [this](const LatticePoint& p) { return vertex(p); },
           [this](const GridVertex& a, const GridVertex& b, const GridVertex& c) { write_if_valid(a, b, c); });
-    else if (sphere_.valid(vertex(t.apex)))  // else it lies in a hole as a whole
-      out_(vertex(t.apex), vertex(t.left), vertex(t.right));
+    else
+      write_if_valid(vertex(t.apex), vertex(t.left), vertex(t.right));
     write_fan(t.apex, t.left);
     write_fan(t.left, t.right);
     write_fan(t.right, t.apex);
@@ -60,14 +60,22 @@ int sphere_block(int dense_width) {
 
 }  // namespace
 
-DepthMesh build_adaptive_mesh(const DenseSphere& sphere, double tolerance, int threads) {
-  Lattice lattice(
+Lattice sphere_lattice(const DenseSphere& sphere) {
+  return Lattice(
       {.columns = sphere.width, .rows = sphere.height, .block = sphere_block(sphere.width), .wraps = true});
-  const TriangleBound bound(sphere, tolerance);
-  refine_all(lattice, bound, threads);
-  DepthMesh mesh = assemble_mesh(sphere, lattice.root_count(), threads, [&](int root, auto out) {
+}
+
+DepthMesh mesh_of_leaves(const DenseSphere& sphere, const Lattice& lattice, int threads) {
+  return assemble_mesh(sphere, lattice.root_count(), threads, [&](int root, auto out) {
     lattice.for_each_leaf(lattice.root(root), LeafWriter(sphere, lattice, out));
   });
+}
+
+DepthMesh build_adaptive_mesh(const DenseSphere& sphere, double tolerance, int threads) {
+  Lattice lattice = sphere_lattice(sphere);
+  const TriangleBound bound(sphere, tolerance);
+  refine_all(lattice, bound, threads);
+  DepthMesh mesh = mesh_of_leaves(sphere, lattice, threads);
   mesh.max_relative_error = largest_error(lattice, bound, threads);
   return mesh;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "renderer/depth/dense_sphere.h"
 #include "renderer/depth/depth_mesh.h"
+#include "renderer/depth/lattice/lattice.h"
 
 namespace seamline::renderer {
 
@@ -14,5 +15,11 @@ namespace seamline::renderer {
 /// are the full mesh's own. A tolerance under about 1e-7, the rounding of the vertices to float, ends at full
 /// density.
 [[nodiscard]] DepthMesh build_adaptive_mesh(const DenseSphere& sphere, double tolerance, int threads);
+
+/// The lattice of such a mesh, not yet split.
+[[nodiscard]] Lattice sphere_lattice(const DenseSphere& sphere);
+
+/// The mesh of a lattice's leaves, which share their whole edges. Its error is not known.
+[[nodiscard]] DepthMesh mesh_of_leaves(const DenseSphere& sphere, const Lattice& lattice, int threads);
 
 }  // namespace seamline::renderer

@@ -5,6 +5,7 @@
 #include "renderer/depth/panorama_chain.h"
 #include "renderer/depth/panorama_layers.h"
 #include "renderer/depth/sensor/sensor_pose.h"
+#include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {
@@ -31,10 +32,18 @@ Rebuilt from_exact_panorama(const Geometry& truth, const DepthSettings& settings
   return out;
 }
 
-Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, bool tests_depth, int threads) {
-  MeasuredPanorama made = panorama_mesh(truth, settings, threads);
-  Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts, .model = made.model};
-  if (tests_depth || tests_pixels(settings.chain->occlusion))
+Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
+  if (is_budgeted(*settings.chain) && use.budgeted == nullptr)
+    throw input_error(
+        {.field = "depth.reduction",
+         .wanted = "another reduction here: only `render`, `predict` and `composite` spend a budget",
+         .found = "\"jumps\" or \"budgeted\""});
+  MeasuredPanorama made =
+      use.budgeted != nullptr ? std::move(*use.budgeted) : panorama_mesh(truth, settings, use.threads);
+  Rebuilt out{.mesh = std::move(made.mesh), .model = made.model};
+  // Samples that are spent unevenly do not count holes by what is there, but by what was asked.
+  if (use.budgeted == nullptr) out.counts = made.counts;
+  if (use.tests_depth || tests_pixels(settings.chain->occlusion))
     out.sights.emplace_back(PanoramaSight{std::move(made.map), settings.yaw_texels});
   return out;
 }
@@ -52,7 +61,7 @@ Rebuilt from_sensors(const Geometry& truth, const DepthSettings& settings, const
 
 Rebuilt rebuilt(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
   if (!settings.chain) return from_exact_panorama(truth, settings, use.tests_depth, use.threads);
-  return is_panorama(*settings.chain) ? from_panorama(truth, settings, use.tests_depth, use.threads)
+  return is_panorama(*settings.chain) ? from_panorama(truth, settings, use)
                                       : from_sensors(truth, settings, use);
 }
 
@@ -70,7 +79,7 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
 
 std::optional<SensorCounts> count_captured(const Geometry& truth, const DepthSettings& settings,
                                            const Camera& photograph, int threads) {
-  if (!settings.chain) return std::nullopt;
+  if (!settings.chain || is_budgeted(*settings.chain)) return std::nullopt;
   return is_panorama(*settings.chain) ? panorama_counts(truth, settings, threads)
                                       : sensor_counts(truth, *settings.chain, photograph, threads);
 }

@@ -4,6 +4,7 @@
 
 #include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/occlusion_test.h"
+#include "renderer/depth/panorama_chain.h"
 #include "renderer/scene/camera.h"
 #include "renderer/tracing/geometry.h"
 #include "stimuli/definition/stimulus.h"
@@ -44,6 +45,8 @@ struct LocalSceneUse {
   bool keeps_triangles = false;  ///< `LocalScene::triangles`
   /// A depth test beside the mesh, in place of the chain's own: `LocalScene::realtime_occlusion`.
   bool tests_depth = false;
+  /// Of a chain that is budgeted, made already (renderer/depth/budget); it is taken out.
+  MeasuredPanorama* budgeted = nullptr;
 };
 
 /// Captures depth of `truth` as the settings say and rebuilds the scene from it: a panorama from the

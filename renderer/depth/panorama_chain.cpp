@@ -297,6 +297,8 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
           case Reduction::median:
           case Reduction::sample:  // has a factor of 1
           case Reduction::boxes:   // reduces no texels
+          case Reduction::jumps:   // nor do these
+          case Reduction::budgeted:
             std::nth_element(under.begin(), middle, under.end());
             return *middle;
         }

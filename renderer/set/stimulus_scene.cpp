@@ -1,5 +1,6 @@
 #include "renderer/set/stimulus_scene.h"
 
+#include "renderer/depth/budget/budgeted_panorama.h"
 #include "renderer/estimators/mesh_albedo.h"
 #include "renderer/estimators/mitigation_masks.h"
 #include "renderer/estimators/realtime_methods.h"
@@ -44,15 +45,21 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
   const Geometry& truth = captured != nullptr ? *captured : estimator.geometry().truth;
   Image photograph;
   if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
-  LocalScene local =
-      make_local_scene(truth, settings,
-                       {.albedo = scene.definition.albedo,
-                        .traces_rays = traces_rays,
-                        .threads = threads,
-                        .photograph = centre_camera(scene.camera),
-                        .picture = photograph.values.empty() ? nullptr : &photograph,
-                        .keeps_triangles = looks_at_triangles(settings.pipeline),
-                        .tests_depth = settings.pipeline.occlusion == PipelineOcclusion::depth_test});
+  const bool tests_depth = settings.pipeline.occlusion == PipelineOcclusion::depth_test;
+  std::optional<MeasuredPanorama> budgeted;
+  if (settings.chain && is_budgeted(*settings.chain))
+    budgeted = budgeted_panorama(
+        {truth, estimator.geometry().object, scene.light, centre_camera(scene.camera), threads}, settings,
+        tests_depth || tests_pixels(settings.chain->occlusion));
+  LocalScene local = make_local_scene(truth, settings,
+                                      {.albedo = scene.definition.albedo,
+                                       .traces_rays = traces_rays,
+                                       .threads = threads,
+                                       .photograph = centre_camera(scene.camera),
+                                       .picture = photograph.values.empty() ? nullptr : &photograph,
+                                       .keeps_triangles = looks_at_triangles(settings.pipeline),
+                                       .tests_depth = tests_depth,
+                                       .budgeted = budgeted ? &*budgeted : nullptr});
   if (settings.albedo != MeshAlbedo::constant)
     paint_mesh(local.geometry, truth, settings,
                {photograph, scene.camera, scene.light, scene.definition.albedo, threads});

@@ -68,6 +68,15 @@ bool has_boxes(const DepthChain& chain) {
   return panorama != nullptr && panorama->reduction == Reduction::boxes;
 }
 
+bool is_budgeted(Reduction reduction) {
+  return reduction == Reduction::jumps || reduction == Reduction::budgeted;
+}
+
+bool is_budgeted(const DepthChain& chain) {
+  const auto* panorama = std::get_if<PanoramaSource>(&chain.sources.front());
+  return panorama != nullptr && is_budgeted(panorama->reduction);
+}
+
 sensors::PinholeCamera with_field_of_view(const sensors::PinholeCamera& camera,
                                           double horizontal_field_of_view_deg) {
   const double half_rad = horizontal_field_of_view_deg * std::numbers::pi / 360;

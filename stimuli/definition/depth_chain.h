@@ -40,7 +40,9 @@ struct SensorPose {
 /// more than a tenth, the middle one of the larger side (of equal sides the near one), so that no texel
 /// stands for a distance between two things. Holes are farther than anything. `boxes`: planes and boxes are
 /// fitted to the finer map, and texels stand only for what they do not explain.
-enum class Reduction { sample, minimum, maximum, median, edge_aware, boxes };
+/// `jumps` and `budgeted`: as many samples as the map has texels, spent where depth jumps, or where it would
+/// show if depth were wrong (renderer/depth/budget).
+enum class Reduction { sample, minimum, maximum, median, edge_aware, boxes, jumps, budgeted };
 
 /// A panorama from the photograph's own position, radial; its width is that of the depth settings.
 struct PanoramaSource {
@@ -159,6 +161,9 @@ struct DepthChain {
 [[nodiscard]] bool guided_by_photograph(const DepthChain& chain);
 /// Whether planes and boxes stand for a panorama.
 [[nodiscard]] bool has_boxes(const DepthChain& chain);
+/// Whether samples of a panorama are spent unevenly: where depth jumps, or where it shows.
+[[nodiscard]] bool is_budgeted(Reduction reduction);
+[[nodiscard]] bool is_budgeted(const DepthChain& chain);
 
 /// The same with defaults wherever a value has no meaning (a generic noise of scale 0 is none, a ratio of
 /// jumps beside sheets); nothing when that is the paper's exact panorama.

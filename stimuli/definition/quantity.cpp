@@ -214,6 +214,18 @@ constexpr std::array<QuantityFacts, every_quantity.size()> table = {{
      .whole = false,
      .digits = 4,
      .decimals = 3},
+    {.key = "depth_samples",
+     .name = "number of depth samples",
+     .unit = "samples",
+     .unit_key = "samples",
+     .axis = Axis::log2,
+     .noticeability = Direction::decreasing,
+     .changes_truth = false,
+     .least = 512,
+     .most = 134217728,
+     .whole = true,
+     .digits = 9,
+     .decimals = 0},
 }};
 
 }  // namespace

@@ -39,6 +39,9 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
     case Quantity::depth_width_px:
       depth.width_px = static_cast<int>(level);
       break;
+    case Quantity::depth_samples:
+      depth.width_px = static_cast<int>(std::lround(std::sqrt(2 * level)));
+      break;
     case Quantity::texels_per_degree:
       if (depth.chain && !is_panorama(*depth.chain))
         return depth_in_chain_at(std::move(depth), quantity, level);

@@ -28,6 +28,12 @@ std::string described(const OcclusionMethod& occlusion) {
 /// A source for people.
 std::string described(const DepthSource& source, int panorama_width_px) {
   if (const auto* panorama = std::get_if<PanoramaSource>(&source)) {
+    if (is_budgeted(panorama->reduction))
+      return fmt::format("panorama{} depth samples, spent where {}",
+                         panorama_width_px == 0
+                             ? ", the level says of how many"
+                             : fmt::format(" of {}", panorama_width_px * (panorama_width_px / 2)),
+                         panorama->reduction == Reduction::jumps ? "depth jumps" : "wrong depth would show");
     std::string out = panorama_width_px == 0
                           ? "panorama, whose width is the level"
                           : fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);

@@ -13,7 +13,10 @@ void simplify_source(DepthSource& source) {
   };
   if (auto* panorama = std::get_if<PanoramaSource>(&source)) {
     drop_noise(panorama->noise);
-    if (panorama->reduction_factor == 1) panorama->reduction = Reduction::sample;
+    if (is_budgeted(panorama->reduction))
+      panorama->reduction_factor = 1;
+    else if (panorama->reduction_factor == 1)
+      panorama->reduction = Reduction::sample;
     if (panorama->reduction == Reduction::sample) panorama->reduction_factor = 1;
   }
   if (auto* pinhole = std::get_if<PinholeSource>(&source)) {

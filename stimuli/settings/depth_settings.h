@@ -7,8 +7,8 @@ namespace seamline::inline stimuli {
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<DepthSource> = {"panorama", "pinhole", "file"};
 template <>
-inline constexpr std::array<std::string_view, 6> words_of<Reduction> = {"sample", "minimum",    "maximum",
-                                                                        "median", "edge_aware", "boxes"};
+inline constexpr std::array<std::string_view, 8> words_of<Reduction> = {
+    "sample", "minimum", "maximum", "median", "edge_aware", "boxes", "jumps", "budgeted"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<sensors::DepthConvention> = {"radial", "planar"};
 template <>
@@ -128,9 +128,12 @@ template <>
 inline constexpr auto settings_of<PanoramaSource> = std::to_array<Setting<PanoramaSource>>({
     {.key = "reduction",
      .slot = choice<&PanoramaSource::reduction>(),
-     .meaning = "Of a panorama: what a texel takes from a finer map. `\"edge_aware\"` is the median of the "
-                "larger side of a jump; `\"boxes\"` are [planes and "
-                "boxes](../papers/paper_002.md#planes-and-boxes-in-place-of-a-map).",
+     .meaning =
+         "Of a panorama: what a texel takes from a finer map. `\"edge_aware\"` is the median of the "
+         "larger side of a jump; `\"boxes\"` are [planes and "
+         "boxes](../papers/paper_002.md#planes-and-boxes-in-place-of-a-map). `\"jumps\"` and "
+         "`\"budgeted\"` [spend as many samples](../how-to/depth_budget.md) as the map has where depth "
+         "jumps, or where wrong depth would show.",
      .wording = {.before = "panorama "}},
     {.key = "reduction_factor",
      .slot = &PanoramaSource::reduction_factor,

@@ -59,6 +59,10 @@ std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
       for (const auto& [artifact, width_px] : ObserverDefinition{}.midpoint)
         midpoint[artifact] = width_px / 360;
       return midpoint;
+    case Quantity::depth_samples:
+      for (const auto& [artifact, width_px] : ObserverDefinition{}.midpoint)
+        midpoint[artifact] = width_px * width_px / 2;
+      return midpoint;
     case Quantity::mesh_tolerance:
     case Quantity::sun_radius_deg:
     case Quantity::depth_noise:

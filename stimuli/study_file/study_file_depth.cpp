@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "stimuli/definition/moving/clip_definition.h"
@@ -109,6 +110,23 @@ void refuse_idle(const TomlTable& table, const DepthChain& chain, const LevelDef
     throw table.complaint("noise_sigmas", "a source with noise", "none");
 }
 
+/// What samples that are spent unevenly cannot have; there is no other than the mesh that they make.
+void refuse_beside_budget(const TomlTable& table, const DepthChain& chain, const LevelDefinition& level) {
+  if (!is_budgeted(chain)) return;
+  const auto& source = std::get<PanoramaSource>(chain.sources.front());
+  const std::string beside = fmt::format(" beside reduction = \"{}\"", word(source.reduction));
+  const auto refuse = [&](bool is, const char* key, const char* wanted, const std::string& found) {
+    if (is) throw table.complaint(key, wanted + beside, found);
+  };
+  refuse(source.noise.has_value(), "noise", "no noise", "a model");
+  refuse(source.range != sensors::SensorRange{}, "range_m", "no range", "one");
+  refuse(chain.jumps != Jumps::stretch, "jumps", "\"stretch\"", fmt::format("\"{}\"", word(chain.jumps)));
+  refuse(!std::holds_alternative<sensors::NoRepair>(chain.repair), "repair", "\"none\"",
+         fmt::format("\"{}\"", word(chain.repair)));
+  refuse(level.quantity == Quantity::mesh_tolerance, "reduction", "another level than mesh_tolerance",
+         "a mesh that is made of its samples");
+}
+
 /// Of the table `depth`, or of one source.
 void refuse_levels(const TomlTable& table, Quantity level) {
   if (level == Quantity::depth_frames_per_s && table.has("frames_per_s"))
@@ -143,6 +161,7 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
   if (is_panorama(chain)) keep_panorama_links(*table, clock != nullptr, chain);
   refuse_idle(*table, chain, level);
   require_pixels_to_test(*table, chain, level);
+  refuse_beside_budget(*table, chain, level);
   table->finish();
   // What is the level needs what `meaningful` drops beside a delay or an error of 0.
   const std::array<double, 3> velocity_m_s = chain.velocity_m_s;
@@ -175,6 +194,7 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
   };
   switch (level.quantity) {
     case Quantity::depth_width_px:
+    case Quantity::depth_samples:
       if (sensor) throw wanted("a panorama", "a " + std::string(kind_of(chain->sources.front())));
       break;
     case Quantity::texels_per_degree:
@@ -211,7 +231,8 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
   const int factor = std::get<PanoramaSource>(chain->sources.front()).reduction_factor;
   const double widest_px = width_px > 0                                    ? width_px
                            : level.quantity == Quantity::texels_per_degree ? level.values.back() * 360
-                                                                           : level.values.back();
+                           : level.quantity == Quantity::depth_samples ? std::sqrt(2 * level.values.back())
+                                                                       : level.values.back();
   if (factor * widest_px > widest_panorama_px)
     throw settings.complaint("depth.reduction_factor",
                              fmt::format("a finer map of at most {} px", widest_panorama_px),

@@ -178,9 +178,10 @@ PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
   if (table.has("projector_m"))
     throw table.complaint("projector_m", "the model \"structured_light\" of a pinhole", "a panorama");
   read_settings(table, source);
-  if (source.reduction == Reduction::sample) {
+  if (source.reduction == Reduction::sample || is_budgeted(source.reduction)) {
     if (table.has("reduction_factor"))
-      throw table.complaint("reduction_factor", "a reduction from a finer map", "reduction = \"sample\"");
+      throw table.complaint("reduction_factor", "a reduction from a finer map",
+                            fmt::format("reduction = \"{}\"", word(source.reduction)));
     source.reduction_factor = 1;
   } else {
     if (source.reduction_factor == 1) source.reduction_factor = usual_reduction_factor;

@@ -45,6 +45,17 @@ void check_texels(const TomlTable& table, double texels_per_degree) {
                           fmt::format("{} ({:.2f} texels)", texels_per_degree, width_px));
 }
 
+/// As many as a uniform map has, so that every number of them has one to be compared with.
+void check_samples(const TomlTable& table, double samples) {
+  const auto samples_of = [](double width_px) { return width_px * width_px / 2; };
+  const double width_px = 2 * std::round(std::sqrt(2 * samples) / 2);
+  if (samples_of(width_px) == samples) return;
+  throw table.complaint("values",
+                        fmt::format("W x W / 2 samples of an even width W, such as {} ({} x {})",
+                                    samples_of(width_px), width_px, width_px / 2),
+                        fmt::format("{}", samples));
+}
+
 void check_level(const TomlTable& table, const char* key, Quantity quantity, double level) {
   if (facts(quantity).whole && level != std::floor(level))
     throw table.complaint(key, "whole numbers", fmt::format("{}", level));
@@ -54,6 +65,9 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
       break;
     case Quantity::texels_per_degree:
       check_texels(table, level);
+      break;
+    case Quantity::depth_samples:
+      check_samples(table, level);
       break;
     case Quantity::mesh_tolerance:
       if (level != 0 && level < 1e-9)
@@ -103,7 +117,8 @@ std::vector<double> sorted_levels(const TomlTable& table, const char* key, Quant
 }
 
 bool width_is_level(Quantity quantity) {
-  return quantity == Quantity::depth_width_px || quantity == Quantity::texels_per_degree;
+  return quantity == Quantity::depth_width_px || quantity == Quantity::texels_per_degree ||
+         quantity == Quantity::depth_samples;
 }
 
 int read_width(const TomlTable& table, int fallback) {
@@ -121,6 +136,18 @@ void refuse_level_keys(const TomlTable& table, const LevelDefinition& level) {
 
 bool has_sensor(const DepthSettings& depth) {
   return depth.chain && !is_panorama(*depth.chain);
+}
+
+/// The mesh of samples that are spent unevenly is the one that they make.
+void refuse_mesh_beside_budget(const TomlTable& table, const DepthSettings& depth) {
+  if (!depth.chain || !is_budgeted(*depth.chain)) return;
+  const auto& source = std::get<PanoramaSource>(depth.chain->sources.front());
+  if (table.has("mesh_tolerance") || depth.mesh == MeshDensity::full)
+    throw table.complaint(
+        depth.mesh == MeshDensity::full ? "mesh" : "mesh_tolerance",
+        fmt::format("nothing beside depth.reduction = \"{}\", whose mesh is made of its samples",
+                    word(source.reduction)),
+        "a setting of its own");
 }
 
 void read_depth_keys(const TomlTable& table, const LevelDefinition& level, DepthSettings& depth) {

@@ -67,6 +67,9 @@ void check_given(const CompositeOptions& options, const Given& given) {
                "--scene " + options.request.scene_file);
   given.refuse({"--spp"}, !given("--error"), "--spp or --error, not both", "both");
   given.refuse({"--depth-width"}, !given("--seamless"), "--depth-width or --seamless, not both", "both");
+  given.refuse({"--depth-samples"}, !given("--depth-width") && !given("--seamless"),
+               "--depth-samples, --depth-width or --seamless, one of them", "two");
+  given.refuse({"--samples-picture"}, given("--depth-samples"), "--depth-samples beside it", "none");
   given.refuse({"--condition"}, !options.seamless.empty() && options.seamless != "paper",
                "--seamless thresholds.json beside it", "none");
   given.refuse({"--pixels-per-degree"}, given("--report"), "--report beside it, for its FLIP", "none");
@@ -199,6 +202,7 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
                          .found = std::to_string(options.depth_width_px)});
     request.depth_width_px = options.depth_width_px;
   }
+  if (given("--depth-samples")) request.depth_samples = options.depth_samples;
   request.seamless = given("--seamless");
   if (request.seamless && !options.seamless.empty() && options.seamless != "paper")
     request.thresholds = options.seamless;
@@ -219,15 +223,18 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
   need_extension(options.request.out, {".png", ".exr"});
   if (given("--layers")) need_extension(options.request.layers, {".exr"}, "--layers");
   if (given("--local-scene")) need_extension(options.request.local_scene, {".png"}, "--local-scene");
+  if (given("--samples-picture"))
+    need_extension(options.request.samples_picture, {".png"}, "--samples-picture");
   if (given("--report")) need_extension(options.request.report, {".html"}, "--report");
   make_composite(request_of(options, command, given));
 }
 
 /// What `place` leaves to `composite`, whose command line is the same but for the first word.
 constexpr std::array left_to_composite = {
-    "--object",  "--out",       "--layers",      "--report",   "--local-scene",    "--error",
-    "--spp",     "--estimator", "--depth-width", "--seamless", "--occlusion-mask", "--shadow-matte",
-    "--shadows", "--occlusion", "--seed",        "--condition"};
+    "--object",          "--out",      "--layers",         "--report",       "--local-scene",
+    "--error",           "--spp",      "--estimator",      "--depth-width",  "--depth-samples",
+    "--samples-picture", "--seamless", "--occlusion-mask", "--shadow-matte", "--shadows",
+    "--occlusion",       "--seed",     "--condition"};
 
 /// The command line of `composite` with what `place` was given, but for its objects.
 std::string shared_command(const CLI::App& place) {
@@ -275,7 +282,7 @@ void group_composite_options(CLI::App& command) {
       {{"Photograph", {"--projection", "--layer", "--roll", "--camera", "--scene"}},
        {"Depth map",
         {"--depth-view", "--depth-kind", "--mesh", "--tolerance", "--yaw", "--jumps", "--jump-ratio",
-         "--repair", "--depth-width", "--condition", "--depth-channel", "--nothing"}},
+         "--repair", "--depth-width", "--depth-samples", "--condition", "--depth-channel", "--nothing"}},
        {"Estimated depth",
         {"--depth-value", "--depth-scale", "--depth-shift", "--depth-point", "--depth-reference"}},
        {"Object's surface", {"--materials", "--object-albedo", "--metallic", "--roughness", "--asset-root"}},
@@ -286,7 +293,7 @@ void group_composite_options(CLI::App& command) {
         {"--occlusion", "--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far",
          "--occlusion-mask", "--shadows", "--shadow-matte"}},
        {"Sampling", {"--estimator", "--spp", "--seed", "--threads", "--additive"}},
-       {"More output", {"--layers", "--local-scene", "--pixels-per-degree"}}});
+       {"More output", {"--layers", "--local-scene", "--samples-picture", "--pixels-per-degree"}}});
 }
 
 }  // namespace

@@ -104,6 +104,10 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
       command, "--depth-width", options.depth_width_px, {2, 16384, "px"},
       "see the local scene through a panorama so wide, captured from the whole depth map (default: the whole "
       "map)");
+  add_number(
+      command, "--depth-samples", options.depth_samples, {512, 134217728, "samples"},
+      "see the local scene through so many depth samples, spent where wrong depth would show: in shadows of "
+      "and on the objects, and where things are in front of them; a panorama of width W has W x W / 2");
   command
       .add_option(
           "--seamless", options.seamless,
@@ -257,6 +261,8 @@ void add_output_options(CLI::App& command, CompositeOptions& options) {
   command.add_option(
       "--local-scene", request.local_scene,
       "the local scene alone (.png), grey by the angle at which the camera sees its triangles");
+  command.add_option("--samples-picture", request.samples_picture,
+                     "where the samples of --depth-samples went: a dot each over the picture (.png)");
   command.add_option("--report", request.report,
                      "a page (.html): depth used, triangles, seconds, and FLIP against full depth as a map");
   add_number(command, "--pixels-per-degree", request.pixels_per_degree, {1, 1000},

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "renderer/commands/pictures/depth_options.h"
@@ -25,6 +26,7 @@ struct CompositeOptions {
   double scale = 1, height_m = 1, fov_deg = 60, object_albedo = 0.5, metallic = 0, roughness = 0,
          rotation_of_map_deg = 0, jump_ratio = 1.1, error = 0.0039;
   int depth_width_px = 0;
+  std::int64_t depth_samples = 0;
   bool keeps_sun = false;
 };
 

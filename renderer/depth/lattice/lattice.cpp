@@ -43,27 +43,54 @@ LatticeTriangle Lattice::root(int i) const {
   return i % 2 == 0 ? LatticeTriangle{nw, sw, ne} : LatticeTriangle{se, ne, sw};
 }
 
-void Lattice::split_at(const LatticePoint& p) {
+std::array<LatticePoint, 2> Lattice::apexes_of(const LatticePoint& p) {
   const int step = (p.x | p.y) & -(p.x | p.y);  // the largest power of two that divides both
-  if (step == 0 || step >= block_) return;      // a corner of blocks is always there
+  if ((p.x & step) == 0)                        // on a vertical edge
+    return {LatticePoint{p.x - step, p.y}, LatticePoint{p.x + step, p.y}};
+  if ((p.y & step) == 0)  // on a horizontal edge
+    return {LatticePoint{p.x, p.y - step}, LatticePoint{p.x, p.y + step}};
+  if ((((p.x - step) ^ (p.y - step)) & (2 * step)) == 0)  // on a diagonal from upper left to lower right
+    return {LatticePoint{p.x + step, p.y - step}, LatticePoint{p.x - step, p.y + step}};
+  return {LatticePoint{p.x - step, p.y - step}, LatticePoint{p.x + step, p.y + step}};
+}
+
+void Lattice::split_at(const LatticePoint& p) {
+  if (is_corner(p)) return;
   std::atomic_ref<std::uint8_t> flags(flags_[index(p)]);
   if ((flags.fetch_or(split, std::memory_order_relaxed) & split) != 0) return;
   note_change(p);
 
   // The two triangles that share this midpoint exist when their larger parents are split, whose midpoints are
   // their apexes.
-  std::array<LatticePoint, 2> apexes;
-  if ((p.x & step) == 0)  // on a vertical edge
-    apexes = {LatticePoint{p.x - step, p.y}, LatticePoint{p.x + step, p.y}};
-  else if ((p.y & step) == 0)  // on a horizontal edge
-    apexes = {LatticePoint{p.x, p.y - step}, LatticePoint{p.x, p.y + step}};
-  else if ((((p.x - step) ^ (p.y - step)) & (2 * step)) == 0)  // on a diagonal from upper left to lower right
-    apexes = {LatticePoint{p.x + step, p.y - step}, LatticePoint{p.x - step, p.y + step}};
-  else
-    apexes = {LatticePoint{p.x - step, p.y - step}, LatticePoint{p.x + step, p.y + step}};
-  for (const LatticePoint& apex : apexes)
-    if (apex.y >= 0 && apex.y <= height_ && (wraps_ || (apex.x >= 0 && apex.x <= width_)))
-      split_at({wraps_ ? (apex.x + width_) % width_ : apex.x, apex.y});
+  for (const LatticePoint& apex : apexes_of(p))
+    if (is_inside(apex)) split_at(wrapped(apex));
+}
+
+void Lattice::list_splits(const LatticePoint& p, std::vector<LatticePoint>& out) const {
+  const auto is_listed = [&](const LatticePoint& q) {
+    return std::any_of(out.begin(), out.end(),
+                       [&](const LatticePoint& o) { return o.x == q.x && o.y == q.y; });
+  };
+  if (is_corner(p) || is_split_at(p) || is_listed(p)) return;
+  out.push_back(p);
+  for (const LatticePoint& apex : apexes_of(p))
+    if (is_inside(apex)) list_splits(wrapped(apex), out);
+}
+
+std::vector<LatticeTriangle> Lattice::triangles_of(const LatticePoint& midpoint) const {
+  std::vector<LatticeTriangle> triangles;
+  for (const LatticePoint& apex : apexes_of(midpoint)) {
+    if (!is_inside(apex)) continue;
+    const LatticePoint d{apex.x - midpoint.x, apex.y - midpoint.y};
+    LatticeTriangle t{apex, {midpoint.x + d.y, midpoint.y - d.x}, {midpoint.x - d.y, midpoint.y + d.x}};
+    const int least = std::min({t.apex.x, t.left.x, t.right.x});
+    const int shift = least < 0                                                      ? width_
+                      : wraps_ && std::max({t.apex.x, t.left.x, t.right.x}) > width_ ? -width_
+                                                                                     : 0;
+    for (LatticePoint* corner : {&t.apex, &t.left, &t.right}) corner->x += shift;
+    triangles.push_back(t);
+  }
+  return triangles;
 }
 
 void Lattice::note_change(const LatticePoint& p) {

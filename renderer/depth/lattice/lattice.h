@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -54,6 +55,11 @@ class Lattice {
   /// Splits the two triangles that meet in this midpoint, and first the larger ones that must be split for
   /// these to exist.
   void split_at(const LatticePoint& p);
+  /// The midpoints that `split_at` would split, this one and those of the larger triangles, each once, put
+  /// behind what is in `out`.
+  void list_splits(const LatticePoint& p, std::vector<LatticePoint>& out) const;
+  /// The triangles that meet in a midpoint: two, or one on the border; of a wrap with columns in [0, width].
+  [[nodiscard]] std::vector<LatticeTriangle> triangles_of(const LatticePoint& midpoint) const;
   /// Whether something was split in the block, or on its edge, since this was last asked; at first true.
   [[nodiscard]] bool take_change(int block) {
     return std::atomic_ref<std::uint8_t>(changed_[static_cast<std::size_t>(block)])
@@ -91,6 +97,19 @@ class Lattice {
   }
 
   void note_change(const LatticePoint& p);
+  /// Of the two triangles that meet in a midpoint; not yet brought into the lattice.
+  [[nodiscard]] static std::array<LatticePoint, 2> apexes_of(const LatticePoint& midpoint);
+  [[nodiscard]] bool is_inside(const LatticePoint& p) const {
+    return p.y >= 0 && p.y <= height_ && (wraps_ || (p.x >= 0 && p.x <= width_));
+  }
+  [[nodiscard]] LatticePoint wrapped(const LatticePoint& p) const {
+    return {wraps_ ? (p.x + width_) % width_ : p.x, p.y};
+  }
+  /// A corner of blocks is always there.
+  [[nodiscard]] bool is_corner(const LatticePoint& p) const {
+    const int step = (p.x | p.y) & -(p.x | p.y);
+    return step == 0 || step >= block_;
+  }
 
   bool wraps_;
   int block_, width_, height_;
