@@ -1,8 +1,8 @@
 #include "stimuli/study_file/study_file_session.h"
 
 #include <algorithm>
-#include <regex>
 
+#include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -19,11 +19,9 @@ void read_labels(const TomlTable& table, SessionDefinition& session) {
   std::copy(labels.begin(), labels.end(), session.rating_labels.begin());
 }
 
-/// A tag of BCP 47 as far as its form goes: parts of one to eight letters and digits, the first of letters.
 std::string read_language(const TomlTable& table, const std::string& usual) {
   const std::string language = table.text("language", usual);
-  static const std::regex tag("[A-Za-z]{1,8}(-[A-Za-z0-9]{1,8}){0,7}");
-  if (!std::regex_match(language, tag))
+  if (!is_language_tag(language))
     throw table.complaint("language", "a tag such as \"en\" or \"pt-BR\"", "\"" + language + "\"");
   return language;
 }
