@@ -1,5 +1,8 @@
 #include "stimuli/study_file/carried_files.h"
 
+#include <algorithm>
+
+#include "stimuli/study_file/people/study_file_language.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
@@ -11,6 +14,8 @@ std::vector<std::string> carried_files(const StudyDefinition& study) {
   for (const InstructionPage& page : study.instructions)
     files.insert(files.end(), page.pictures.begin(), page.pictures.end());
   if (!study.session.font.empty()) files.push_back(study.session.font);
+  const std::vector<std::string> texts = language_files(study);
+  files.insert(files.end(), texts.begin(), texts.end());
   return files;
 }
 
@@ -24,7 +29,11 @@ void copy_carried_files(const StudyDefinition& study, const fs::path& set_folder
 
 void check_carried_files(const StudyDefinition& study, const fs::path* folder) {
   for (const std::string& file : carried_files(study)) {
-    const char* field = file == study.session.font ? "session.font" : "instructions.page.pictures";
+    const std::vector<std::string> texts = language_files(study);
+    const bool is_texts = std::find(texts.begin(), texts.end(), file) != texts.end();
+    const char* field = file == study.session.font ? "session.font"
+                        : is_texts                 ? "language.texts"
+                                                   : "instructions.page.pictures";
     if (file.empty() || !is_written_below(file) ||
         (folder != nullptr && fs::exists(*folder / file) && !lies_below(*folder / file, *folder)))
       throw input_error({.file = study.file.string(),

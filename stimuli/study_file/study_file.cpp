@@ -10,6 +10,7 @@
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/parts/study_file_look.h"
+#include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -219,6 +220,9 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_carried_files(study, assets == AssetCheck::must_exist ? &folder : nullptr);
   if (study.scenes.empty()) throw table.complaint("scene", "at least one [[scene]]", "none");
   if (assets == AssetCheck::must_exist) check_carried_texts(table, study);
+  if (assets == AssetCheck::must_exist && study.languages)
+    for (const LanguageDefinition& language : study.languages->languages)
+      static_cast<void>(read_study_texts(study, language));
   require_a_set_that_can_be_read(table, study);
   return study;
 }

@@ -4,6 +4,7 @@
 
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/session_settings.h"
+#include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -140,8 +141,13 @@ void read_people(const TomlTable& study, StudyDefinition& definition) {
   if (const auto pages = study.table("instructions")) definition.instructions = read_instructions(*pages);
   if (const auto training = study.table("training")) definition.training = read_training(*training);
   definition.recruitment = read_recruitment(study, definition.form, definition.catches.attention);
-  std::span<const PageText> more;
-  if (definition.recruitment) more = every_recruitment_text();
+  definition.languages = read_languages(study, definition.session.language);
+  std::vector<PageText> more;
+  const auto add = [&](std::span<const PageText> known) {
+    more.insert(more.end(), known.begin(), known.end());
+  };
+  if (definition.recruitment) add(every_recruitment_text());
+  if (definition.languages) add(every_language_text());
   if (const auto texts = study.table("texts")) definition.texts = read_texts(*texts, more);
 }
 

@@ -4,6 +4,7 @@
 
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/session_settings.h"
+#include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {

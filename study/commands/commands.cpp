@@ -1,12 +1,14 @@
 #include "study/commands/commands.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
 #include "stimuli/set/manifest_pictures.h"
+#include "stimuli/study_file/people/study_file_language.h"
+#include "stimuli/study_file/study_file.h"
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
 #include "study/log/online/invitation_codes.h"
@@ -23,11 +25,13 @@
 #include "support/text/suggest.h"
 
 namespace seamline::study {
+namespace fs = std::filesystem;
 namespace {
 
 struct StudyOptions {
   std::string set_folder, log, participant, observer;
-  std::string frame_times, trace;
+  std::string frame_times, trace, language;
+  bool print_texts = false;
   bool pilot = false, allow_scaling = false, windowed = false, display_check = false;
   int count = 20;
   std::uint64_t seed = 1;
@@ -75,7 +79,26 @@ void simulate(const StudyOptions& options) {
                summary.tracks_on_edge, options.log);
 }
 
+/// Of a set or a study file, to the standard output; what is missing is counted beside it.
+void print_texts(const StudyOptions& options) {
+  std::error_code error;
+  const fs::path given = options.set_folder;
+  const StudyDefinition read = fs::is_directory(given, error) ? load_rendered_set(given).study
+                                                              : read_study(given, AssetCheck::not_needed);
+  StudyTexts texts{.tag = options.language.empty() ? read.session.language : options.language, .consent = {}};
+  if (read.languages)
+    for (const LanguageDefinition& language : read.languages->languages)
+      if (language.tag == texts.tag) texts = read_study_texts(read, language);
+  fmt::print("{}", texts_to_translate(read, texts));
+  const std::vector<std::string> missing = missing_texts(read, texts);
+  fmt::print(stderr, "{}: {} texts to translate{}{}\n", texts.tag, missing.size(),
+             missing.empty() ? "" : ": ", fmt::join(missing, ", "));
+}
+
 void study(const StudyOptions& options, const ParticipantRunner& run_participant) {
+  if (options.print_texts) return print_texts(options);
+  if (options.log.empty())
+    throw input_error({.field = "seamline study", .wanted = "--log LOG", .found = "none"});
   if (options.participant.empty() == options.observer.empty())
     throw input_error({.field = "seamline study",
                        .wanted = "either --participant CODE or --observer KIND",
@@ -89,6 +112,7 @@ void study(const StudyOptions& options, const ParticipantRunner& run_participant
   run_participant({.set_folder = options.set_folder,
                    .log = options.log,
                    .code = options.participant,
+                   .language = options.language,
                    .pilot = options.pilot,
                    .allow_scaling = options.allow_scaling,
                    .frame_times = options.frame_times,
@@ -166,10 +190,16 @@ void refuse_without_window(const ParticipantRequest&) {
 void add_study_commands(CLI::App& app, const ParticipantRunner& run_participant) {
   const auto study_options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand("study", "run a session: a person in a window, or simulated people");
-  command->add_option("set", study_options->set_folder, "folder of the rendered set")->required();
-  command->add_option("--log", study_options->log, "SQLite log of answers; made when it is missing")
+  command
+      ->add_option("set", study_options->set_folder,
+                   "folder of the rendered set (for --print-texts also a study file)")
       ->required();
+  command->add_option("--log", study_options->log, "SQLite log of answers; made when it is missing");
   command->add_option("--participant", study_options->participant, "a person's code, never a name");
+  command->add_option("--language", study_options->language,
+                      "tag of the language that the person reads, of [[language]] in the study");
+  command->add_flag("--print-texts", study_options->print_texts,
+                    "print every text of the study, to translate into --language, and say what is missing");
   command->add_flag("--pilot", study_options->pilot, "mark the participant as a trial run");
   command->add_flag("--allow-scaling", study_options->allow_scaling,
                     "show pictures that do not fit the screen smaller; the log says so with every answer");

@@ -15,6 +15,7 @@ struct ParticipantRequest {
   std::filesystem::path set_folder = {};
   std::filesystem::path log = {};
   std::string code = {};
+  std::string language = {};  ///< of the study's; empty: its own
   bool pilot = false;
   bool allow_scaling = false;              ///< show pictures that do not fit smaller, and say so in the log
   std::filesystem::path frame_times = {};  ///< CSV for the time of every frame; empty: none

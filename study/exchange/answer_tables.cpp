@@ -1,11 +1,14 @@
 #include "study/exchange/answer_tables.h"
 
 #include <cstddef>
+#include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "study/exchange/look_tables.h"
+#include "study/log/online/reading_languages.h"
 
 namespace seamline::study {
 namespace {
@@ -121,8 +124,28 @@ CsvTable without_order(CsvTable table, const Anonymity& anonymity) {
   return table;
 }
 
+namespace {
+
+/// A column only where the study has several languages. Few people may share one, so that it is in no
+/// anonymised table.
+void add_languages(const LogContents& log, CsvTable& participants) {
+  std::error_code error;
+  if (!std::filesystem::exists(log.file, error)) return;
+  const std::map<std::string, std::string> languages = reading_languages(log.file);
+  if (languages.empty()) return;
+  participants.columns.push_back(
+      {"language", "", "in which the study was read, as a tag of BCP 47; empty: not said"});
+  for (std::size_t i = 0; i < log.participants.size(); ++i) {
+    const auto found = languages.find(log.participants[i].code);
+    participants.rows[i].push_back(found == languages.end() ? CsvValue() : CsvValue(found->second));
+  }
+}
+
+}  // namespace
+
 std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
+  if (!anonymity) add_languages(log, tables.back());
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is

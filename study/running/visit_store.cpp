@@ -1,5 +1,6 @@
 #include "study/running/visit_store.h"
 
+#include "stimuli/definition/people/language_definition.h"
 #include "support/running/overloaded.h"
 #include "support/text/error.h"
 
@@ -39,12 +40,14 @@ struct VisitStore::State {
   State(const RenderedSet& rendered, const fs::path& log_path, const Visitor& visitor)
       : set(rendered),
         enrolment{.code = visitor.code, .pilot = visitor.pilot},
+        own_form(visitor.own_form),
         rules(make_trial_rules(rendered)),
         script(std::make_shared<const VisitScript>(make_visit_script(rendered))),
         log(log_path, rendered) {}
 
   const RenderedSet& set;
   Enrolment enrolment;
+  std::vector<FormField> own_form;
   TrialRules rules;
   std::shared_ptr<const VisitScript> script;
   LogWriter log;
@@ -69,39 +72,42 @@ struct VisitStore::State {
 };
 
 VisitEvent VisitStore::State::store(const Record& record) {
-  return std::visit(Overloaded{[&](const DeclineRecord&) -> VisitEvent {
-                                 noted.clear();
-                                 frames = {};
-                                 log.record_decline();
-                                 return RecordStored{};
-                               },
-                               [&](const ConsentRecord& consent) -> VisitEvent {
-                                 place = enter_session(log, enrolment, set.study.session.orders);
-                                 log.record_consent(*place, set.study.consent.text, consent.accepted_unix_s);
-                                 return Enrolled{open_trials(rules, log, *place)};
-                               },
-                               [&](const FormRecord& form) -> VisitEvent {
-                                 log.record_form(*place, form.answers);
-                                 return RecordStored{};
-                               },
-                               [&](const DisplayRecord& display) -> VisitEvent {
-                                 log.record_display(*place, display.facts);
-                                 return RecordStored{};
-                               },
-                               [&](const TrainingRecord& training) -> VisitEvent {
-                                 log.append_training(*place,
-                                                     {.trial = training.trial, .answer = training.answer});
-                                 return RecordStored{};
-                               },
-                               [&](const AnswerRecord& answer) -> VisitEvent {
-                                 log.append_answer(*place, answer.answer);
-                                 return RecordStored{};
-                               },
-                               [&](const CompletionRecord&) -> VisitEvent {
-                                 log.complete(*place);
-                                 return RecordStored{};
-                               }},
-                    record);
+  return std::visit(
+      Overloaded{[&](const DeclineRecord&) -> VisitEvent {
+                   noted.clear();
+                   frames = {};
+                   log.record_decline();
+                   return RecordStored{};
+                 },
+                 [&](const ConsentRecord& consent) -> VisitEvent {
+                   place = enter_session(log, enrolment, set.study.session.orders);
+                   log.record_consent(*place, set.study.consent.text, consent.accepted_unix_s);
+                   return Enrolled{open_trials(rules, log, *place)};
+                 },
+                 [&](const FormRecord& form) -> VisitEvent {
+                   const bool translated = !own_form.empty();
+                   log.record_form(*place, translated
+                                               ? answers_of_study(own_form, set.study.form, form.answers)
+                                               : form.answers);
+                   return RecordStored{};
+                 },
+                 [&](const DisplayRecord& display) -> VisitEvent {
+                   log.record_display(*place, display.facts);
+                   return RecordStored{};
+                 },
+                 [&](const TrainingRecord& training) -> VisitEvent {
+                   log.append_training(*place, {.trial = training.trial, .answer = training.answer});
+                   return RecordStored{};
+                 },
+                 [&](const AnswerRecord& answer) -> VisitEvent {
+                   log.append_answer(*place, answer.answer);
+                   return RecordStored{};
+                 },
+                 [&](const CompletionRecord&) -> VisitEvent {
+                   log.complete(*place);
+                   return RecordStored{};
+                 }},
+      record);
 }
 
 void VisitStore::State::store_noted() {
@@ -150,6 +156,7 @@ VisitStore::VisitStore(const RenderedSet& set, const fs::path& log, const Visito
   check_participant_code(visitor.code);
   check_consent_text(set, visitor);
   state_ = std::make_unique<State>(set, log, visitor);
+  if (!visitor.language.empty()) note({.kind = "language", .detail = visitor.language});
   const std::optional<KnownParticipant> known = state_->log.find(state_->enrolment);
   if (!known) return;
   check_may_begin(*known, log, visitor, set.study.session.resume);

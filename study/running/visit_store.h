@@ -17,6 +17,10 @@ namespace seamline::study {
 struct Visitor {
   std::string code = {};  ///< 1 to 64 of A-Z a-z 0-9 . _ -; never a name
   bool pilot = false;
+  /// In which language they read, where the study has several; empty: it has one.
+  std::string language = {};
+  /// The form whose options are stored, where the set's study is read in another language; empty: its own.
+  std::vector<FormField> own_form = {};
 };
 
 /// Between a visit and the log: everything but the window.

@@ -94,6 +94,8 @@ void run_export(const ExportOptions& options, const OtherPage& other) {
              static_cast<double>(summary.bytes) / 1e6, summary.pictures,
              summary.adaptive ? std::string("trials placed by `seamline serve`")
                               : fmt::format("{} orders", summary.slots));
+  if (!summary.drafts.empty())
+    fmt::print("machine drafts, to be checked by a speaker: {}\n", fmt::join(summary.drafts, ", "));
   if (summary.guessable_orders)
     fmt::print(
         "The orders follow from the study's seed, which is short enough to be found by trying: then two files "

@@ -6,6 +6,7 @@
 
 #include "study/log/now.h"
 #include "study/online/messages/message_writer.h"
+#include "study/trials/study_languages.h"
 #include "support/files/hash.h"
 
 namespace seamline::study::online {
@@ -45,8 +46,13 @@ Intake::Intake(const RenderedSet& set, const std::filesystem::path& log, KnownNa
       known_names_(known),
       rules_(make_trial_rules(set)),
       script_(make_visit_script(set)),
-      consent_sha256_(sha256(set.study.consent.text)),
-      log_(log, set) {}
+      log_(log, set) {
+  consents_[sha256(set.study.consent.text)] = set.study.consent.text;
+  for (const StudyTexts& texts : whole_languages(set.study)) {
+    const std::string text = in_language(set.study, texts).consent.text;
+    consents_[sha256(text)] = text;
+  }
+}
 
 void Intake::transaction(const std::function<void()>& work) {
   try {
@@ -103,8 +109,8 @@ void Intake::check_study(const Message& message) const {
 }
 
 void Intake::check_consent(const EnrolBody& body) const {
-  if (body.consent_sha256 != consent_sha256_)
-    throw conflict("body.consent_sha256", consent_sha256_ + ", of this study's consent",
+  if (!consents_.contains(body.consent_sha256))
+    throw conflict("body.consent_sha256", sha256(set_.study.consent.text) + ", of this study's consent",
                    in_quotes(body.consent_sha256));
   if (!body.pilot && is_default_consent(set_.study.consent))
     throw wrong("body.pilot", "a pilot, since the study has the shipped consent text", "a participant");
@@ -140,7 +146,7 @@ Intake::Person& Intake::enter(const OnlineNewcomer& newcomer, const EnrolBody& b
   const std::int64_t begun_unix_s = newcomer.origin == Origin::serve ? now_unix_s() : body.accepted_unix_s;
   Person entered{.stored = log_.enter(newcomer)};
   log_.begin_sitting(entered.stored, body.user_agent, begun_unix_s);
-  log_.record_consent(entered.stored, set_.study.consent.text, body.accepted_unix_s);
+  log_.record_consent(entered.stored, consents_.at(body.consent_sha256), body.accepted_unix_s);
   const std::vector<Trial> decided = decided_trials(rules_, newcomer.slot, {});
   if (!decided.empty()) log_.append_trials(entered.stored, decided);
   return people_.insert_or_assign(newcomer.code, std::move(entered)).first->second;

@@ -141,7 +141,7 @@ class Intake {
   KnownNames known_names_;
   TrialRules rules_;
   VisitScript script_;
-  std::string consent_sha256_;
+  std::map<std::string, std::string> consents_;  ///< the text in each language, by its hash
   std::optional<Quota> quota_ = {};
   OnlineLog log_;
   std::unordered_map<std::string, Person> people_;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "stimuli/set/clip_set.h"
+#include "stimuli/study_file/people/study_file_language.h"
 #include "study/online/page/web_study.h"
+#include "study/trials/study_languages.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
@@ -155,8 +157,7 @@ fs::path beside_study(const RenderedSet& set, const std::string& name, const cha
   return path_below(set.folder, name, {.file = study_file_name(set), .field = field});
 }
 
-std::string add_font(const RenderedSet& set, WebFiles& files) {
-  const std::string& name = set.study.session.font;
+std::string add_font(const RenderedSet& set, const std::string& name, WebFiles& files) {
   if (name.empty()) return {};
   return files.add_by_content("fonts", read_file(beside_study(set, name, "session.font")),
                               lower_case_ending(name));
@@ -199,27 +200,34 @@ WebSummary export_web(const WebRequest& request) {
     stop_if_interrupted();
     files.add(order_file(slot), order_text(names, pictures, decided_trials(rules, slot, {})));
   }
-  const std::string font = add_font(set, files);
+  const std::string font = add_font(set, set.study.session.font, files);
   const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);
-  files.add("study.json", web_study_text({.set = set,
-                                          .rules = rules,
-                                          .names = names,
-                                          .pictures = pictures,
-                                          .files = files.files(),
-                                          .slots = slots,
-                                          .host = request.host,
-                                          .pilot = request.pilot,
-                                          .font = font,
-                                          .instruction_files = instructions}));
+  const WebStudy web{.set = set,
+                     .rules = rules,
+                     .names = names,
+                     .pictures = pictures,
+                     .files = files.files(),
+                     .slots = slots,
+                     .host = request.host,
+                     .pilot = request.pilot,
+                     .font = font,
+                     .instruction_files = instructions};
+  WebSummary summary{.slots = slots,
+                     .adaptive = rules.quest_plus != nullptr,
+                     .guessable_orders = !rules.quest_plus && set.study.seed < least_secret_seed,
+                     .pictures = static_cast<int>(pictures.map.size())};
+  for (const StudyTexts& texts : whole_languages(set.study)) {
+    const StudyDefinition read = in_language(set.study, texts);
+    files.add(language_file(texts.tag),
+              web_language_text(web, read, add_font(set, read.session.font, files)));
+    if (texts.is_draft) summary.drafts.push_back(texts.tag);
+  }
+  files.add("study.json", web_study_text(web));
   write_file_atomically(folder / "files.json", files.index_text());
   files.give_one_time();
   publish_folder(folder, out);
 
-  WebSummary summary{.slots = slots,
-                     .adaptive = rules.quest_plus != nullptr,
-                     .guessable_orders = !rules.quest_plus && set.study.seed < least_secret_seed,
-                     .pictures = static_cast<int>(pictures.map.size()),
-                     .files = static_cast<int>(files.files().size()) + 1};
+  summary.files = static_cast<int>(files.files().size()) + 1;
   for (const auto& [name, file] : files.files()) summary.bytes += file.bytes;
   return summary;
 }

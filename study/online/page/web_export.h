@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "study/log/origin.h"
 
@@ -24,6 +26,7 @@ struct WebSummary {
   int pictures = 0;
   int files = 0;
   std::int64_t bytes = 0;
+  std::vector<std::string> drafts = {};  ///< languages that a machine translated, and no speaker has checked
 };
 
 /// Writes a folder that shows the study in a browser: whole or not at all, the same bytes for the same set,

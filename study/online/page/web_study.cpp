@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/definition/looks/study_look.h"
-#include "stimuli/definition/people/recruitment_definition.h"
+#include "stimuli/definition/people/language_definition.h"
 #include "study/online/page/web_format.h"
 #include "study/trials/trial_picture.h"
 #include "study/visit/visit_script.h"
@@ -28,12 +28,7 @@ Json texts_json(const StudyDefinition& study) {
   Json texts = Json::object();
   for (const PhraseEntry& entry : every_phrase())
     texts[std::string(entry.key)] = phrase_text(study.texts, entry.phrase);
-  if (study.recruitment)
-    for (const PageText& entry : every_recruitment_text()) {
-      const std::string key(entry.key);
-      const auto own = study.recruitment->texts.find(key);
-      texts[key] = own == study.recruitment->texts.end() ? std::string(entry.english) : own->second;
-    }
+  for (const auto& [key, text] : page_texts_of(study)) texts[key] = text;
   return texts;
 }
 
@@ -44,9 +39,11 @@ Json recruitment_json(const RecruitmentDefinition& recruitment) {
           {"host", return_host(recruitment)}};
 }
 
-Json form_json(const std::vector<FormField>& form) {
+/// `own`: the study's, whose options are what is stored.
+Json form_json(const std::vector<FormField>& form, const std::vector<FormField>& own) {
   Json fields = Json::array();
-  for (const FormField& field : form) {
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    const FormField& field = form[i];
     Json json = {{"name", field.name}, {"label", field.label}, {"required", field.required}};
     if (const auto* number = std::get_if<NumberField>(&field.kind)) {
       json["kind"] = "number";
@@ -56,18 +53,26 @@ Json form_json(const std::vector<FormField>& form) {
     } else {
       json["kind"] = "choice";
       json["options"] = std::get<ChoiceField>(field.kind).options;
+      const std::vector<std::string>& values = std::get<ChoiceField>(own.at(i).kind).options;
+      if (values != std::get<ChoiceField>(field.kind).options) json["values"] = values;
     }
     fields.push_back(std::move(json));
   }
   return fields;
 }
 
-Json instructions_json(const WebStudy& web) {
+Json instructions_json(const WebStudy& web, const StudyDefinition& read) {
   Json pages = Json::array();
-  for (std::size_t i = 0; i < web.set.study.instructions.size(); ++i)
-    pages.push_back(
-        {{"text", web.set.study.instructions[i].text}, {"pictures", web.instruction_files.at(i)}});
+  for (std::size_t i = 0; i < read.instructions.size(); ++i)
+    pages.push_back({{"text", read.instructions[i].text}, {"pictures", web.instruction_files.at(i)}});
   return pages;
+}
+
+Json consent_json(const ConsentDefinition& consent) {
+  return {{"text", consent.text},
+          {"accept", consent.accept},
+          {"decline", consent.decline},
+          {"sha256", sha256(consent.text)}};
 }
 
 Json training_json(const WebStudy& web, const VisitScript& script) {
@@ -176,13 +181,9 @@ std::string web_study_text(const WebStudy& web) {
       {"height_px", web.set.manifest.height_px},
       {"text_scale", study.session.text_scale},
       {"font", web.font},
-      {"consent",
-       {{"text", study.consent.text},
-        {"accept", study.consent.accept},
-        {"decline", study.consent.decline},
-        {"sha256", sha256(study.consent.text)}}},
-      {"form", form_json(study.form)},
-      {"instructions", instructions_json(web)},
+      {"consent", consent_json(study.consent)},
+      {"form", form_json(study.form, study.form)},
+      {"instructions", instructions_json(web, study)},
       {"question", study.session.question},
       {"rating_question", study.session.rating_question},
       {"rating_labels", study.session.rating_labels},
@@ -200,7 +201,31 @@ std::string web_study_text(const WebStudy& web) {
   };
   if (study.recruitment) json["recruitment"] = recruitment_json(*study.recruitment);
   add_looks(web, json);
+  if (study.languages) {
+    json["languages"] = Json::array({{{"tag", study.session.language}}});
+    for (const LanguageDefinition& language : study.languages->languages)
+      json["languages"].push_back({{"tag", language.tag}, {"file", language_file(language.tag)}});
+  }
   return json.dump(1) + "\n";
+}
+
+std::string web_language_text(const WebStudy& web, const StudyDefinition& read, const std::string& font) {
+  const Json json = {{"language", read.session.language},
+                     {"font", font},
+                     {"consent", consent_json(read.consent)},
+                     {"form", form_json(read.form, web.set.study.form)},
+                     {"instructions", instructions_json(web, read)},
+                     {"question", read.session.question},
+                     {"rating_question", read.session.rating_question},
+                     {"rating_labels", read.session.rating_labels},
+                     {"feedback_right", read.training.feedback_right},
+                     {"feedback_wrong", read.training.feedback_wrong},
+                     {"texts", texts_json(read)}};
+  return json.dump(1) + "\n";
+}
+
+std::string language_file(const std::string& tag) {
+  return "languages/" + tag + ".json";
 }
 
 std::string order_text(const ShownNames& names, const WebPictures& pictures, std::span<const Trial> trials) {

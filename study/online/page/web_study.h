@@ -24,6 +24,14 @@ struct WebStudy {
   std::vector<std::vector<std::string>> instruction_files = {};  ///< by page
 };
 
+/// `languages/TAG.json`: what of `study.json` is other in that language. `read`: the study in it
+/// (`in_language`); `font`: its file.
+[[nodiscard]] std::string web_language_text(const WebStudy& web, const StudyDefinition& read,
+                                            const std::string& font);
+
+/// `languages/de.json`.
+[[nodiscard]] std::string language_file(const std::string& tag);
+
 /// `study.json`: everything that the page shows and asks, without right answers but those of the practice.
 /// Stimuli and catch trials stand in the order of their shown names, because the set's own order tells
 /// objects.

@@ -3,7 +3,7 @@
 // What follows from what happens is core/visit.js's business, what is kept the courier's; here they are put together,
 // and jsPsych shows one screen after the other.
 import { placedTrials, plannedTrials } from "./core/trials.js";
-import { direction, fillIn } from "./core/texts.js";
+import { chooseLanguage, direction, fillIn } from "./core/texts.js";
 import { FORMAT, makeMessage, nanoseconds, progressOf } from "./core/messages.js";
 import { beginVisit, next, resumeVisit, sessionOnScreen } from "./core/visit.js";
 import { makeCourier } from "./keeping/courier.js";
@@ -85,6 +85,23 @@ function checkedView(study) {
 /** Whether somebody must put on a headset, and there is none. */
 const lacksHeadset = async (study) =>
   (study.looks ?? []).some((look) => look.kind === "head") && !(await headsetIsThere());
+
+/** The study in one of its languages. */
+async function inLanguage(study, { file }, away) {
+  return file ? { ...study, ...(await persistently(() => fetchJson(file), away)) } : study;
+}
+
+async function useFont(study, away) {
+  if (!study.font) return;
+  const bytes = await persistently(() => fetchFile(study.font, (response) => response.arrayBuffer()), away);
+  document.fonts.add(await new FontFace("study", bytes).load());
+}
+
+function speak(study) {
+  document.documentElement.lang = study.language;
+  document.documentElement.dir = direction(study.language);
+  document.title = study.title;
+}
 
 class Study {
   visit = null;
@@ -270,6 +287,18 @@ class Study {
 
   // Coming, and coming again.
 
+  /** Before the consent; the page begins anew in it. */
+  async useLanguage(tag) {
+    await this.store.keepFact("language", tag);
+    location.reload();
+  }
+
+  /** With every sitting, so that an answer's language is known. */
+  #noteLanguage() {
+    if (!this.study.languages) return;
+    this.courier.note("event", { monotonic_ns: nanoseconds(performance.now()), kind: "language", trial_index: null, detail: this.study.language });
+  }
+
   /** Stores the consent and finds a place: {participant, slot}, and the trials of it. */
   async enrol(accepted_unix_s) {
     const drawn = this.host.drawn?.() ?? { participant: "", slot: -1 };
@@ -282,8 +311,11 @@ class Study {
       pilot: this.study.pilot,
     });
     await this.store.append(message);
+    if (this.study.languages) await this.store.keepFact("language", this.study.language);
     askForPersistence();
-    return this.#takePlace([message]);
+    const trials = await this.#takePlace([message]);
+    this.#noteLanguage();
+    return trials;
   }
 
   /** With an enrolment that is kept here, and perhaps not yet known to the host. */
@@ -340,6 +372,7 @@ class Study {
       return;
     }
     await this.courier.deliver("begin", { user_agent: USER_AGENT });
+    this.#noteLanguage();
     this.visit = resumeVisit(this.script, { ...known, trials });
     if (this.visit.pending) this.#keepPending();
     if (this.visit.screen.name === "display") await this.confirmKnownDisplay();
@@ -461,18 +494,16 @@ function listenToKeys(app) {
 async function main() {
   await globalThis.seamlineParts?.(); // a host may forbid scripts within pages
   // The words of the first page stand until the study has its own.
-  const study = readStudy(await persistently(() => fetchJson("study.json"), () => {}));
-  document.documentElement.lang = study.language;
-  document.documentElement.dir = direction(study.language);
-  document.title = study.title;
+  const own = readStudy(await persistently(() => fetchJson("study.json"), () => {}));
+  const languages = own.languages ?? [{ tag: own.language }];
+  const wishes = [addressed.get("lang"), ...navigator.languages];
+  let study = await inLanguage(own, chooseLanguage(languages, wishes), () => {});
+  speak(study);
   const away = (before, now) => {
     statusLine.textContent = now === null ? "" : waitingWords(study.texts, now);
     statusLine.hidden = now === null;
   };
-  if (study.font) {
-    const bytes = await persistently(() => fetchFile(study.font, (response) => response.arrayBuffer()), away);
-    document.fonts.add(await new FontFace("study", bytes).load());
-  }
+  if (!own.languages) await useFont(study, away);
   const reason = unfit(study);
   if (reason !== null) return refuse(study, reason);
   const identifiers = identifiersOf(study);
@@ -495,6 +526,11 @@ async function main() {
     store = await openStore(name.join(" "));
   } catch (error) {
     return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
+  }
+  if (own.languages) {
+    study = await inLanguage(own, chooseLanguage(languages, [await store.fact("language"), ...wishes]), away);
+    speak(study);
+    await useFont(study, away);
   }
   const identity = { token, identifiers, secret: null };
   let host;

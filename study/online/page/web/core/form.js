@@ -9,9 +9,12 @@ function faultOfNumber(field, value) {
   return number < field.least || number > field.most ? "out_of_range" : null;
 }
 
+/** What is stored of a choice: the study's own options, in whatever language they are read. */
+export const valuesOf = (field) => field.values ?? field.options;
+
 /** "missing", "not_a_number", "out_of_range", "not_an_option" or null. */
 export function faultOf(field, value) {
   if (value === "") return field.required ? "missing" : null;
   if (field.kind === "number") return faultOfNumber(field, value);
-  return field.options.includes(value) ? null : "not_an_option";
+  return valuesOf(field).includes(value) ? null : "not_an_option";
 }

@@ -1,5 +1,5 @@
 // The form: numbers and choices. Faults are said beside the question until they are put right.
-import { faultOf } from "../core/form.js";
+import { faultOf, valuesOf } from "../core/form.js";
 import { card, element, radioGroup, uniqueId } from "./dom.js";
 import { codeWords } from "./pages.js";
 
@@ -29,7 +29,7 @@ function choiceField(app, field, changed) {
     note: field.required ? null : app.phrase("form_optional"),
     options: field.options,
     chosen: -1,
-    change: (index) => changed(field.options[index]),
+    change: (index) => changed(valuesOf(field)[index]),
   });
   return { node, input: node.querySelector("input") };
 }

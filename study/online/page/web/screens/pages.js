@@ -19,9 +19,21 @@ export function drawConsent(app, display) {
           action: () => app.step({ type: "consent_given", unix_s: Math.floor(Date.now() / 1000) }),
         },
       ]),
-      textSizes(app)
+      textSizes(app),
+      ...languageChoice(app)
     )
   );
+}
+
+/** The languages of the study, each in its own words. The choice holds until the consent. */
+function languageChoice(app) {
+  const { languages, language, texts } = app.study;
+  if (!languages) return [];
+  const nameOf = (tag) => new Intl.DisplayNames([tag], { type: "language" }).of(tag);
+  const buttons = languages.map(({ tag }) =>
+    element("button", { type: "button", lang: tag, dir: "auto", "aria-pressed": String(tag === language), onclick: () => app.useLanguage(tag) }, nameOf(tag))
+  );
+  return [element("div", { class: "languages", role: "group", "aria-label": texts.language }, ...buttons)];
 }
 
 export function drawInstructions(app, display) {

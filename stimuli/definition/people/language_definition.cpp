@@ -1,0 +1,130 @@
+#include "stimuli/definition/people/language_definition.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace seamline::inline stimuli {
+namespace {
+
+constexpr std::array<PageText, 1> language_texts = {{{"language", "Language"}}};
+
+void replace(std::string& text, const std::string& translated) {
+  if (!translated.empty()) text = translated;
+}
+
+FormField in_language(FormField field, const StudyTexts& texts) {
+  const auto found = texts.form.find(field.name);
+  if (found == texts.form.end()) return field;
+  replace(field.label, found->second.label);
+  if (auto* choice = std::get_if<ChoiceField>(&field.kind);
+      choice != nullptr && choice->options.size() == found->second.options.size())
+    choice->options = found->second.options;
+  return field;
+}
+
+void list_missing_of_form(const std::vector<FormField>& form, const StudyTexts& texts,
+                          std::vector<std::string>& missing) {
+  for (const FormField& field : form) {
+    const auto found = texts.form.find(field.name);
+    const bool known = found != texts.form.end();
+    if (!known || found->second.label.empty()) missing.push_back("form_field." + field.name + ".label");
+    const auto* choice = std::get_if<ChoiceField>(&field.kind);
+    if (choice != nullptr && (!known || found->second.options.size() != choice->options.size()))
+      missing.push_back("form_field." + field.name + ".options");
+  }
+}
+
+}  // namespace
+
+std::span<const PageText> every_language_text() {
+  return language_texts;
+}
+
+std::vector<std::string> missing_texts(const StudyDefinition& study, const StudyTexts& texts) {
+  std::vector<std::string> missing;
+  const auto want = [&](const std::string& key, const std::string& own, const std::string& translated) {
+    if (translated.empty() && !own.empty()) missing.push_back(key);
+  };
+  want("session.question", study.session.question, texts.question);
+  want("session.rating_question", study.session.rating_question, texts.rating_question);
+  if (texts.rating_labels.empty()) missing.emplace_back("session.rating_labels");
+  if (!is_default_consent(study.consent)) want("consent.text", study.consent.text, texts.consent);
+  want("consent.accept", study.consent.accept, texts.accept);
+  want("consent.decline", study.consent.decline, texts.decline);
+  list_missing_of_form(study.form, texts, missing);
+  for (std::size_t i = 0; i < study.instructions.size(); ++i)
+    want(fmt::format("instructions.page[{}].text", i), study.instructions[i].text,
+         i < texts.instructions.size() ? texts.instructions[i] : "");
+  want("training.feedback_right", study.training.feedback_right, texts.feedback_right);
+  want("training.feedback_wrong", study.training.feedback_wrong, texts.feedback_wrong);
+  for (const PhraseEntry& entry : every_phrase())
+    if (!texts.texts.contains(entry.phrase)) missing.push_back("texts." + std::string(entry.key));
+  for (const auto& [key, text] : page_texts_of(study))
+    if (!texts.page_texts.contains(key)) missing.push_back("texts." + key);
+  return missing;
+}
+
+StudyDefinition in_language(const StudyDefinition& study, const StudyTexts& texts) {
+  StudyDefinition read = study;
+  read.session.language = texts.tag;
+  replace(read.session.question, texts.question);
+  replace(read.session.rating_question, texts.rating_question);
+  replace(read.session.font, texts.font);
+  if (texts.rating_labels.size() == read.session.rating_labels.size())
+    std::copy(texts.rating_labels.begin(), texts.rating_labels.end(), read.session.rating_labels.begin());
+  replace(read.consent.text, texts.consent);
+  replace(read.consent.accept, texts.accept);
+  replace(read.consent.decline, texts.decline);
+  for (FormField& field : read.form) field = in_language(field, texts);
+  for (std::size_t i = 0; i < std::min(read.instructions.size(), texts.instructions.size()); ++i)
+    replace(read.instructions[i].text, texts.instructions[i]);
+  replace(read.training.feedback_right, texts.feedback_right);
+  replace(read.training.feedback_wrong, texts.feedback_wrong);
+  for (const auto& [phrase, text] : texts.texts) read.texts[phrase] = text;
+  if (study.recruitment) {
+    auto recruitment = std::make_shared<RecruitmentDefinition>(*study.recruitment);
+    for (const PageText& entry : every_recruitment_text())
+      if (const auto own = texts.page_texts.find(std::string(entry.key)); own != texts.page_texts.end())
+        recruitment->texts[own->first] = own->second;
+    read.recruitment = recruitment;
+  }
+  if (study.languages) {
+    auto languages = std::make_shared<LanguageDefinitions>(*study.languages);
+    for (const PageText& entry : every_language_text())
+      if (const auto own = texts.page_texts.find(std::string(entry.key)); own != texts.page_texts.end())
+        languages->texts[own->first] = own->second;
+    read.languages = languages;
+  }
+  return read;
+}
+
+std::vector<FormAnswer> answers_of_study(std::span<const FormField> own,
+                                         std::span<const FormField> translated,
+                                         std::span<const FormAnswer> answers) {
+  std::vector<FormAnswer> turned(answers.begin(), answers.end());
+  for (FormAnswer& answer : turned)
+    for (std::size_t i = 0; i < std::min(own.size(), translated.size()); ++i) {
+      const auto* from = std::get_if<ChoiceField>(&translated[i].kind);
+      const auto* into = std::get_if<ChoiceField>(&own[i].kind);
+      if (own[i].name != answer.field || from == nullptr || into == nullptr) continue;
+      const auto at = std::find(from->options.begin(), from->options.end(), answer.value);
+      if (at != from->options.end())
+        answer.value = into->options.at(static_cast<std::size_t>(at - from->options.begin()));
+    }
+  return turned;
+}
+
+std::map<std::string, std::string> page_texts_of(const StudyDefinition& study) {
+  std::map<std::string, std::string> texts;
+  const auto add = [&](std::span<const PageText> known, const std::map<std::string, std::string>& own) {
+    for (const PageText& entry : known) texts[std::string(entry.key)] = entry.english;
+    for (const auto& [key, text] : own) texts[key] = text;
+  };
+  if (study.recruitment) add(every_recruitment_text(), study.recruitment->texts);
+  if (study.languages) add(every_language_text(), study.languages->texts);
+  return texts;
+}
+
+}  // namespace seamline::inline stimuli
