@@ -152,6 +152,7 @@ void refuse_mesh_beside_budget(const TomlTable& table, const DepthSettings& dept
 
 void read_depth_keys(const TomlTable& table, const LevelDefinition& level, DepthSettings& depth) {
   read_settings(table, depth);
+  refuse_mesh_beside_budget(table, depth);
   depth.mitigation = read_mitigation(table, depth.mitigation);
   depth.pipeline = read_pipeline(table, level, depth.pipeline);
   if (has_sensor(depth)) {
