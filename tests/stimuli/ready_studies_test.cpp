@@ -1,0 +1,94 @@
+// What ready studies mean is held: their hashes were taken before settings were described by rows, and sets
+// that were rendered from them stay theirs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "stimuli/definition/stimulus.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/hash.h"
+
+namespace seamline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::string> hashes = {
+    {"fuzz/corpus/study/adaptive_joint.toml",
+     "b2682a787781933036e2c6a141b203eaca8b53d3c7194cf9c268542d9f128831"},
+    {"fuzz/corpus/study/adaptive_priors.toml",
+     "8910165a6de763b190a63e95b9a32d95ea172ec5297997e262b6f6ef842f14f1"},
+    {"fuzz/corpus/study/all_keys.toml", "2ba39c2d610c939d262db2ea2e25545dc660c7faa48dba0734ef9eb28d498874"},
+    {"fuzz/corpus/study/depth.toml", "9d2404d7b8312c009bf6085eb6c7dd6a51f38ab66c7f881767a1e9ee79bf9111"},
+    {"fuzz/corpus/study/quick.toml", "0ad021eba0e98eef9184803add46c2ecd6a43292cc9b12f8dd00f15ca769acea"},
+    {"stimuli/colour_bleeding.toml", "ec711f5417e84b7b22712ef377a0ecc738b5c38ccd40261609712596bedf3458"},
+    {"stimuli/depth_reduction.toml", "d29947e3234a86625fc3eea01578bc835a7c0349b15251dce9d74063afa4b2ad"},
+    {"stimuli/depth_resolution.toml", "2ceb090d27fe77b341a1f84027240fa6c417311802dddbd929e18eae2a77aba6"},
+    {"stimuli/depth_resolution_isolated.toml",
+     "017f8cda8f4a019ed03ef2740844d35a94f75ffce571999d6a82cfe3b0c5cc04"},
+    {"stimuli/depth_resolution_v1.toml", "4fb458079c212a12127009fa58fc6c6833f41ce1328eac7c25a0d4036fd53c5e"},
+    {"stimuli/discontinuity.toml", "4a1ade658c3fa775a87f59a023fbd889e9cee71ec2ffac4756b9618ba921fe66"},
+    {"stimuli/environment_light.toml", "1d594589d243ebea0dd981abac9dfd5556a1559070f4f0656f4a205544c6e534"},
+    {"stimuli/field_of_view.toml", "5a8cb77b06abca13eaccae8d1773e0a6a434b6883cc99397c4cdc6a134640331"},
+    {"stimuli/furnished_room.toml", "f6598a787dc08bff8633a130ff2bc940181e1f48e75b03a6f5c4ded73152b219"},
+    {"stimuli/late_depth.toml", "f7f7b0f7c1321d71b7a389eaa5f936bd2f32a81ba67e775aba53987461efe891"},
+    {"stimuli/many_lights.toml", "bed65e9b101f4a94f8536b5155ae8d34e2fdd2c11bd8070a90110410aaf31de7"},
+    {"stimuli/mesh_tolerance.toml", "12e087c58c5a2c994307059f8076f0b79e8ea71a0506814dd9f35a94e2b45b54"},
+    {"stimuli/mitigations.toml", "b4e7c302d7925f40f83f6de87ddb7dea39ed6ba3feb3c335cf3ae9b490ae4d6a"},
+    {"stimuli/moving_objects.toml", "9f74862e368a386fdfbfb81dbaff29450b5574056bfb7b045f253a14e3ad222a"},
+    {"stimuli/occlusion_method.toml", "7a8cfc956f8512800b758e6072587f3963a6718ed021c6fbd0451611eac2eb9d"},
+    {"stimuli/pair.toml", "038727b16095894d418fc454c1f754a73b0b084ecae2db27914a150c0732c34a"},
+    {"stimuli/quick.toml", "f5c491d8f27a66c48fc65b07769da733bf4a114c4c09bcc4e8fb253be8448a28"},
+    {"stimuli/realtime_methods.toml", "8f5577bc4dd12bf502b3ba28617d09b60cc6c647bdcd84ab5f71ea385c30d5a7"},
+    {"stimuli/reflections.toml", "74c54fbc836ce5ecee84e0f89911c9412e9711a8658fcecbaf9630a9588e51e7"},
+    {"stimuli/registration_error.toml", "23f6a8c4d9ebeea7de5fec0edd51e05bae1a1a51027a34dbb807e0b88f55fd2c"},
+    {"stimuli/sensor_noise.toml", "9934bee70a37bcb72a6cc59efa5ff5fa3985c8f0ac5e3dd09c394aea25b7c62e"},
+    {"stimuli/soft_light.toml", "bb8ae00fe9ca3308aaf2f35919ac86be18169edbd012b357e1280023b589ebc6"},
+    {"stimuli/stereo_seams.toml", "03e546c108f76a8be08af0b7f98b73a570d0c322b1782bfa544cb92be628ab67"},
+    {"stimuli/two_observers.toml", "1f8a934e11cd570813a4344632cbc7135cff035cc7e213250251b4ebdb435c50"},
+    {"tests/online/adaptive.toml", "321b4e7cfa2154ee906c2af16846c5d6a7b24bccfede66f4fb54e59f7b89cfe2"},
+    {"tests/online/arabic.toml", "caad9355a7c259c090ccdc51c4bd5c56cde691d97a9ac0969d9ecaf5d3745707"},
+    {"tests/online/tiny.toml", "d218906e85c965a5d52d42cefa7db8f36567b9426eed2be5f9b637860399f797"},
+};
+
+/// Of studies that came later.
+const std::map<std::string, std::string> later_hashes = {
+    {"stimuli/look_round.toml", "3dec19ac12893836b66e61e7835341f63e4610747f2fd68e7c5a699d3fe1d0f6"},
+};
+
+StudyDefinition ready_study(const std::string& file) {
+  return read_study_text(read_file(fs::path(SEAMLINE_SOURCE_DIR) / file), file);
+}
+
+TEST(ReadyStudies, HaveTheHashesThatTheyHad) {
+  for (const auto* held : {&hashes, &later_hashes})
+    for (const auto& [file, hash] : *held) EXPECT_EQ(study_hash(ready_study(file)), hash) << file;
+}
+
+/// Of all of their stimuli: id, truth, and what of the depth is not the paper's.
+TEST(ReadyStudies, ShowTheStimuliThatTheyShowed) {
+  std::string said;
+  for (const auto& [file, hash] : hashes)
+    for (const Stimulus& one : list_stimuli(ready_study(file)))
+      said += stimulus_id(one) + "|" + one.truth + "|" + std::to_string(one.depth.width_px) + "|" +
+              canonical_text(one.depth.chain) + "|" + canonical_text(one.depth.mitigation) + "|" +
+              canonical_text(one.depth.pipeline) + "\n";
+  EXPECT_EQ(sha256(said), "fb4cf433365aef8c074a01b3c588e62adfc92a9d90baa73b7a5e9db15870d023");
+}
+
+TEST(ReadyStudies, AreAllHeld) {
+  int found = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(SEAMLINE_SOURCE_DIR) / "stimuli"))
+    if (entry.path().extension() == ".toml") {
+      ++found;
+      const std::string file = "stimuli/" + entry.path().filename().string();
+      EXPECT_TRUE(hashes.contains(file) || later_hashes.contains(file)) << file;
+    }
+  EXPECT_GE(found, 20);
+}
+
+}  // namespace
+}  // namespace seamline

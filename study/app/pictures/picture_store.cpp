@@ -1,0 +1,103 @@
+#include "study/app/pictures/picture_store.h"
+
+#include <algorithm>
+
+#include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/moving/clip_definition.h"
+#include "study/trials/right_rule.h"
+#include "study/trials/trial_picture.h"
+
+namespace seamline::study::app {
+namespace {
+
+/// What names the click map of a trial's picture.
+const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
+  return stimuli::truth_of(set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus);
+}
+
+}  // namespace
+
+PictureStore::PictureStore(const RenderedSet& set, bool scaled)
+    : set_(set),
+      scaled_(scaled),
+      slots_(facts_of(set.study.task.get()).draws_right ? 6U : 3U),
+      loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
+  std::map<std::string, bool> two_eyes;
+  for (const SceneDefinition& scene : list_truths(set.study))
+    two_eyes[scene.truth] = scene.view.kind == ViewKind::side_by_side;
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+    const Trial trial{.stimulus = i};
+    const std::string& truth = truth_of(set, trial);
+    if (!objects_.contains(truth))
+      objects_[truth] =
+          shows_clips(set) ? objects_of_frames(set, trial)
+          : is_panorama(set.study)
+              ? std::vector{make_panorama_map(load_object_ids(set, trial))}
+              : std::vector{make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth])};
+  }
+}
+
+void PictureStore::prepare(const Trial& due, const std::optional<Trial>& after) {
+  const TaskFacts task = facts_of(set_.study.task.get());
+  const std::vector<Trial> shown = shown_pictures(task, due);
+  std::vector<Trial> wanted;
+  const auto want = [&](const std::vector<Trial>& pictures) {
+    for (const Trial& picture : pictures)
+      if (find(picture) == nullptr && std::find(wanted.begin(), wanted.end(), picture) == wanted.end())
+        wanted.push_back(picture);
+  };
+  want(shown);
+  if (after) want(shown_pictures(task, *after));
+  loader_.want(wanted);
+  for (Slot& slot : slots_)
+    if (slot.trial && std::find(shown.begin(), shown.end(), *slot.trial) != shown.end()) slot.used = ++clock_;
+  for (const Trial& trial : wanted) fetch(trial);
+}
+
+void PictureStore::fetch(const Trial& trial) {
+  const std::optional<ByteImage> picture = loader_.take(trial);
+  if (!picture) return;
+  Slot& slot = oldest_slot();
+  slot.texture.upload(*picture);
+  slot.texture.smooth(scaled_);
+  slot.trial = trial;
+  slot.used = ++clock_;
+}
+
+PictureStore::Slot& PictureStore::oldest_slot() {
+  return *std::min_element(slots_.begin(), slots_.end(),
+                           [](const Slot& a, const Slot& b) { return a.used < b.used; });
+}
+
+const Texture* PictureStore::find(const Trial& trial) const {
+  for (const Slot& slot : slots_)
+    if (slot.trial == trial) return &slot.texture;
+  return nullptr;
+}
+
+const ObjectMap& PictureStore::objects(const Trial& trial) const {
+  const std::vector<ObjectMap>& of_frames = objects_.at(truth_of(set_, trial));
+  return player_ && playing_ == trial ? of_frames.at(static_cast<std::size_t>(player_->frame_on_screen()))
+                                      : of_frames.front();
+}
+
+void PictureStore::play(const Trial& trial, std::int64_t now_ns) {
+  if (!shows_clips(set_)) return;
+  if (!player_ || playing_ != trial) {
+    player_ = std::make_unique<ClipPlayer>(TrialClip(set_, trial), set_.study.clip->loops);
+    playing_ = trial;
+  }
+  const std::optional<ByteImage> frame = player_->take(now_ns);
+  if (!frame) return;
+  for (Slot& slot : slots_)
+    if (slot.trial == trial) slot.texture.upload(*frame);
+}
+
+void PictureStore::end_clip() {
+  if (!player_) return;
+  player_.reset();
+  for (Slot& slot : slots_)
+    if (slot.trial == playing_) slot.trial.reset();
+}
+
+}  // namespace seamline::study::app

@@ -1,0 +1,124 @@
+#include "study/online/page/web_pictures.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/set/manifest_pictures.h"
+#include "study/trials/trial_picture.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
+#include "support/running/interrupt.h"
+#include "support/text/limits.h"
+
+namespace seamline::study::online {
+namespace {
+
+const ManifestStimulus& record_at(const RenderedSet& set, int stimulus) {
+  return set.manifest.stimuli.at(static_cast<std::size_t>(stimulus));
+}
+
+std::string checked_bytes(const RenderedSet& set, const ManifestPicture& picture) {
+  check_manifest_picture(set.folder, picture);
+  return read_file(path_in_set(set.folder, picture.file), limits::largest_picture_file_bytes);
+}
+
+/// As the window makes it; a picture that no file of the set holds.
+std::string attention_bytes(const RenderedSet& set, const Trial& trial) {
+  const TemporaryFolder folder;
+  write_png(folder / "attention.png", load_trial_picture(set, trial));
+  return read_file(folder / "attention.png", limits::largest_picture_file_bytes);
+}
+
+std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
+  const ManifestStimulus& record = record_at(set, trial.stimulus);
+  switch (trial.kind) {
+    case TrialKind::stimulus:
+      return checked_bytes(set, stimulus_picture(set.manifest, record));
+    case TrialKind::attention:
+      return attention_bytes(set, trial);
+    case TrialKind::reference:
+      return checked_bytes(
+          set, reference_picture(set.manifest, reference_of(set.folder, set.manifest, record.stimulus)));
+  }
+  return {};
+}
+
+/// Trials that show the same picture have the same key.
+std::string subject_of(const RenderedSet& set, const Trial& trial) {
+  const ManifestStimulus& record = record_at(set, trial.stimulus);
+  switch (trial.kind) {
+    case TrialKind::stimulus:
+      return "stimulus " + record.id;
+    case TrialKind::attention:
+      return "attention " + truth_of(record.stimulus) + " " + std::to_string(record.stimulus.object_index);
+    case TrialKind::reference:
+      return "reference " + truth_of(record.stimulus);
+  }
+  return {};
+}
+
+/// Stimuli, and catch trials of every stimulus where the study has any, in the order of their shown names:
+/// files are made in it, and a host may say which was made first.
+std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) {
+  std::vector<Trial> trials;
+  for (const TrialKind kind : every_trial_kind) {
+    if (kind == TrialKind::attention && set.study.catches.attention == 0) continue;
+    const bool beside = facts_of(set.study.task.get()).draws_right;  // the reference is shown with each
+    if (kind == TrialKind::reference && set.study.catches.reference == 0 && !beside) continue;
+    for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+      trials.push_back({.kind = kind, .stimulus = i});
+  }
+  std::sort(trials.begin(), trials.end(),
+            [&](const Trial& a, const Trial& b) { return names.name_of(a) < names.name_of(b); });
+  return trials;
+}
+
+}  // namespace
+
+std::string packed_map(const ObjectMap& map) {
+  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+  for (const PictureFrame& frame : map.frames)
+    frames.push_back({{"x_px", static_cast<int>(frame.x_px)},
+                      {"y_px", static_cast<int>(frame.y_px)},
+                      {"width_px", static_cast<int>(frame.width_px)},
+                      {"height_px", static_cast<int>(frame.height_px)}});
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  for (std::size_t at = 0; at < map.nearest.size();) {
+    std::size_t end = at;
+    while (end < map.nearest.size() && map.nearest[end] == map.nearest[at]) ++end;
+    runs.push_back(end - at);
+    runs.push_back(map.nearest[at]);
+    at = end;
+  }
+  return nlohmann::ordered_json{
+             {"width_px", map.width_px}, {"height_px", map.height_px}, {"frames", frames}, {"runs", runs}}
+             .dump() +
+         "\n";
+}
+
+WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files) {
+  WebPictures pictures;
+  std::map<std::string, std::string> of_subject, map_of_ids;
+  for (const Trial& trial : every_trial(set, names)) {
+    stop_if_interrupted();
+    std::string& file = of_subject[subject_of(set, trial)];
+    if (file.empty()) file = files.add_by_content("pictures", picture_bytes(set, trial), ".png");
+    pictures.file[{trial.kind, trial.stimulus}] = file;
+    if (pictures.map.contains(file)) continue;
+    const ManifestReference& reference =
+        reference_of(set.folder, set.manifest, record_at(set, trial.stimulus).stimulus);
+    std::string& map = map_of_ids[reference.object_ids_sha256];
+    if (map.empty())
+      map = files.add_by_content(
+          "maps",
+          packed_map(is_panorama(set.study) ? make_panorama_map(load_object_ids(set, trial))
+                                            : make_object_map(load_object_ids(set, trial))),
+          ".json");
+    pictures.map[file] = map;
+  }
+  return pictures;
+}
+
+}  // namespace seamline::study::online

@@ -1,0 +1,242 @@
+#include "study/online/page/web_study.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/recruitment_definition.h"
+#include "study/online/page/web_format.h"
+#include "study/trials/right_rule.h"
+#include "study/trials/trial_picture.h"
+#include "study/visit/visit_script.h"
+#include "support/files/hash.h"
+
+namespace seamline::study::online {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json trial_json(const ShownNames& names, const WebPictures& pictures, const Trial& trial) {
+  return {{"kind", word(trial.kind)},
+          {"stimulus_id", names.name_of(trial)},
+          {"picture", pictures.file.at({trial.kind, trial.stimulus})}};
+}
+
+/// With the pictures that the trial shows, where these are several: nothing else says which is right.
+Json trial_json(const WebParts& parts, const Trial& trial) {
+  Json json = trial_json(parts.names, parts.pictures, trial);
+  const std::vector<Trial> shown = shown_pictures(parts.task, trial);
+  if (shown.size() < 2) return json;
+  json["pictures"] = Json::array();
+  for (const Trial& one : shown) json["pictures"].push_back(parts.pictures.file.at({one.kind, one.stimulus}));
+  json["picture"] = json["pictures"].front();
+  return json;
+}
+
+Json task_json(const StudyDefinition& study, const SessionTask& task) {
+  return {{"kind", word(task.facts.kind)},   {"alternatives", task.facts.alternatives},
+          {"pictures", task.facts.pictures}, {"exposure_ns", task.exposure_ns},
+          {"gap_ns", task.gap_ns},           {"chooses", task.facts.chooses},
+          {"rates", task.facts.rates},       {"pair_gap_px", pair_gap_px},
+          {"answers", study.task->answers},  {"labels", study.task->labels}};
+}
+
+Json texts_json(const StudyDefinition& study) {
+  Json texts = Json::object();
+  for (const PhraseEntry& entry : every_phrase())
+    texts[std::string(entry.key)] = phrase_text(study.texts, entry.phrase);
+  if (study.recruitment)
+    for (const PageText& entry : every_recruitment_text()) {
+      const std::string key(entry.key);
+      const auto own = study.recruitment->texts.find(key);
+      texts[key] = own == study.recruitment->texts.end() ? std::string(entry.english) : own->second;
+    }
+  return texts;
+}
+
+/// Without codes, which the server keeps until somebody has one.
+Json recruitment_json(const RecruitmentDefinition& recruitment) {
+  return {{"identifiers", recruitment.identifiers},
+          {"required", recruitment.identifiers_required},
+          {"host", return_host(recruitment)}};
+}
+
+Json form_json(const std::vector<FormField>& form) {
+  Json fields = Json::array();
+  for (const FormField& field : form) {
+    Json json = {{"name", field.name}, {"label", field.label}, {"required", field.required}};
+    if (const auto* number = std::get_if<NumberField>(&field.kind)) {
+      json["kind"] = "number";
+      json["least"] = number->least;
+      json["most"] = number->most;
+      json["whole"] = number->whole;
+    } else {
+      json["kind"] = "choice";
+      json["options"] = std::get<ChoiceField>(field.kind).options;
+    }
+    fields.push_back(std::move(json));
+  }
+  return fields;
+}
+
+Json instructions_json(const WebStudy& web) {
+  Json pages = Json::array();
+  for (std::size_t i = 0; i < web.set.study.instructions.size(); ++i)
+    pages.push_back(
+        {{"text", web.set.study.instructions[i].text}, {"pictures", web.instruction_files.at(i)}});
+  return pages;
+}
+
+Json training_json(const WebStudy& web, const VisitScript& script) {
+  Json trials = Json::array();
+  for (std::size_t i = 0; i < script.training.size(); ++i) {
+    Json trial = {{"training_index", i}};
+    trial.update(trial_json(WebParts{web.names, web.pictures, web.rules.task}, script.training[i]));
+    trial["right_index"] = script.training_right[i];
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+Json values_of(std::map<std::string, Json> by_name) {
+  Json values = Json::array();
+  for (auto& [name, value] : by_name) values.push_back(std::move(value));
+  return values;
+}
+
+Json stimuli_json(const WebStudy& web) {
+  std::map<std::string, Json> by_name;
+  for (const auto& [trial, file] : web.pictures.file) {
+    if (trial.first != TrialKind::stimulus) continue;
+    const std::string name = web.names.name_of({.kind = trial.first, .stimulus = trial.second});
+    by_name[name] = {{"id", name},
+                     {"file", file},
+                     {"sha256", web.files.at(file).sha256},
+                     {"width_px", web.set.manifest.width_px},
+                     {"height_px", web.set.manifest.height_px}};
+  }
+  return values_of(std::move(by_name));
+}
+
+Json catches_json(const WebStudy& web) {
+  std::map<std::string, Json> by_name;
+  for (const auto& [trial, file] : web.pictures.file) {
+    if (trial.first == TrialKind::stimulus) continue;
+    const Trial shown{.kind = trial.first, .stimulus = trial.second};
+    by_name[web.names.name_of(shown)] = trial_json(web.names, web.pictures, shown);
+  }
+  return values_of(std::move(by_name));
+}
+
+Json pictures_json(const WebStudy& web) {
+  Json pictures = Json::array();
+  for (const auto& [file, map] : web.pictures.map)
+    pictures.push_back({{"file", file},
+                        {"sha256", web.files.at(file).sha256},
+                        {"bytes", web.files.at(file).bytes},
+                        {"width_px", web.set.manifest.width_px},
+                        {"height_px", web.set.manifest.height_px},
+                        {"map", map}});
+  return pictures;
+}
+
+Json look_json(const LookDefinition& look, const std::array<double, 2>& start) {
+  return {
+      {"kind", word(look.kind)}, {"view_px", look.view_px}, {"horizontal_fov_deg", look.horizontal_fov_deg},
+      {"start_deg", start},      {"yaw_deg", look.yaw_deg}, {"pitch_deg", look.pitch_deg},
+      {"hint", look.hint}};
+}
+
+/// How each picture of all directions is looked at: `looks`, and by the stimulus' shown name which of them.
+/// Nothing for other studies.
+void add_looks(const WebStudy& web, Json& json) {
+  const StudyDefinition& study = web.set.study;
+  if (!is_panorama(study)) return;
+  Json looks = Json::array();
+  std::map<std::string, Json> of_name;
+  for (const auto& [shown, file] : web.pictures.file) {
+    const Stimulus& stimulus = web.set.manifest.stimuli.at(static_cast<std::size_t>(shown.second)).stimulus;
+    const LookDefinition& look = *look_of(study, stimulus.condition);
+    Json one = look_json(look, start_deg(look, study, stimulus.scene));
+    auto known = std::find(looks.begin(), looks.end(), one);
+    if (known == looks.end()) known = looks.insert(looks.end(), std::move(one));
+    of_name[web.names.name_of({.kind = shown.first, .stimulus = shown.second})] = known - looks.begin();
+  }
+  json["looks"] = std::move(looks);
+  json["look_of"] = of_name;
+}
+
+int most_trials_of_a_participant(const TrialRules& rules) {
+  const std::vector<Trial> decided = decided_trials(rules, 0, {});
+  return study::most_trials(trial_sequence(rules, {.slot = 0, .trials = decided, .answers = {}}));
+}
+
+}  // namespace
+
+std::string web_study_text(const WebStudy& web) {
+  const StudyDefinition& study = web.set.study;
+  const VisitScript script = make_visit_script(web.set);
+  Json json = {
+      {"format", web_format},
+      {"study_hash", web.set.manifest.study_hash},
+      {"set_hash", web.set.set_hash},
+      {"study_name", study.name},
+      {"title", study.name},
+      {"language", study.session.language},
+      {"host", word(web.host)},
+      {"pilot", web.pilot},
+      {"adaptive", web.rules.quest_plus != nullptr},
+      {"slots", web.slots},
+      {"orders", order_file(0)},
+      {"most_trials", most_trials_of_a_participant(web.rules)},
+      {"width_px", web.set.manifest.width_px},
+      {"height_px", web.set.manifest.height_px},
+      {"text_scale", study.session.text_scale},
+      {"font", web.font},
+      {"consent",
+       {{"text", study.consent.text},
+        {"accept", study.consent.accept},
+        {"decline", study.consent.decline},
+        {"sha256", sha256(study.consent.text)}}},
+      {"form", form_json(study.form)},
+      {"instructions", instructions_json(web)},
+      {"question", study.session.question},
+      {"rating_question", study.session.rating_question},
+      {"rating_labels", study.session.rating_labels},
+      {"feedback_right", study.training.feedback_right},
+      {"feedback_wrong", study.training.feedback_wrong},
+      {"pace",
+       {{"inter_trial_ns", script.pace.inter_trial_ns},
+        {"minimum_viewing_ns", script.pace.minimum_viewing_ns},
+        {"break_every_trials", script.pace.break_every_trials}}},
+      {"texts", texts_json(study)},
+      {"training", training_json(web, script)},
+      {"stimuli", stimuli_json(web)},
+      {"catches", catches_json(web)},
+      {"pictures", pictures_json(web)},
+  };
+  if (study.recruitment) json["recruitment"] = recruitment_json(*study.recruitment);
+  add_looks(web, json);
+  if (study.task) json["task"] = task_json(study, script.pace.task);
+  return json.dump(1) + "\n";
+}
+
+std::string order_text(const WebParts& parts, std::span<const Trial> trials) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    Json trial = {{"trial_index", i}};
+    trial.update(trial_json(parts, trials[i]));
+    text += (i == 0 ? "\n" : ",\n") + trial.dump();
+  }
+  return text + "\n]\n";
+}
+
+std::string order_file(int slot) {
+  return fmt::format("orders/{:04}.json", slot);
+}
+
+}  // namespace seamline::study::online
