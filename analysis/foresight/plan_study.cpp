@@ -8,6 +8,7 @@
 
 #include "analysis/foresight/plan_summary.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
 #include "support/running/parallel.h"
@@ -161,6 +162,7 @@ std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const
 
 StudyPlan plan_study(const PlanRequest& request) {
   const StudyDefinition study = read_study(request.study_file, AssetCheck::not_needed);
+  require_papers_task(study, "plan");
   check_study(request, study);
   StudyPlan plan;
   plan.request = request;

@@ -8,6 +8,7 @@
 
 #include "analysis/thresholds/paper_values.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "stimuli/study_file/parts/study_file_task.h"
 #include "study/observers/observer.h"
 #include "study/trials/rendered_set.h"
 #include "support/text/error.h"
@@ -108,6 +109,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 
 Prediction predict_thresholds(const PredictionRequest& request) {
   const study::RenderedSet set = study::load_rendered_set(request.set_folder);
+  require_papers_task(set.study, "predict");
   check_manifest_pictures(set.folder, set.manifest);
   const std::string manifest_file = (request.set_folder / "manifest.json").string();
   if (set.study.level.quantity != Quantity::depth_width_px)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -32,10 +33,11 @@ void check_table(const Eigen::MatrixXd& table, const std::string& name, Eigen::I
 
 /// Counts of one cell of all people: right x chosen x rating becomes right or wrong x rating.
 void fold_cell(const Eigen::MatrixXd& trials, Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> into) {
+  const Eigen::Index ratings = into.cols() / 2;  // K
   for (int right = 1; right <= study::objects_per_stimulus; ++right)
     for (int chosen = 1; chosen <= study::objects_per_stimulus; ++chosen)
       for (int rating = 1; rating <= study::highest_rating; ++rating)
-        into.col((chosen == right ? 0 : study::highest_rating) + rating - 1) +=
+        into.col((chosen == right ? 0 : ratings) + std::min<Eigen::Index>(rating, ratings) - 1) +=
             trials.col(first + count_place(right, chosen, rating));
 }
 
@@ -73,7 +75,12 @@ void check_joint_data(const JointData& data) {
 }
 
 JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Guessers& guessers) {
-  JointData data{.curves = {}, .people = trials.people, .cells = {}, .answers = {}, .references = {}};
+  JointData data{.curves = {},
+                 .people = trials.people,
+                 .cells = {},
+                 .ratings = trials.task.rates ? most_joint_ratings : 1,
+                 .answers = {},
+                 .references = {}};
   const Eigen::Index width = data.cell_counts();
   const auto people = static_cast<Eigen::Index>(trials.people.size());
   const auto cells = static_cast<Eigen::Index>(trials.cells.size());
@@ -92,7 +99,8 @@ JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Gue
                           .chance = chance_of_cell(counts, guessers)});
   }
   for (int place = 0; place < answers_of_trial; ++place)
-    data.references.col(place % study::highest_rating) += trials.references.col(place);
+    data.references.col(std::min<Eigen::Index>(place % study::highest_rating, data.ratings - 1)) +=
+        trials.references.col(place);
   return data;
 }
 

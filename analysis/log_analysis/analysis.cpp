@@ -8,6 +8,7 @@
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
@@ -203,6 +204,29 @@ std::string hash_beside(const Archive& archive, const study::LogContents& log) {
   return log.study_hash;
 }
 
+/// Three alternatives and a rating.
+bool is_papers_task(const study::LogContents& log) {
+  return facts_of(log.task.get()).kind == TaskKind::object && facts_of(log.task.get()).rates;
+}
+
+/// What the way of the paper can say of another task.
+std::vector<std::string> notes_on_task(const study::LogContents& log) {
+  if (is_papers_task(log)) return {};
+  const TaskFacts task = facts_of(log.task.get());
+  std::vector<std::string> notes;
+  std::string chance = "from reference trials";
+  if (!task.right_is_yes) chance = fmt::format("1 in {}", task.alternatives);
+  notes.push_back(fmt::format("The task is '{}' ({}), {}; no seam seen is answered by chance, {}.",
+                              word(task.kind),
+                              task.chooses ? fmt::format("{} answers", task.alternatives) : "five labels",
+                              task.rates ? "with a rating" : "without a rating", chance));
+  if (!task.rates)
+    notes.emplace_back(
+        "Ratings were not asked, so noticeability is the share of right answers and PT, SN and IP mean nothing; "
+        "read the level that is seen half of the time (detection) of the joint model.");
+  return notes;
+}
+
 }  // namespace
 
 void compare_with_archive(Analysis& analysis, const Archive& archive) {
@@ -261,6 +285,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   if (analysis.adaptive) set_aside_adaptive(analysis);
   analysis.notes = notes_on_people(analysis);
   analysis.notes.insert(analysis.notes.end(), notes_on_study.begin(), notes_on_study.end());
+  for (std::string& note : notes_on_task(analysis.log)) analysis.notes.push_back(std::move(note));
   for (const std::string& sentence : sentences_of(asked)) analysis.notes.push_back(sentence);
   if (analysis.adaptive) {
     if (asked.joint) analysis.joint = analyze_placed(analysis, sharing_of(asked));
@@ -278,7 +303,9 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
   const bool rising = simulated && study->observer.direction != analysis.log.noticeability;
   if (rising && !analysis.adaptive) analysis.notes.emplace_back(rising_note(analysis.data.axis));
-  if (simulated && !rising) analysis.planted = planted_values(study->observer, analysis.data);
+  // PT, SN and IP are planted with the floor of a guess among three, rated.
+  const bool papers_task = is_papers_task(analysis.log);
+  if (simulated && !rising && papers_task) analysis.planted = planted_values(study->observer, analysis.data);
   return analysis;
 }
 

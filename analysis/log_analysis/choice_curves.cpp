@@ -122,7 +122,8 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
     curve.missing = fmt::format("No psychometric function of '{}'{} is fitted: it was tested at one {} only.",
                                 artifact, of_condition, level_word(axis));
   if (!curve.missing.empty()) return curve;
-  FitOptions options = options_for_alternatives(study::objects_per_stimulus);
+  FitOptions options;
+  options.guess = fixed_rate(analysis.scores.guess_rate);
   options.axis = facts(axis.quantity).axis;
   options.direction = axis.noticeability;
   const std::string unit(facts(axis.quantity).unit);

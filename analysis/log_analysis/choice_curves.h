@@ -43,9 +43,10 @@ inline constexpr int most_band_replicates = 1000;
 inline constexpr int deviance_replicates = 1000;
 
 /// Fits every artifact and condition of `analysis`, in its order: cumulative normal along the axis, guess
-/// 1/3, lapse free to 0.1, in the direction of the log. A level that stands apart is no part of the sigmoid.
-/// Bands are percentiles over participants drawn with replacement, each replicate fitted again. Same numbers
-/// for any number of threads. Adaptive logs have no curves; each says so in `missing`.
+/// rate the task's (ScoreMatrix::guess_rate), lapse free to 0.1, in the direction of the log. A level that
+/// stands apart is no part of the sigmoid. Bands are percentiles over participants drawn with replacement,
+/// each replicate fitted again. Same numbers for any number of threads. Adaptive logs have no curves; each
+/// says so in `missing`.
 [[nodiscard]] std::vector<ChoiceCurve> choice_curves(const Analysis& analysis);
 
 }  // namespace seamline::analysis

@@ -39,6 +39,8 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   numbers.conditions = has_conditions(analysis.data);
   numbers.choices = choice_curves(analysis);
   add_comparisons(numbers, analysis);
+  numbers.detection = signal_detection(analysis);
+  numbers.guess_rate = analysis.scores.guess_rate;
   numbers.times = response_times(analysis);
   std::vector<std::string> fields = analysis.options.compare;
   if (fields.empty() && !technical_groups(analysis).empty()) fields = {technical_question};

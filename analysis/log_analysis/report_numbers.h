@@ -9,6 +9,7 @@
 #include "analysis/log_analysis/participant_rows.h"
 #include "analysis/log_analysis/response_times.h"
 #include "analysis/log_analysis/session_order.h"
+#include "analysis/log_analysis/signal_detection.h"
 #include "analysis/ordinal/contrasts/study_model.h"
 #include "study/running/quest_plus_results.h"
 
@@ -22,6 +23,8 @@ struct ReportNumbers {
   std::optional<OrdinalStudy> comparisons;  ///< none: see `comparisons_missing`
   std::string comparisons_missing;          ///< a sentence
   std::vector<GroupComparison> groups;      ///< one a field of `AnalysisOptions::compare`
+  SignalDetection detection;                ///< rows of a task that asks for yes or no alone
+  double guess_rate = 1.0 / 3;              ///< of the functions of right choices
   ResponseTimes times;
   SessionOrder order;
   std::vector<ParticipantRow> participants;

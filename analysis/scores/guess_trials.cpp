@@ -56,6 +56,7 @@ std::vector<Placed> placed_answers(const study::LogContents& log, const Noticeab
 GuessTrials count_guess_trials(const study::LogContents& log, const NoticeabilityData& data,
                                const std::vector<ReferenceAnswer>& references) {
   GuessTrials trials;
+  trials.task = facts_of(log.task.get());
   trials.people = people_on_curves(log, data);
   for (const ArtifactScores& scores : data.artifacts)
     for (const double level : scores.level)
@@ -79,9 +80,8 @@ GuessTrials count_guess_trials(const study::LogContents& log, const Noticeabilit
     const auto& of_person = objects.at(one.where);
     const int repeats = of_person.at({one.answer->scene, one.answer->object_index, one.answer->object});
     const double per_person = cell_answers.at(cell) / static_cast<double>(cell_people.at(cell).size());
-    trials.answers(person,
-                   cell * counts_of_cell +
-                       count_place(one.answer->object_index, one.answer->chosen_index, one.answer->rating)) +=
+    trials.answers(person, cell * counts_of_cell + count_place(one.answer->right(), one.answer->chosen_index,
+                                                               one.answer->rating)) +=
         per_person / (static_cast<double>(of_person.size()) * repeats);
   }
   for (const ReferenceAnswer& reference : references) {

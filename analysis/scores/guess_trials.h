@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/scores/cells.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/log/log.h"
 #include "study/placement/trial.h"
 
@@ -42,6 +43,7 @@ struct GuessTrials {
   std::vector<GuessCell> cells;     ///< artifacts in the order of the data, levels as on the curve
   Eigen::MatrixXd answers;          ///< people x (cells x counts_of_cell)
   Eigen::MatrixXd references;       ///< people x answers_of_trial
+  TaskFacts task = {};              ///< what was asked
 };
 
 /// Counts the answers of the people on the curves of `data` (`average_answers` of the same log). References

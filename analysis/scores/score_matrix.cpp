@@ -4,6 +4,7 @@
 #include <map>
 
 #include "analysis/scores/cells.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -19,6 +20,19 @@ ScoredStimulus stimulus_of(const study::Answer& answer, const std::vector<std::s
           .scene = answer.scene,
           .object_index = answer.object_index,
           .object = answer.object};
+}
+
+/// Of a task that asks for yes or no, the share of false alarms.
+double guess_rate_of(const study::LogContents& log) {
+  const TaskFacts task = facts_of(log.task.get());
+  if (!task.right_is_yes) return task.chance;
+  double yes = 0.5, all = 1;
+  for (const study::CatchTrialAnswer& answer : log.catches) {
+    if (answer.kind != study::TrialKind::reference) continue;
+    ++all;
+    if (answer.chosen_index == 1) ++yes;
+  }
+  return yes / all;
 }
 
 }  // namespace
@@ -60,6 +74,7 @@ ScoreMatrix score_matrix(const study::LogContents& log, const std::vector<Partic
                               .stimulus = static_cast<int>(column),
                               .score = answer.noticeability()});
   }
+  matrix.guess_rate = guess_rate_of(log);
   matrix.score = (answers.array() > 0)
                      .select(matrix.score.array() / answers.array().max(1),
                              Eigen::ArrayXXd::Constant(rows, columns, nan));

@@ -34,6 +34,7 @@ struct ScoreMatrix {
   std::vector<int> cell;                ///< of each stimulus: artifact, condition and level, numbered from 0
   Eigen::MatrixXd score;                ///< people x stimuli; repeats averaged; NaN where there is no answer
   std::vector<ScoredAnswer> answers;    ///< in the log's order, repeats one by one
+  double guess_rate = 1.0 / 3;          ///< how often who sees nothing is right
 };
 
 /// Scores of the participants marked `Use::used`; `order` is that of the study's conditions.

@@ -19,7 +19,6 @@ namespace {
 /// see.
 constexpr double most_surely_blind = 0.5;
 
-constexpr double guess_rate = 1.0 / study::objects_per_stimulus;
 using ScoreShares = std::array<double, study::highest_rating + 1>;  ///< of noticeability 0 to 4
 
 double mean_of(const ScoreShares& shares) {
@@ -121,7 +120,8 @@ struct NormalGrid {
 /// The log odds l that a share of right choices needs over people of spread s, read off a table.
 class LogOdds {
  public:
-  LogOdds(double s, const NormalGrid& grid) : low_(-7 - 4 * s), step_((14 + 8 * s) / (places - 1)) {
+  LogOdds(double s, const NormalGrid& grid, double guess_rate)
+      : guess_rate_(guess_rate), low_(-7 - 4 * s), step_((14 + 8 * s) / (places - 1)) {
     for (int place = 0; place < places; ++place) {
       double sum = 0;
       for (std::size_t g = 0; g < grid.z.size(); ++g)
@@ -131,7 +131,7 @@ class LogOdds {
   }
 
   [[nodiscard]] double of(double right) const {
-    const double saw = std::clamp((right - guess_rate) / (1 - guess_rate), 1e-3, 1 - 1e-3);
+    const double saw = std::clamp((right - guess_rate_) / (1 - guess_rate_), 1e-3, 1 - 1e-3);
     const auto above =
         std::clamp(std::lower_bound(saw_.begin(), saw_.end(), saw), saw_.begin() + 1, saw_.end() - 1);
     const double part = (saw - *(above - 1)) / (*above - *(above - 1));
@@ -140,18 +140,19 @@ class LogOdds {
 
  private:
   static constexpr int places = 101;
-  double low_, step_;
+  double guess_rate_, low_, step_;
   std::vector<double> saw_;  ///< mean over people of the probability to see, rising
 };
 
 /// What the spread of people is fitted to: each person's answers and right choices a stimulus.
 struct RightChoices {
   Eigen::MatrixXd right, answers;  ///< people x stimuli
+  double guess_rate = 0;           ///< how often who sees nothing is right
 };
 
 RightChoices right_choices(const ScoreMatrix& scores) {
   RightChoices counts{Eigen::MatrixXd::Zero(scores.score.rows(), scores.score.cols()),
-                      Eigen::MatrixXd::Zero(scores.score.rows(), scores.score.cols())};
+                      Eigen::MatrixXd::Zero(scores.score.rows(), scores.score.cols()), scores.guess_rate};
   for (const ScoredAnswer& answer : scores.answers) {
     counts.answers(answer.person, answer.stimulus) += 1;
     counts.right(answer.person, answer.stimulus) += answer.score > 0 ? 1 : 0;
@@ -165,7 +166,8 @@ Eigen::MatrixXd likelihood_at_points(double s, double blind, const RightChoices&
                                      const std::vector<Scored>& stimuli, const NormalGrid& grid) {
   const auto points = static_cast<Eigen::Index>(grid.z.size()), columns = counts.right.cols();
   Eigen::MatrixXd log_right(columns, points), log_wrong(columns, points);
-  const LogOdds log_odds(s, grid);
+  const LogOdds log_odds(s, grid, counts.guess_rate);
+  const double guess_rate = counts.guess_rate;
   for (Eigen::Index i = 0; i < columns; ++i) {
     const double right = 1 - stimuli[static_cast<std::size_t>(i)].shares[0];
     const double l = log_odds.of((right - blind * guess_rate) / (1 - blind));
@@ -188,6 +190,7 @@ struct SpreadFit {
 SpreadFit fit_spread(double s, const RightChoices& counts, const std::vector<Scored>& stimuli,
                      const NormalGrid& grid) {
   SpreadFit fit{.s = s, .log_likelihood = 0, .blind = {}};
+  const double guess_rate = counts.guess_rate;
   double blind = 0.05;
   for (int round = 0; round < 4; ++round) {
     const Eigen::MatrixXd at_point = likelihood_at_points(s, blind, counts, stimuli, grid);
@@ -224,7 +227,7 @@ SpreadFit fit_spread(double s, const RightChoices& counts, const std::vector<Sco
 RightChoices some_people(const RightChoices& counts, Eigen::Index most) {
   const Eigen::Index every = (counts.right.rows() + most - 1) / most;
   const auto rows = Eigen::seq(Eigen::Index{0}, counts.right.rows() - 1, every);
-  return {counts.right(rows, Eigen::all), counts.answers(rows, Eigen::all)};
+  return {counts.right(rows, Eigen::all), counts.answers(rows, Eigen::all), counts.guess_rate};
 }
 
 /// The largest spread whose likelihood is near the largest one.
@@ -270,7 +273,8 @@ HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people, std::
     for (std::size_t p = 0; p < trusted.size(); ++p) trusted[p] = fit.blind[p] < most_surely_blind;
     if (trusted == before) break;
   }
-  const LogOdds log_odds(naming.people_sd, grid);
+  const LogOdds log_odds(naming.people_sd, grid, counts.guess_rate);
+  const double guess_rate = counts.guess_rate;
   std::vector<double> l;
   l.reserve(stimuli.size());
   for (const Scored& stimulus : stimuli) l.push_back(log_odds.of(1 - stimulus.shares[0]));

@@ -19,14 +19,14 @@ struct HonestNaming {
 /// Simulates the study again and again with honest people only (parametric bootstrap), until `people` of them
 /// have been screened. Each answers what a participant answered, as often. Their answers follow
 ///
-///     P(right | stimulus i, person p) = 1/3 + 2/3 / (1 + exp(-(l_i + u_p))),    u_p ~ Normal(0, s^2)
+///     P(right | stimulus i, person p) = g + (1 - g) / (1 + exp(-(l_i + u_p))),    u_p ~ Normal(0, s^2)
 ///
-/// and, where right, the ratings that right choices of that stimulus had. l_i makes the mean over people the
-/// share of right choices of the stimulus, which is drawn towards that of its artifact and level, and this
-/// towards that of all stimuli, as far as their differences are chance (empirical Bayes): otherwise the noise
-/// of few answers would look like something that everybody sees. s has the largest likelihood when some
-/// people may have looked at nothing, and then its upper end, 2 log likelihood under the largest. The same
-/// numbers for the same scores.
+/// with the guess rate g of `scores` (1/3 for the paper's task) and, where right, the ratings that right
+/// choices of that stimulus had. l_i makes the mean over people the share of right choices of the stimulus,
+/// which is drawn towards that of its artifact and level, and this towards that of all stimuli, as far as
+/// their differences are chance (empirical Bayes): otherwise the noise of few answers would look like
+/// something that everybody sees. s has the largest likelihood when some people may have looked at nothing,
+/// and then its upper end, 2 log likelihood under the largest. The same numbers for the same scores.
 [[nodiscard]] HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people = 5000,
                                                   std::uint64_t seed = 1);
 

@@ -145,7 +145,7 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
     replicates.emplace_back(range.level_x, range.level_x.empty() ? 0 : request.replicates);
   for_each_replicate(everything, request, [&](int replicate, const Eigen::VectorXd& mean) {
     const Eigen::VectorXd answers = mean.head(trials.answers.cols());
-    const Guessers guessers = estimate_guessers(answers, mean.tail(trials.references.cols()));
+    const Guessers guessers = estimate_guessers(answers, mean.tail(trials.references.cols()), trials.task);
     std::vector<double> means;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       means.clear();
@@ -220,7 +220,7 @@ GuessCorrection correct_for_guessing(const GuessTrials& trials, const Noticeabil
                                      const ResamplingRequest& request) {
   GuessCorrection correction;
   const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
-  correction.guessers = estimate_guessers(counts, trials.references.colwise().sum().transpose());
+  correction.guessers = estimate_guessers(counts, trials.references.colwise().sum().transpose(), trials.task);
   correction.floor = chance(counts, correction.guessers) * correction.guessers.mean_rating();
   const std::vector<CellRange> ranges = ranges_of(data);
   for (std::size_t i = 0; i < ranges.size(); ++i)

@@ -120,6 +120,25 @@ Ratings next_seen(const CellCounts& counts, const Guessers& guessers, const Rati
   return next;
 }
 
+Positions equal_positions(const TaskFacts& task) {
+  Positions equal{};
+  std::fill_n(equal.begin(), task.alternatives, 1.0 / task.alternatives);
+  return equal;
+}
+
+/// Choice 1 is yes, choice 2 no.
+Guessers guessers_of_false_alarms(const Eigen::VectorXd& references) {
+  Guessers found;
+  found.reference_answers = references.sum();
+  const auto alarms = references.head(study::highest_rating);
+  const double yes = (alarms.sum() + 0.5) / (found.reference_answers + 1);
+  found.position = {yes, 1 - yes, 0};
+  for (std::size_t r = 0; r < found.rating.size(); ++r)
+    found.rating[r] = (alarms[static_cast<Eigen::Index>(r)] + (r == 0 ? 0.5 : 0)) / (alarms.sum() + 0.5);
+  found.position_estimated = found.reference_answers > 0;
+  return found;
+}
+
 double mean_of(const Ratings& v) {
   return v[0] + 2 * v[1] + 3 * v[2] + 4 * v[3];
 }
@@ -130,9 +149,12 @@ double Guessers::mean_rating() const {
   return mean_of(rating);
 }
 
-Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& references) {
+Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& references,
+                           const TaskFacts& task) {
+  if (task.right_is_yes) return guessers_of_false_alarms(references);
   GuessChoices choices;
   Guessers found;
+  found.position = equal_positions(task);
   found.rating = {};
   for (Eigen::Index begin = 0; begin < cells.size(); begin += counts_of_cell)
     for (int place = 0; place < counts_of_cell; ++place) {
@@ -150,7 +172,7 @@ Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& 
     found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;
     found.reference_answers += n;
   }
-  if (!found.known()) return {};
+  if (!found.known()) return {.position = equal_positions(task)};
   for (double& share : found.rating) share /= found.wrong_answers + found.reference_answers;
   found.position_estimated = positions_are_comparable(choices);
   for (int step = 0; found.position_estimated && step < position_steps; ++step) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/placement/trial.h"
 #include "support/text/numbers.h"
 
@@ -26,7 +27,12 @@ struct Guessers {
 /// an EM algorithm whose missing data are the guesses that happened to be right (Dempster, Laird and Rubin
 /// 1977, the truncated multinomial). They are not mixed with what is seen: an object on the left that is easy
 /// to see is no position bias. `cells` holds `counts_of_cell` counts a cell, `references` `answers_of_trial`.
-[[nodiscard]] Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& references);
+///
+/// Of a task that asks for yes or no, "no" is no guess: b(yes) is the share of false alarms f among n
+/// reference trials, (f + 1/2) / (n + 1) (Hautus 1995), which is never 0 or 1, and g what false alarms were
+/// rated.
+[[nodiscard]] Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& references,
+                                         const TaskFacts& task = {});
 
 /// One cell of the latent-class model. In a trial the object is seen with probability s; then the choice is
 /// right and the rating is r with probability q(r). Otherwise it is a guess:

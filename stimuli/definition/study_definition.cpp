@@ -4,6 +4,7 @@
 
 #include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/definition/views/look_definition.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/files/hash.h"
 
 namespace seamline::inline stimuli {
@@ -128,7 +129,7 @@ std::string canonical_text(const StudyDefinition& study) {
     for (const Artifact artifact : scene.artifacts) out += fmt::format("artifact {}\n", word(artifact));
   }
   return out + session_text(study.session, study.observer) + canonical_text(study.procedure) +
-         shown_text(study) + varied_text(study);
+         shown_text(study) + varied_text(study) + canonical_text(study.task.get());
 }
 
 std::string study_hash(const StudyDefinition& study) {

@@ -11,6 +11,7 @@
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/people/study_file_language.h"
+#include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_level.h"
 #include "stimuli/study_file/study_file_mitigation.h"
@@ -189,6 +190,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   study.procedure = read_procedure(table, study.level);
   if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
   read_people(table, study);
+  read_task(table, study);
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
     study.scenes.push_back(read_scene(scene, folders, assets, study.level.quantity, clip.get()));

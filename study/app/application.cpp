@@ -6,6 +6,7 @@
 
 #include "study/app/screens/instruction_pictures.h"
 #include "study/app/screens/screen_names.h"
+#include "study/app/screens/screen_task.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 #include "window/look.h"
@@ -28,6 +29,19 @@ std::optional<std::int64_t> onset_of(const Session* session) {
   if (const auto* choosing = std::get_if<Choosing>(&session->phase)) return choosing->onset_ns;
   if (const auto* rating = std::get_if<Rating>(&session->phase)) return rating->onset_ns;
   return std::nullopt;
+}
+
+bool is_timed(const Session& session) {
+  return std::holds_alternative<Viewing>(session.phase) || std::holds_alternative<Gap>(session.phase);
+}
+
+/// When an exposure ends while the answer is awaited; 0: it does not.
+std::int64_t exposure_end_ns(const Session& session) {
+  const std::int64_t exposure_ns = session.pace.task.exposure_ns;
+  if (exposure_ns == 0) return 0;
+  if (const auto* choosing = std::get_if<Choosing>(&session.phase)) return choosing->onset_ns + exposure_ns;
+  if (const auto* rating = std::get_if<Rating>(&session.phase)) return rating->onset_ns + exposure_ns;
+  return 0;
 }
 
 }  // namespace
@@ -180,7 +194,7 @@ void Application::prepare_pictures(std::int64_t now_ns) {
 void Application::show_frame(std::int64_t begun_ns) {
   const Session* session = session_on_screen(visit_);
   const bool first_of_picture =
-      is_awaiting(session) && pictures_.find(current_trial(session->trials).value()) != nullptr;
+      is_awaiting(session) && pictures_are_ready(stage_, current_trial(session->trials).value());
   window_.clear(look::background);
   if (const auto& shown = stage_.panorama)
     panorama_view_.draw(*shown->panorama, shown->rect, stage_.screen_px, shown->pose);
@@ -204,6 +218,8 @@ void Application::show_frame(std::int64_t begun_ns) {
   if (first_of_picture) {
     note("shown", shown_ns, std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice" : "");
     step(Event(ImageShown{shown_ns}));
+  } else if (session != nullptr && is_timed(*session)) {
+    step(Event(Tick{shown_ns + next_frame_ns(display_)}));
   } else if (session != nullptr && std::holds_alternative<Grey>(session->phase)) {
     step(Event(Tick{shown_ns}));
   }
@@ -218,10 +234,13 @@ void Application::plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns) 
   if (const auto* grey = std::get_if<Grey>(&session->phase); grey != nullptr && grey->since_ns)
     due_ns_ = *grey->since_ns + session->pace.inter_trial_ns;
   if (is_awaiting(session)) due_ns_ = shown_ns + decoding_wait_ns;
+  if (is_timed(*session)) due_ns_ = shown_ns;  // every frame, so that exposures are whole numbers of them
   if (const auto* choosing = std::get_if<Choosing>(&session->phase)) {
     const std::int64_t open_ns = choosing->onset_ns + session->pace.minimum_viewing_ns;
     if (open_ns > begun_ns) due_ns_ = open_ns;
   }
+  const std::int64_t end_ns = exposure_end_ns(*session);
+  if (end_ns > shown_ns && (!due_ns_ || *due_ns_ > end_ns)) due_ns_ = end_ns - next_frame_ns(display_);
   const ClipPlayer* clip = pictures_.clip();
   const std::optional<std::int64_t> onset_ns = onset_of(session);
   if (!onset_ns || !set_.study.clip) return;

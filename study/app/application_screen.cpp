@@ -4,6 +4,7 @@
 #include "study/app/screens/instruction_pictures.h"
 #include "study/app/screens/study_texts.h"
 #include "study/app/screens/text_size.h"
+#include "study/trials/trial_picture.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
 #include "window/find_font.h"
@@ -13,7 +14,8 @@ namespace {
 
 /// Of the pictures, or of the largest view of panoramas.
 Size picture_size(const RenderedSet& set) {
-  Size size{static_cast<double>(set.manifest.width_px), static_cast<double>(set.manifest.height_px)};
+  const auto [width_px, height_px] = shown_size_px(set);
+  Size size{static_cast<double>(width_px), static_cast<double>(height_px)};
   if (!is_panorama(set.study)) return size;
   size = {};
   for (const ConditionDefinition& condition : list_conditions(set.study)) {

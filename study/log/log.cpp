@@ -1,7 +1,10 @@
 #include "study/log/log.h"
 
+#include <fmt/core.h>
+
 #include <map>
 
+#include "stimuli/study_file/parts/study_file_task.h"
 #include "study/log/log_database.h"
 #include "study/log/log_values.h"
 #include "study/log/session_claims.h"
@@ -127,9 +130,14 @@ Artifact artifact_of(const std::string& text, const fs::path& file) {
   return *artifact;
 }
 
+/// Which alternative was right; 0 where the study names no task.
+const char* right_column(int version) {
+  return knows_tasks(version) ? "right_index" : "0 AS right_index";
+}
+
 constexpr const char* answers_sql = R"sql(
       SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
-             chosen_index, rating, choice_ns, rating_ns, image_scale, condition, level
+             chosen_index, rating, choice_ns, rating_ns, image_scale, condition, level, {}
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind = 'stimulus'
@@ -139,14 +147,17 @@ constexpr const char* answers_sql = R"sql(
 constexpr const char* answers_sql_of_version_2 = R"sql(
       SELECT code, trial_index, stimulus_id, scene, artifact, object, object_index, depth_width_px,
              chosen_index, rating, choice_ns, rating_ns, image_scale, '' AS condition,
-             CAST(depth_width_px AS REAL) AS level
+             CAST(depth_width_px AS REAL) AS level, {}
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind = 'stimulus'
       ORDER BY participant, trial_index)sql";
 
 std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& file, Quantity quantity) {
-  SQLite::Statement row(database, schema_version_of(database) >= 3 ? answers_sql : answers_sql_of_version_2);
+  const int version = schema_version_of(database);
+  SQLite::Statement row(database,
+                        fmt::format(fmt::runtime(version >= 3 ? answers_sql : answers_sql_of_version_2),
+                                    right_column(version)));
   const LogValues values(row, file, "answers");
   const QuantityFacts& level = facts(quantity);
   std::vector<Answer> answers;
@@ -165,26 +176,32 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                        .rating = values.number(9, 1, 4),
                        .choice_ns = values.time(10),
                        .rating_ns = values.time(11),
-                       .image_scale = values.positive(12)});
+                       .image_scale = values.positive(12),
+                       .right_index = values.number(15, 0, 3)});
   return answers;
 }
 
 std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs::path& file) {
-  SQLite::Statement row(database, R"sql(
-      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns
+  const char* right = right_column(schema_version_of(database));
+  SQLite::Statement row(database, fmt::format(R"sql(
+      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns, {}
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind <> 'stimulus'
-      ORDER BY participant, trial_index)sql");
+      ORDER BY participant, trial_index)sql",
+                                              right));
   const LogValues values(row, file, "answers");
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
     const TrialKind kind = values.kind(2);
+    const int right_index = values.number(9, 0, 3);
     catches.push_back({.participant = values.text(0),
                        .trial_index = values.number(1, 0),
                        .kind = kind,
                        .scene = values.text(3),
-                       .right_index = kind == TrialKind::attention ? values.number(4, 1, 3) : 0,
+                       .right_index = right_index != 0               ? right_index
+                                      : kind == TrialKind::attention ? values.number(4, 1, 3)
+                                                                     : 0,
                        .chosen_index = values.number(5, 1, 3),
                        .rating = values.number(6, 1, 4),
                        .choice_ns = values.time(7),
@@ -199,6 +216,7 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   LogContents log;
   log.file = path;
   read_study_row(database, log);
+  if (knows_tasks(schema_version_of(database))) log.task = read_task_text(log.study_text, path);
   log.participants = read_participants(database, path);
   read_origins(database, path, log.participants);
   log.answers = read_answers(database, path, log.quantity);

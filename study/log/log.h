@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@
 #include "study/log/origin.h"
 #include "study/placement/trial.h"
 
+namespace seamline::inline stimuli {
+struct TaskDefinition;  // parts/task_definition.h
+}
+
 namespace seamline::study {
 
 /// One answer to one stimulus, as the log holds it.
@@ -22,7 +27,7 @@ struct Answer {
   std::string scene;
   Artifact artifact = Artifact::none;
   std::string object;
-  int object_index = 0;  ///< the right choice: 1 left, 2 middle, 3 right
+  int object_index = 0;  ///< where the object stands, and the right choice: 1 left, 2 middle, 3 right
   int depth_width_px = 0;
   std::string condition = {};  ///< its name; empty where the study has one condition
   double level = 0;            ///< of the log's quantity
@@ -31,8 +36,11 @@ struct Answer {
   std::int64_t choice_ns = 0;  ///< monotonic, from the image's onset to the choice; 0 for simulated people
   std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
   double image_scale = 1;      ///< screen pixels a picture pixel; 1 unless --allow-scaling was given
+  int right_index = 0;         ///< the right choice of a task with alternatives of its own; 0: object_index
 
-  [[nodiscard]] bool correct() const { return chosen_index == object_index; }
+  /// The right choice.
+  [[nodiscard]] int right() const { return right_index != 0 ? right_index : object_index; }
+  [[nodiscard]] bool correct() const { return chosen_index == right(); }
   /// Noticeability (paper section 4.2): 0 when the wrong object was chosen, else the rating.
   [[nodiscard]] int noticeability() const { return correct() ? rating : 0; }
 };
@@ -43,7 +51,7 @@ struct CatchTrialAnswer {
   int trial_index = 0;  ///< among all trials of the participant
   TrialKind kind = TrialKind::attention;
   std::string scene;
-  int right_index = 0;  ///< 1..3, 0 for a reference, where nothing is right
+  int right_index = 0;  ///< 1..3, 0 where nothing is right (a reference; yes or no: 2)
   int chosen_index = 0;
   int rating = 0;
   std::int64_t choice_ns = 0, rating_ns = 0;
@@ -83,6 +91,7 @@ struct LogContents {
   std::vector<CatchTrialAnswer> catches;        ///< to catch trials, in the same order
   int forgotten_participants = 0;               ///< how many were deleted by request
   int declined_visits = 0;                      ///< how many did not consent; nothing else is known of them
+  std::shared_ptr<const TaskDefinition> task = {};  ///< of the study; null: it names none
 };
 
 /// Reads a log, also while a session is writing to it. Throws InputError when the file is missing, is not

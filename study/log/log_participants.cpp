@@ -83,12 +83,16 @@ OpenSession LogWriter::Tables::enter_participant(const Enrolment& enrolment) {
 }
 
 void LogWriter::Tables::read_trials(OpenSession& session) {
-  SQLite::Statement row(database,
-                        "SELECT kind, stimulus FROM trials WHERE participant = ? ORDER BY trial_index");
+  SQLite::Statement row(
+      database, has_right_index ? "SELECT kind, stimulus, right_index FROM trials WHERE participant = ? "
+                                  "ORDER BY trial_index"
+                                : "SELECT kind, stimulus, 0 AS right_index FROM trials WHERE "
+                                  "participant = ? ORDER BY trial_index");
   SQLite::bind(row, session.participant);
   const LogValues values(row, path, "trials");
   while (row.executeStep())
-    session.trials.push_back({.kind = values.kind(0), .stimulus = values.number(1, 0)});
+    session.trials.push_back(
+        {.kind = values.kind(0), .stimulus = values.number(1, 0), .right_index = values.number(2, 0, 3)});
 }
 
 void LogWriter::Tables::read_answers(OpenSession& session) {

@@ -120,7 +120,7 @@ CREATE TABLE trials (  -- planned; an adaptive procedure adds them one by one, a
   participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
   trial_index     INTEGER NOT NULL CHECK (trial_index >= 0),
   kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
-  stimulus        INTEGER NOT NULL REFERENCES stimuli,         -- of a catch trial: whose scene and object
+  stimulus        INTEGER NOT NULL REFERENCES stimuli,         -- of a catch trial: whose scene and object{trials_of_tasks}
   PRIMARY KEY (participant, trial_index)
 ) STRICT, WITHOUT ROWID;
 
@@ -186,6 +186,9 @@ constexpr const char* study_since_3 = R"sql(,
   quantity        TEXT NOT NULL CHECK (length(quantity) > 0),  -- what the levels are values of
   noticeability   TEXT NOT NULL CHECK (noticeability IN ('falls', 'rises')))sql";
 
+constexpr const char* trials_of_tasks = R"sql(
+  right_index     INTEGER NOT NULL CHECK (right_index BETWEEN 0 AND 3),  -- alternative that is right; 0: the object, or none)sql";
+
 constexpr const char* stimuli_since_3 = R"sql(,
   condition       TEXT NOT NULL,                               -- '' where the study has one condition
   level           REAL NOT NULL CHECK (level >= 0 AND level < 9e999))sql";
@@ -243,7 +246,8 @@ std::string log_schema_sql(int version) {
                   fmt::arg("yaw_check", since_3 ? " CHECK (typeof(yaw_texels) IN ('integer', 'real'))" : ""),
                   fmt::arg("yaw", since_3 ? "ANY" : "INTEGER"),
                   fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
-                  fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : "")),
+                  fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : ""),
+                  fmt::arg("trials_of_tasks", knows_tasks(version) ? trials_of_tasks : "")),
       has_online_tables(version) ? online_tables_sql() : "", log_application_id, version);
 }
 

@@ -15,20 +15,24 @@ inline constexpr int log_schema_version = 3;
 /// Version 4 is version 3 with the artifact `reflection`; a log is made of it when its study has that
 /// artifact, so that the logs of all others are what they were. Versions 5 and 6 are 3 and 4 with the tables
 /// of people who take part in a browser (`online_tables_sql`): a log becomes one when the first of them is
-/// entered, and goes on being one for the window too.
-inline constexpr int newest_log_schema_version = 6;
+/// entered, and goes on being one for the window too. Versions 7 to 10 are 3 to 6 of a study that names its
+/// task: a trial says which alternative is right in it.
+inline constexpr int newest_log_schema_version = 10;
 inline constexpr int oldest_log_schema_version = 2;
 
-/// Whether a version since `log_schema_version` has tables of people in browsers, and whether it knows the
-/// artifact `reflection`; the version that has both as asked.
+/// Whether a version since `log_schema_version` has tables of people in browsers, knows the artifact
+/// `reflection`, and says of each trial what is right; the version that has them as asked.
 [[nodiscard]] constexpr bool has_online_tables(int version) {
-  return version >= 5;
+  return version >= log_schema_version && ((version - log_schema_version) & 2) != 0;
 }
 [[nodiscard]] constexpr bool knows_reflection(int version) {
-  return version == 4 || version == 6;
+  return version >= log_schema_version && ((version - log_schema_version) & 1) != 0;
 }
-[[nodiscard]] constexpr int log_schema_version_with(bool online, bool reflection) {
-  return log_schema_version + (online ? 2 : 0) + (reflection ? 1 : 0);
+[[nodiscard]] constexpr bool knows_tasks(int version) {
+  return version >= log_schema_version && ((version - log_schema_version) & 4) != 0;
+}
+[[nodiscard]] constexpr int log_schema_version_with(bool online, bool reflection, bool task = false) {
+  return log_schema_version + (task ? 4 : 0) + (online ? 2 : 0) + (reflection ? 1 : 0);
 }
 
 /// The tables that version 5 adds to those of version 3, and 6 to those of version 4, as SQL.

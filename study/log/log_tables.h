@@ -23,13 +23,17 @@ struct LogWriter::Tables {
   SessionClaims claims;
   std::optional<FileIdentity> file, ahead;  ///< of the log and its write-ahead log, as they were opened
   SQLite::Database database;
+  bool has_right_index = knows_tasks(schema_version_of(database));  ///< of trials
   int depth = 0;  ///< of nested transactions; the outermost one counts
   SQLite::Statement begin{
       database,
       "INSERT INTO sessions (participant, started_unix_s, last_unix_s, program_version) VALUES (?1, ?2, ?2, "
       "?3)"};
   SQLite::Statement trial{
-      database, "INSERT INTO trials (participant, trial_index, kind, stimulus) VALUES (?, ?, ?, ?)"};
+      database, has_right_index
+                    ? "INSERT INTO trials (participant, trial_index, kind, stimulus, right_index) VALUES "
+                      "(?, ?, ?, ?, ?)"
+                    : "INSERT INTO trials (participant, trial_index, kind, stimulus) VALUES (?, ?, ?, ?)"};
   SQLite::Statement answer{database, R"sql(
       INSERT INTO answers (participant, trial_index, session, chosen_index, rating, choice_ns, rating_ns, image_scale)
       VALUES (?, ?, ?, ?, ?, ?, ?, ?))sql"};

@@ -181,8 +181,8 @@ void LogWriter::open(const RenderedSet& set) {
   const bool mirrors = std::any_of(stimuli.begin(), stimuli.end(), [](const auto& one) {
     return one.stimulus.artifact == Artifact::reflection;
   });
-  SQLite::Database database =
-      open_or_create_log_database(path_, fill, {}, log_schema_version_with(false, mirrors));
+  SQLite::Database database = open_or_create_log_database(
+      path_, fill, {}, log_schema_version_with(false, mirrors, set.study.task != nullptr));
   with_log_errors(path_, [&] {
     check_undamaged(database, path_);
     claim_log(database, path_, set);
@@ -238,7 +238,12 @@ void LogWriter::append_trials(OpenSession& session, std::span<const Trial> trial
   transaction([&] {
     auto trial_index = static_cast<std::int64_t>(session.trials.size());
     for (const Trial& trial : trials)
-      run(tables_->trial, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus);
+      if (tables_->has_right_index)
+        run(tables_->trial, session.participant, trial_index++, std::string(word(trial.kind)), trial.stimulus,
+            trial.right_index);
+      else
+        run(tables_->trial, session.participant, trial_index++, std::string(word(trial.kind)),
+            trial.stimulus);
   });
   session.trials.insert(session.trials.end(), trials.begin(), trials.end());
 }

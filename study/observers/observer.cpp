@@ -58,36 +58,41 @@ double seen_apart(const ObserverDefinition& definition) {
   return definition.direction == Direction::decreasing ? 1 : 0;
 }
 
-Response guess(Random& random) {
-  return {.chosen_index = 1 + static_cast<int>(random.below(objects_per_stimulus)), .rating = 1};
+Response guess(const Alternatives& alternatives, Random& random) {
+  if (alternatives.false_alarms)
+    return {.chosen_index = random.uniform() < *alternatives.false_alarms ? 1 : 2, .rating = 1};
+  return {.chosen_index = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(alternatives.count))),
+          .rating = 1};
 }
 
 /// The answer of a person who sees the seam of this stimulus with probability `seen`.
-Response seeing_response(double seen, const Stimulus& stimulus, Random& random) {
-  if (random.uniform() >= seen) return guess(random);
-  return {.chosen_index = stimulus.object_index, .rating = 1 + random.binomial(highest_rating - 1, seen)};
+Response seeing_response(double seen, const Alternatives& alternatives, Random& random) {
+  if (random.uniform() >= seen) return guess(alternatives, random);
+  return {.chosen_index = alternatives.right, .rating = 1 + random.binomial(highest_rating - 1, seen)};
 }
 
-Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus, Random& random) {
+Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus,
+                            const Alternatives& alternatives, Random& random) {
   const LevelPlace place = place_of(stimulus);
   PsychometricFunction person = average_person(observer.definition, place);
   if (stands_apart(person.axis, place.level))
-    return seeing_response(seen_apart(observer.definition), stimulus, random);
+    return seeing_response(seen_apart(observer.definition), alternatives, random);
   if (person.axis == Axis::log2)
     person.threshold *= std::exp2(observer.shift_octaves);
   else
     person.threshold += observer.shift_linear;
-  return seeing_response(response_probability(person, place.level), stimulus, random);
+  return seeing_response(response_probability(person, place.level), alternatives, random);
 }
 
-Response image_response(const ImageObserver& observer, const Stimulus& stimulus, Random& random) {
+Response image_response(const ImageObserver& observer, const Stimulus& stimulus,
+                        const Alternatives& alternatives, Random& random) {
   const std::string id = stimulus_id(stimulus);
   const auto found = observer.differences->find(id);
   if (found == observer.differences->end())
     throw input_error({.field = id, .wanted = "a picture to look at", .found = "none in the set"});
   const double visible_octaves = std::log2(gain_of(observer.definition) * found->second.above_floor);
   const double z = (visible_octaves + observer.shift_octaves) / observer.definition.scale_octaves;
-  return seeing_response(sigmoid_value(Sigmoid::logistic, z), stimulus, random);
+  return seeing_response(sigmoid_value(Sigmoid::logistic, z), alternatives, random);
 }
 
 /// Mean noticeability of a person who sees with probability P.
@@ -189,29 +194,52 @@ Observer make_observer(ObserverKind kind, const ObserverDefinition& definition, 
   return {};
 }
 
+Alternatives alternatives_of(const TaskFacts& task, const Trial& trial, int object_index) {
+  const int right = trial.kind == TrialKind::reference ? 0 : object_index;
+  if (task.right_is_yes)
+    return {
+        .count = 2, .right = trial.right_index, .false_alarms = task.chooses ? simulated_false_alarms : 0.0};
+  return {.count = task.alternatives, .right = trial.right_index != 0 ? trial.right_index : right};
+}
+
 Response respond(const Observer& observer, const Stimulus& stimulus, Random& random) {
+  return respond(observer, stimulus, Alternatives{.right = stimulus.object_index}, random);
+}
+
+Response respond(const Observer& observer, const Stimulus& stimulus, const Alternatives& alternatives,
+                 Random& random) {
   return std::visit(
       Overloaded{
-          [&](const ThresholdObserver& person) { return threshold_response(person, stimulus, random); },
-          [&](const ImageObserver& person) { return image_response(person, stimulus, random); },
-          [&](const GuessingObserver&) { return guess(random); },
+          [&](const ThresholdObserver& person) {
+            return threshold_response(person, stimulus, alternatives, random);
+          },
+          [&](const ImageObserver& person) { return image_response(person, stimulus, alternatives, random); },
+          [&](const GuessingObserver&) { return guess(alternatives, random); },
           [&](const PerfectObserver&) {
-            return Response{.chosen_index = stimulus.object_index, .rating = highest_rating};
+            return Response{.chosen_index = alternatives.right, .rating = highest_rating};
           }},
       observer);
 }
 
 Response respond_to_attention(const Observer& observer, int right_index, Random& random) {
-  const Response seen{.chosen_index = right_index, .rating = highest_rating};
+  return respond_to_attention(observer, Alternatives{.right = right_index}, random);
+}
+
+Response respond_to_attention(const Observer& observer, const Alternatives& alternatives, Random& random) {
+  const Response seen{.chosen_index = alternatives.right, .rating = highest_rating};
   return std::visit(
       Overloaded{[&](const ThresholdObserver&) { return seen; }, [&](const ImageObserver&) { return seen; },
-                 [&](const GuessingObserver&) { return guess(random); },
+                 [&](const GuessingObserver&) { return guess(alternatives, random); },
                  [&](const PerfectObserver&) { return seen; }},
       observer);
 }
 
 Response respond_to_reference(Random& random) {
-  return guess(random);
+  return guess({}, random);
+}
+
+Response respond_to_reference(const Alternatives& alternatives, Random& random) {
+  return guess(alternatives, random);
 }
 
 LevelPlace place_of(const Stimulus& stimulus) {

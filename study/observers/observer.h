@@ -6,9 +6,11 @@
 #include <string_view>
 #include <variant>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/pictures/visible_difference.h"
+#include "study/placement/trial.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::study {
@@ -49,9 +51,24 @@ struct PerfectObserver {};
 
 using Observer = std::variant<ThresholdObserver, ImageObserver, GuessingObserver, PerfectObserver>;
 
+/// Among what an observer chooses in a trial.
+struct Alternatives {
+  int count = objects_per_stimulus;
+  int right = 0;  ///< from 1; 0: nothing is
+  /// Yes (1) or no (2): how often somebody who sees nothing says yes. None: a uniform guess.
+  std::optional<double> false_alarms = {};
+};
+
+/// How often simulated people say yes where they see nothing.
+inline constexpr double simulated_false_alarms = 0.1;
+
+/// Of a trial in a task; `object_index` is the place of its stimulus' object. Simulated people who only rate
+/// see nothing where nothing is.
+[[nodiscard]] Alternatives alternatives_of(const TaskFacts& task, const Trial& trial, int object_index);
+
 /// What an observer answers to one stimulus.
 struct Response {
-  int chosen_index = 0;  ///< 1..3
+  int chosen_index = 0;  ///< from 1
   int rating = 0;        ///< 1..4
 };
 
@@ -64,12 +81,19 @@ struct Response {
 /// or an `image` observer knows no gain or no visible difference of the stimulus.
 [[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus, Random& random);
 
+/// The same among other alternatives than the three objects.
+[[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus,
+                               const Alternatives& alternatives, Random& random);
+
 /// The answer to an attention trial: everybody who looks at the pictures sees it, chooses the right object
 /// and rates it 4; a guesser guesses.
 [[nodiscard]] Response respond_to_attention(const Observer& observer, int right_index, Random& random);
+[[nodiscard]] Response respond_to_attention(const Observer& observer, const Alternatives& alternatives,
+                                            Random& random);
 
 /// The answer to a reference trial, where there is nothing to see: everybody guesses, rated 1.
 [[nodiscard]] Response respond_to_reference(Random& random);
+[[nodiscard]] Response respond_to_reference(const Alternatives& alternatives, Random& random);
 
 /// Where a stimulus lies on the psychometric functions of a study.
 struct LevelPlace {

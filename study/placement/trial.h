@@ -25,11 +25,15 @@ inline constexpr std::array<TrialKind, 3> every_trial_kind = {TrialKind::stimulu
 struct Trial {
   TrialKind kind = TrialKind::stimulus;
   int stimulus = 0;
+  /// The right alternative from 1, of tasks that draw it or ask for yes (1) or no (2). 0: the object's own
+  /// place, or nothing is right (study/trials/right_rule.h).
+  int right_index = 0;
   bool operator==(const Trial&) const = default;
 };
 
-/// What a participant did in one trial: chose one of the three objects, then rated how noticeable the
-/// insertion was.
+/// What a participant did in one trial: chose one of the three objects (or of the task's alternatives), then
+/// rated how noticeable the insertion was (1 where the task does not ask it). Of a rating task alone, the
+/// lowest label is no seam seen (choice 2, rating 1), and the others are one (choice 1, rating 1 to 4).
 struct TrialAnswer {
   int trial_index = 0;         ///< 0-based place among all trials of the participant, of every kind
   int chosen_index = 0;        ///< 1 left, 2 middle, 3 right

@@ -53,24 +53,31 @@ Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const 
   const Trial trial = current_trial(session.trials).value();
   Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
   const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
+  const Alternatives alternatives =
+      alternatives_of(facts_of(set.study.task.get()), trial, stimulus.object_index);
   switch (trial.kind) {
     case TrialKind::stimulus:
-      return respond(person.observer, stimulus, random);
+      return respond(person.observer, stimulus, alternatives, random);
     case TrialKind::attention:
-      return respond_to_attention(person.observer, stimulus.object_index, random);
+      return respond_to_attention(person.observer, alternatives, random);
     case TrialKind::reference:
-      return respond_to_reference(random);
+      return respond_to_reference(alternatives, random);
   }
   return {};
 }
 
-/// One trial from the image to the stored answer, all at time 0.
+/// One trial from the first image to the stored answer, in no time at all.
 Session run_trial(Session session, const SimulatedPerson& person, const RenderedSet& set,
                   const std::function<void(const TrialAnswer&)>& store) {
   const Response response = answer_of(person, set, session);
-  session = next(std::move(session), ImageShown{});
-  session = next(std::move(session), ObjectChosen{.index = response.chosen_index});
-  session = next(std::move(session), RatingGiven{.rating = response.rating});
+  const TaskFacts& task = session.pace.task.facts;
+  for (int picture = 0; picture < task.pictures; ++picture) {
+    session = next(std::move(session), ImageShown{});
+    for (int ticks = 0; ticks < 2; ++ticks) session = next(std::move(session), Tick{});  // viewing, gap
+  }
+  if (task.chooses) session = next(std::move(session), ObjectChosen{.index = response.chosen_index});
+  const bool nothing_seen = !task.chooses && response.chosen_index != 1;
+  session = next(std::move(session), RatingGiven{.rating = nothing_seen ? 0 : response.rating});
   store(std::get<Storing>(session.phase).answer);
   session = next(std::move(session), AnswerStored{});
   return next(std::move(session), BreakEnded{});
@@ -80,7 +87,8 @@ Session run_trial(Session session, const SimulatedPerson& person, const Rendered
 int run_participant(LogWriter& log, OpenSession& place, const RenderedSet& set, const TrialRules& rules,
                     const SimulatedPerson& person) {
   Session session = begin_session(open_trials(rules, log, place),
-                                  {.break_every_trials = set.study.session.break_every_trials});
+                                  {.break_every_trials = set.study.session.break_every_trials,
+                                   .task = {.facts = facts_of(set.study.task.get())}});
   while (!std::holds_alternative<Done>(session.phase)) {
     store_due_trial(session.trials, log, place);
     session = run_trial(std::move(session), person, set,

@@ -51,10 +51,28 @@ std::vector<CatchTrial> catches_at(const TrialRules& rules, const ParticipantPro
   return catches;
 }
 
+/// Every stimulus once in a random order, then every stimulus once again: repetitions spread over the
+/// session.
+std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& key) {
+  constexpr std::uint64_t repetition_salt = 0x616761696e;  // "again"
+  std::vector<int> order;
+  for (int r = 0; r < rules.repetitions; ++r) {
+    const std::uint64_t seed =
+        r == 0 ? key.study_seed : mix_bits(key.study_seed ^ repetition_salt) + static_cast<std::uint64_t>(r);
+    const std::vector<int> once =
+        stimulus_order(static_cast<int>(rules.stimuli.size()), {.study_seed = seed, .slot = key.slot});
+    order.insert(order.end(), once.begin(), once.end());
+  }
+  return order;
+}
+
 }  // namespace
 
 TrialRules make_trial_rules(const RenderedSet& set) {
-  TrialRules rules{.study_seed = set.study.seed, .catches = set.study.catches};
+  TrialRules rules{.study_seed = set.study.seed,
+                   .catches = set.study.catches,
+                   .task = facts_of(set.study.task.get()),
+                   .repetitions = set.study.task ? set.study.task->repetitions : 1};
   for (const ManifestStimulus& record : set.manifest.stimuli) rules.stimuli.push_back(record.stimulus);
   if (const auto* definition = std::get_if<QuestPlusDefinition>(&set.study.procedure))
     rules.quest_plus = std::make_shared<QuestPlusDesign>(make_quest_plus_design(*definition, rules.stimuli));
@@ -64,16 +82,21 @@ TrialRules make_trial_rules(const RenderedSet& set) {
 std::vector<Trial> decided_trials(const TrialRules& rules, int slot, std::span<const Trial> trials) {
   if (rules.quest_plus || !trials.empty()) return {trials.begin(), trials.end()};
   const OrderKey key{.study_seed = rules.study_seed, .slot = slot};
-  const int stimuli = static_cast<int>(rules.stimuli.size());
-  return interleave(stimulus_order(stimuli, key),
-                    draw_catch_trials(rules.catches, rules.stimuli, stimuli, key));
+  const std::vector<int> order = order_of_repetitions(rules, key);
+  std::vector<Trial> decided =
+      interleave(order, draw_catch_trials(rules.catches, rules.stimuli, static_cast<int>(order.size()), key));
+  const RightRule right = right_rule(rules.task, rules.study_seed, slot);
+  for (std::size_t i = 0; i < decided.size(); ++i)
+    decided[i].right_index = right_index_of(right, decided[i], static_cast<int>(i));
+  return decided;
 }
 
 TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress& progress) {
   const OwnTrials own = own_trials(progress);
   return {.procedure = procedure_at(rules, progress.slot, own),
           .catches = catches_at(rules, progress),
-          .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size())};
+          .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size()),
+          .right = right_rule(rules.task, rules.study_seed, progress.slot)};
 }
 
 std::optional<Trial> undecided_trial(const TrialSequence& trials, int decided) {

@@ -27,6 +27,8 @@ struct TrialRules {
   std::uint64_t study_seed = 1;
   CatchDefinition catches = {};
   std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli
+  TaskFacts task = {};
+  int repetitions = 1;  ///< of every constant stimulus, each time in an order of its own
 };
 
 [[nodiscard]] TrialRules make_trial_rules(const RenderedSet& set);

@@ -1,5 +1,6 @@
 #include "study/trials/trial_picture.h"
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/trial_clip.h"
@@ -39,7 +40,14 @@ ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
   return {};
 }
 
+std::array<int, 2> shown_size_px(const RenderedSet& set) {
+  const bool pair = facts_of(set.study.task.get()).kind == TaskKind::pair;
+  const int width_px = set.manifest.width_px;
+  return {pair ? 2 * width_px + pair_gap_px : width_px, set.manifest.height_px};
+}
+
 int right_object(const RenderedSet& set, const Trial& trial) {
+  if (trial.right_index != 0) return trial.right_index;
   return trial.kind == TrialKind::reference ? 0 : record_of(set, trial).stimulus.object_index;
 }
 

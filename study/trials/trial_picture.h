@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "study/placement/trial.h"
 #include "study/trials/rendered_set.h"
 #include "support/files/image.h"
@@ -11,10 +13,17 @@ namespace seamline::study {
 /// size, or the set has no reference of the scene.
 [[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial);
 
+/// Grey between the two pictures of a pair.
+inline constexpr int pair_gap_px = 24;
+
+/// Width and height of what a trial shows at a time: a picture of the set, or two of them side by side.
+[[nodiscard]] std::array<int, 2> shown_size_px(const RenderedSet& set);
+
 /// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.
 [[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const Trial& trial);
 
-/// The object whose choice is right: 1 left, 2 middle, 3 right, 0 when there is none (`reference`).
+/// The choice that is right: the trial's own alternative, else the object: 1 left, 2 middle, 3 right, 0 when
+/// there is none (`reference`).
 [[nodiscard]] int right_object(const RenderedSet& set, const Trial& trial);
 
 }  // namespace seamline::study

@@ -22,8 +22,11 @@ std::optional<Trial> stimulus_trial(std::optional<int> stimulus) {
 }  // namespace
 
 std::optional<Trial> current_trial(const TrialSequence& trials) {
-  if (const CatchTrial* due = due_catch(trials)) return due->trial;
-  return stimulus_trial(current_stimulus(trials.procedure));
+  const CatchTrial* due = due_catch(trials);
+  std::optional<Trial> trial =
+      due != nullptr ? due->trial : stimulus_trial(current_stimulus(trials.procedure));
+  if (trial) trial->right_index = right_index_of(trials.right, *trial, answered_trials(trials));
+  return trial;
 }
 
 std::optional<Trial> trial_after_current(const TrialSequence& trials) {
@@ -35,12 +38,15 @@ std::optional<Trial> trial_after_current(const TrialSequence& trials) {
   if (!current_stimulus(trials.procedure)) return std::nullopt;
   const auto next = static_cast<std::size_t>(trials.catches_answered);
   if (next < trials.catches.size() &&
-      trials.catches[next].after_stimulus_trials <= answered_trials(trials.procedure) + 1)
-    return trials.catches[next].trial;
+      trials.catches[next].after_stimulus_trials <= answered_trials(trials.procedure) + 1) {
+    Trial trial = trials.catches[next].trial;
+    trial.right_index = right_index_of(trials.right, trial, answered_trials(trials) + 1);
+    return trial;
+  }
   auto* constant = std::get_if<ConstantProcedure>(&after.procedure);
   if (constant == nullptr) return std::nullopt;  // an adaptive one decides by the answer
   ++constant->answered;
-  return stimulus_trial(current_stimulus(after.procedure));
+  return current_trial(after);
 }
 
 TrialSequence after_answer(TrialSequence trials, const TrialAnswer& answer) {

@@ -5,6 +5,7 @@
 
 #include "study/placement/procedure.h"
 #include "study/placement/trial.h"
+#include "study/trials/right_rule.h"
 
 namespace seamline::study {
 
@@ -22,6 +23,7 @@ struct TrialSequence {
   Procedure procedure;
   std::vector<CatchTrial> catches = {};  ///< in the order in which they come
   int catches_answered = 0;
+  RightRule right = {};
 };
 
 /// The trial that is due, or none when the session is over. Catch trials that were drawn beyond the last

@@ -19,29 +19,67 @@ Phase after_grey(const Grey& phase, const Event& event, const SessionPace& pace)
   return AwaitingImage{};
 }
 
-Phase after_shown(const AwaitingImage& phase, const Event& event) {
-  if (const auto* shown = std::get_if<ImageShown>(&event)) return Choosing{.onset_ns = shown->now_ns};
-  return phase;
+Phase after_shown(const AwaitingImage& phase, const Event& event, const SessionTask& task) {
+  const auto* shown = std::get_if<ImageShown>(&event);
+  if (shown == nullptr) return phase;
+  if (task.facts.pictures > 1) return Viewing{.onset_ns = shown->now_ns, .picture = phase.picture};
+  if (!task.facts.chooses) return Rating{.onset_ns = shown->now_ns};
+  return Choosing{.onset_ns = shown->now_ns};
+}
+
+Phase after_viewing(const Viewing& phase, const Event& event, const SessionPace& pace) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+  const auto* tick = std::get_if<Tick>(&event);
+  if (tick == nullptr || tick->now_ns - phase.onset_ns < pace.task.exposure_ns) return phase;
+  if (phase.picture + 1 == pace.task.facts.pictures) return Choosing{.onset_ns = phase.onset_ns};
+  return Gap{.since_ns = phase.onset_ns + pace.task.exposure_ns, .next_picture = phase.picture + 1};
+}
+
+Phase after_gap(const Gap& phase, const Event& event, const SessionPace& pace) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+  const auto* tick = std::get_if<Tick>(&event);
+  if (tick == nullptr || tick->now_ns - phase.since_ns < pace.task.gap_ns) return phase;
+  return AwaitingImage{.picture = phase.next_picture};
 }
 
 bool is_choice(const ObjectChosen& chosen, std::int64_t onset_ns, const SessionPace& pace) {
-  return chosen.index >= 1 && chosen.index <= objects_per_stimulus && chosen.now_ns >= onset_ns &&
+  return chosen.index >= 1 && chosen.index <= pace.task.facts.alternatives && chosen.now_ns >= onset_ns &&
          chosen.now_ns - onset_ns >= pace.minimum_viewing_ns;
 }
 
-Phase after_choice(const Choosing& phase, const Event& event, const SessionPace& pace) {
-  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+Phase after_choice(const Choosing& phase, const Event& event, const Session& session) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
   const auto* chosen = std::get_if<ObjectChosen>(&event);
-  if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, pace)) return phase;
-  return Rating{.onset_ns = phase.onset_ns,
-                .chosen_index = chosen->index,
-                .choice_ns = chosen->now_ns - phase.onset_ns};
+  if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, session.pace)) return phase;
+  const std::int64_t choice_ns = chosen->now_ns - phase.onset_ns;
+  if (session.pace.task.facts.rates)
+    return Rating{.onset_ns = phase.onset_ns, .chosen_index = chosen->index, .choice_ns = choice_ns};
+  return Storing{{.trial_index = answered_trials(session.trials),
+                  .chosen_index = chosen->index,
+                  .rating = 1,
+                  .choice_ns = choice_ns,
+                  .rating_ns = choice_ns}};
+}
+
+/// The answer of a task without a choice: whether anything was seen is the rating's to say.
+Phase after_only_rating(const Rating& phase, const Event& event, const Session& session) {
+  const auto* given = std::get_if<RatingGiven>(&event);
+  if (given == nullptr || given->rating < 0 || given->rating > highest_rating) return phase;
+  const std::int64_t rating_ns = given->now_ns - phase.onset_ns;
+  if (rating_ns < session.pace.minimum_viewing_ns) return phase;
+  const bool seen = given->rating > 0;
+  return Storing{{.trial_index = answered_trials(session.trials),
+                  .chosen_index = seen ? 1 : 2,
+                  .rating = seen ? given->rating : 1,
+                  .choice_ns = rating_ns,
+                  .rating_ns = rating_ns}};
 }
 
 Phase after_rating(const Rating& phase, const Event& event, const Session& session) {
   if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
+  if (!session.pace.task.facts.chooses) return after_only_rating(phase, event, session);
   if (std::holds_alternative<ObjectChosen>(event)) {
-    const Phase again = after_choice(Choosing{.onset_ns = phase.onset_ns}, event, session.pace);
+    const Phase again = after_choice(Choosing{.onset_ns = phase.onset_ns}, event, session);
     return std::holds_alternative<Rating>(again) ? again : phase;
   }
   const auto* given = std::get_if<RatingGiven>(&event);
@@ -86,8 +124,10 @@ Session next(Session session, const Event& event) {
   return std::visit(
       Overloaded{
           [&](const Grey& now) { return with(after_grey(now, event, session.pace)); },
-          [&](const AwaitingImage& now) { return with(after_shown(now, event)); },
-          [&](const Choosing& now) { return with(after_choice(now, event, session.pace)); },
+          [&](const AwaitingImage& now) { return with(after_shown(now, event, session.pace.task)); },
+          [&](const Viewing& now) { return with(after_viewing(now, event, session.pace)); },
+          [&](const Gap& now) { return with(after_gap(now, event, session.pace)); },
+          [&](const Choosing& now) { return with(after_choice(now, event, session)); },
           [&](const Rating& now) { return with(after_rating(now, event, session)); },
           [&](const Storing& now) { return after_storing(std::move(session), now.answer, event); },
           [&](const OnBreak& now) {
@@ -96,6 +136,10 @@ Session next(Session session, const Event& event) {
           [&](const Done& now) { return with(now); },
       },
       phase);
+}
+
+bool is_picture_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns) {
+  return task.facts.pictures == 1 && (task.exposure_ns == 0 || now_ns - onset_ns < task.exposure_ns);
 }
 
 }  // namespace seamline::study

@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/placement/trial.h"
 #include "study/trials/trial_sequence.h"
 
@@ -13,11 +14,21 @@ namespace seamline::study {
 struct Grey {                                 ///< grey with a fixation mark, for SessionPace::inter_trial_ns
   std::optional<std::int64_t> since_ns = {};  ///< none until the first Tick
 };
-struct AwaitingImage {};  ///< the due picture is not on the screen yet
-struct Choosing {         ///< it is; which of the three objects was inserted?
+struct AwaitingImage {  ///< the due picture is not on the screen yet
+  int picture = 0;      ///< which of those that the trial shows one after another
+};
+struct Viewing {  ///< one of several pictures is on the screen, for SessionTask::exposure_ns
+  std::int64_t onset_ns = 0;
+  int picture = 0;
+};
+struct Gap {  ///< grey between two pictures, for SessionTask::gap_ns
+  std::int64_t since_ns = 0;
+  int next_picture = 0;
+};
+struct Choosing {  ///< it is, or they were; which of the alternatives is it?
   std::int64_t onset_ns = 0;
 };
-struct Rating {  ///< an object is chosen; how noticeable was the insertion?
+struct Rating {  ///< it is chosen, or the task has no choice; how noticeable was the insertion?
   std::int64_t onset_ns = 0;
   int chosen_index = 0;
   std::int64_t choice_ns = 0;  ///< from onset
@@ -27,22 +38,22 @@ struct Storing {  ///< the answer is complete and must be committed to the log
 };
 struct OnBreak {};
 struct Done {};
-using Phase = std::variant<Grey, AwaitingImage, Choosing, Rating, Storing, OnBreak, Done>;
+using Phase = std::variant<Grey, AwaitingImage, Viewing, Gap, Choosing, Rating, Storing, OnBreak, Done>;
 
 // What can happen to a session.
 
-struct Tick {  ///< time passes
+struct Tick {  ///< time passes: of Viewing and Gap, the time for which the next frame is drawn
   std::int64_t now_ns = 0;
 };
 struct ImageShown {
   std::int64_t now_ns = 0;  ///< when the swap that showed the image was done
 };
 struct ObjectChosen {
-  int index = 0;  ///< 1 left, 2 middle, 3 right
+  int index = 0;  ///< 1 left, 2 middle, 3 right; or the alternative from 1
   std::int64_t now_ns = 0;
 };
 struct RatingGiven {
-  int rating = 0;  ///< 1..4
+  int rating = 0;  ///< 1..4; 0 where there is no choice and nothing was seen
   std::int64_t now_ns = 0;
 };
 struct AnswerStored {};  ///< the log has committed the answer
@@ -51,11 +62,19 @@ struct PictureTaken {};  ///< the picture left the screen before the answer was 
 using Event =
     std::variant<Tick, ImageShown, ObjectChosen, RatingGiven, AnswerStored, BreakEnded, PictureTaken>;
 
+/// What a trial asks, and for how long its pictures are seen.
+struct SessionTask {
+  TaskFacts facts = {};
+  std::int64_t exposure_ns = 0;  ///< 0: until the answer
+  std::int64_t gap_ns = 0;
+};
+
 /// How a session is paced.
 struct SessionPace {
   int break_every_trials = 0;           ///< 0: no breaks
   std::int64_t minimum_viewing_ns = 0;  ///< a choice sooner than this after the onset does not count
   std::int64_t inter_trial_ns = 0;      ///< 0: no grey between trials
+  SessionTask task = {};
 };
 
 /// A session of one participant; a value. The trial that is due is number `answered_trials(trials)`.
@@ -77,12 +96,23 @@ struct Session {
 ///     last) | Done
 ///     Rating --ObjectChosen--> Rating (the last choice before the rating counts)
 ///     OnBreak --BreakEnded--> Grey
-///     Grey, Choosing, Rating --PictureTaken--> Grey (the trial begins again)
+///     Grey, Viewing, Gap, Choosing, Rating --PictureTaken--> Grey (the trial begins again)
+///
+/// A task of several pictures, and tasks without a rating or without a choice:
+///
+///     AwaitingImage --ImageShown--> Viewing --Tick, exposure_ns after the onset--> Gap --Tick, after
+///     gap_ns--> AwaitingImage of the next picture; after the last one Choosing Choosing --ObjectChosen-->
+///     Storing;    AwaitingImage --ImageShown--> Rating --RatingGiven--> Storing
 ///
 /// Grey is passed over when inter_trial_ns is 0. Every other event leaves the session as it was, and so does
-/// an object outside 1..3, a rating outside 1..4, a time before the image's onset or the choice, or a choice
-/// before minimum_viewing_ns: a stray key can neither skip a trial, nor change a rated choice. No image
-/// follows an answer that the log has not committed, because only AnswerStored leaves Storing.
+/// a choice outside the alternatives, a rating outside 1..4 (0..4 without a choice), a time before the
+/// image's onset or the choice, or a choice before minimum_viewing_ns: a stray key can neither skip a trial,
+/// nor change a rated choice. No image follows an answer that the log has not committed, because only
+/// AnswerStored leaves Storing.
 [[nodiscard]] Session next(Session session, const Event& event);
+
+/// Whether the picture of a trial is seen at a time while the answer is awaited: not where pictures were
+/// shown one after another, nor after the exposure.
+[[nodiscard]] bool is_picture_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns);
 
 }  // namespace seamline::study

@@ -12,7 +12,9 @@ Session begin_training(const VisitScript& script) {
     if (trial.kind == TrialKind::stimulus) procedure.order.push_back(trial.stimulus);
   SessionPace pace = script.pace;
   pace.break_every_trials = 0;
-  return begin_session({.procedure = std::move(procedure), .catches = catch_trials_of(script.training)},
+  return begin_session({.procedure = std::move(procedure),
+                        .catches = catch_trials_of(script.training),
+                        .right = script.training_rule},
                        pace);
 }
 

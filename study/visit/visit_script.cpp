@@ -24,6 +24,13 @@ double viewing_s(const StudyDefinition& study) {
   return std::max(study.session.minimum_viewing_s, clip->frames / clip->frames_per_s);
 }
 
+SessionTask session_task(const StudyDefinition& study) {
+  if (!study.task) return {};
+  return {.facts = facts_of(study.task.get()),
+          .exposure_ns = nanoseconds(study.task->exposure_s),
+          .gap_ns = nanoseconds(study.task->gap_s)};
+}
+
 }  // namespace
 
 VisitScript make_visit_script(const RenderedSet& set) {
@@ -34,7 +41,12 @@ VisitScript make_visit_script(const RenderedSet& set) {
       .training = training_trials(set),
       .pace = {.break_every_trials = study.session.break_every_trials,
                .minimum_viewing_ns = std::max(fastest_choice_ns, nanoseconds(viewing_s(study))),
-               .inter_trial_ns = nanoseconds(study.session.inter_trial_s)}};
+               .inter_trial_ns = nanoseconds(study.session.inter_trial_s),
+               .task = session_task(study)},
+      .training_rule = right_rule(facts_of(study.task.get()), study.seed, 0)};
+  for (std::size_t i = 0; i < script.training.size(); ++i)
+    script.training[i].right_index =
+        right_index_of(script.training_rule, script.training[i], static_cast<int>(i));
   for (const Trial& trial : script.training) script.training_right.push_back(right_object(set, trial));
   return script;
 }

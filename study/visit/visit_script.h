@@ -14,6 +14,7 @@ struct VisitScript {
   std::vector<Trial> training = {};
   std::vector<int> training_right = {};  ///< the right choice of each: 1 left, 2 middle, 3 right
   SessionPace pace = {};
+  RightRule training_rule = {};
 };
 
 /// The script of a set's study. Throws InputError when a training stimulus is not in the set.

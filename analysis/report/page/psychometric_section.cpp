@@ -109,6 +109,47 @@ std::string tracks_html(const ReportNumbers& numbers) {
                     lines);
 }
 
+std::string chance_text(const ReportNumbers& numbers) {
+  if (!numbers.detection.rows.empty())
+    return fmt::format("the false alarms, {}", decimal_text(numbers.guess_rate, 2));
+  return fmt::format("1/{:.0f}", 1 / numbers.guess_rate);
+}
+
+std::string half_way_text(const ReportNumbers& numbers) {
+  const bool of_three = std::abs(numbers.guess_rate - 1.0 / 3) < 1e-9;
+  return of_three ? "2/3" : decimal_text((1 + numbers.guess_rate) / 2, 2);
+}
+
+std::string detection_html(const ReportNumbers& numbers) {
+  const SignalDetection& detection = numbers.detection;
+  if (detection.rows.empty()) return "";
+  const auto between = [](double value, const Interval& ci95) {
+    return std::isfinite(ci95.low) ? fmt::format("{} ({} to {})", decimal_text(value, 2),
+                                                 decimal_text(ci95.low, 2), decimal_text(ci95.high, 2))
+                                   : decimal_text(value, 2);
+  };
+  std::vector<std::vector<std::string>> lines;
+  for (const DetectionRow& row : detection.rows)
+    lines.push_back({std::string(word(row.artifact)) + in_condition(row.condition),
+                     level_text(numbers.axis.quantity, row.level), std::to_string(row.people),
+                     decimal_text(row.hits, 2), between(row.d_prime, row.d_prime_ci95),
+                     between(row.criterion, row.criterion_ci95)});
+  return fmt::format(
+             "<h3 id=\"detection\">Yes or no: d′ and criterion</h3>\n<p>Of {} reference trials {} % were answered "
+             "yes (false alarms). d′ = z(hits) − z(false alarms) says how well a seam is told from its reference, "
+             "whatever the criterion −(z(hits) + z(false alarms)) / 2, which is above 0 for people who seldom say "
+             "yes. Means over participants, half an answer added to each count; 95 % intervals over participants "
+             "in brackets.</p>\n",
+             detection.reference_answers, decimal_text(100 * detection.false_alarms, 1)) +
+         html_table({{"artifact"},
+                     {level_word(numbers.axis), true},
+                     {"participants", true},
+                     {"hits", true},
+                     {"d′", true},
+                     {"criterion", true}},
+                    lines);
+}
+
 }  // namespace
 
 std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Figure>& figures) {
@@ -121,8 +162,12 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
   html += missing;
   if (fitted)
     html +=
-        "<p>Which object was chosen, without the ratings: the share of right choices falls from 1 less "
-        "the lapse rate to chance, 1/3, " +
+        "<p>" +
+        std::string(numbers.detection.rows.empty()
+                        ? "Which object was chosen, without the ratings"
+                        : "How often people said yes, where something was inserted") +
+        ": the share of right choices falls from 1 less the lapse rate to chance, " + chance_text(numbers) +
+        ", " +
         (of_depth_widths(numbers.axis)
              ? std::string("as maps grow finer")
              : fmt::format("as the {} {}", facts(numbers.axis.quantity).name,
@@ -130,12 +175,14 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
         ".</p>\n" + figure_html(figures, "psychometric") + fits_table(numbers) +
         "<p class=\"soft\">Threshold: the " + level_word(numbers.axis) +
         " at which the function, before guess and lapse, is 0.5, "
-        "which is a share of right choices near 2/3. It is not PT, which is about ratings. Width: the "
+        "which is a share of right choices near " +
+        half_way_text(numbers) +
+        ". It is not PT, which is about ratings. Width: the "
         "distance between 0.05 and 0.95 of the function. 95 % intervals over participants in brackets. "
         "The p of the deviance takes answers as independent, which one person’s are not: a small one says "
         "that the curve’s shape or the people differ from the model.</p>\n" +
         warnings_list(numbers);
-  return html + tracks_html(numbers);
+  return html + tracks_html(numbers) + detection_html(numbers);
 }
 
 }  // namespace seamline::analysis

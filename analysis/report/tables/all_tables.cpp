@@ -20,6 +20,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
            order_table(analysis, numbers), residuals_table(numbers), response_times_table(numbers),
            participants_table(numbers), tracks_table(numbers)})
     tables.push_back(std::move(table));
+  if (!numbers.detection.rows.empty()) tables.push_back(signal_detection_table(numbers));
   for (CsvTable& table : joint_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
   for (CsvTable& table : replication_tables(analysis)) tables.push_back(std::move(table));

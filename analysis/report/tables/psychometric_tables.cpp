@@ -148,4 +148,32 @@ CsvTable psychometric_band_table(const ReportNumbers& numbers) {
   return table;
 }
 
+CsvTable signal_detection_table(const ReportNumbers& numbers) {
+  std::vector<std::string> conditions;
+  CsvTable table{
+      .name = "signal_detection",
+      .columns = {artifact_column,
+                  level_column(numbers.axis),
+                  {"participants", "count", "with an answer at the level and a reference trial"},
+                  {"hits", "share 0 to 1", "mean share of yes to stimuli"},
+                  {"false_alarms", "share 0 to 1", "mean share of yes to reference trials"},
+                  {"d_prime", "",
+                   "mean over participants of z(hits) - z(false alarms), half an answer added to each"},
+                  {"d_prime_low", "", "lower end of its 95 % interval over participants"},
+                  {"d_prime_high", "", "upper end of it"},
+                  {"criterion", "", "mean over participants of -(z(hits) + z(false alarms)) / 2"},
+                  {"criterion_low", "", "lower end of its 95 % interval over participants"},
+                  {"criterion_high", "", "upper end of it"}},
+      .rows = {}};
+  for (const DetectionRow& row : numbers.detection.rows) {
+    conditions.push_back(row.condition);
+    table.rows.push_back({std::string(word(row.artifact)), level_value(numbers.axis, row.level),
+                          whole(row.people), row.hits, numbers.detection.false_alarms, row.d_prime,
+                          finite(row.d_prime_ci95.low), finite(row.d_prime_ci95.high), row.criterion,
+                          finite(row.criterion_ci95.low), finite(row.criterion_ci95.high)});
+  }
+  add_conditions(table, numbers.conditions, conditions);
+  return table;
+}
+
 }  // namespace seamline::analysis

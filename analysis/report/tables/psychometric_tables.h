@@ -11,4 +11,7 @@ namespace seamline::analysis {
 /// psychometric_band.csv: the fitted curves with their bands, as drawn.
 [[nodiscard]] CsvTable psychometric_band_table(const ReportNumbers& numbers);
 
+/// signal_detection.csv: d' and criterion at each level, of a task that asks for yes or no.
+[[nodiscard]] CsvTable signal_detection_table(const ReportNumbers& numbers);
+
 }  // namespace seamline::analysis

@@ -4,6 +4,7 @@
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"
 
 namespace seamline::study::app {
@@ -19,6 +20,7 @@ const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
 PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     : set_(set),
       scaled_(scaled),
+      slots_(facts_of(set.study.task.get()).draws_right ? 6U : 3U),
       loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
   std::map<std::string, bool> two_eyes;
   for (const SceneDefinition& scene : list_truths(set.study))
@@ -36,12 +38,19 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
 }
 
 void PictureStore::prepare(const Trial& due, const std::optional<Trial>& after) {
+  const TaskFacts task = facts_of(set_.study.task.get());
+  const std::vector<Trial> shown = shown_pictures(task, due);
   std::vector<Trial> wanted;
-  if (find(due) == nullptr) wanted.push_back(due);
-  if (after && *after != due && find(*after) == nullptr) wanted.push_back(*after);
+  const auto want = [&](const std::vector<Trial>& pictures) {
+    for (const Trial& picture : pictures)
+      if (find(picture) == nullptr && std::find(wanted.begin(), wanted.end(), picture) == wanted.end())
+        wanted.push_back(picture);
+  };
+  want(shown);
+  if (after) want(shown_pictures(task, *after));
   loader_.want(wanted);
   for (Slot& slot : slots_)
-    if (slot.trial == due) slot.used = ++clock_;
+    if (slot.trial && std::find(shown.begin(), shown.end(), *slot.trial) != shown.end()) slot.used = ++clock_;
   for (const Trial& trial : wanted) fetch(trial);
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -15,18 +14,19 @@
 
 namespace seamline::study::app {
 
-/// The pictures of trials in graphics memory: at most three (previous, current, next), whatever the number of
-/// trials. Needs the window's OpenGL context.
+/// The pictures of trials in graphics memory: those of at most three trials (previous, current, next),
+/// whatever the number of trials. `Trial` names one picture here (`shown_pictures`). Needs the window's
+/// OpenGL context.
 class PictureStore {
  public:
   /// `scaled`: pictures are not shown pixel for pixel and need smooth sampling.
   PictureStore(const RenderedSet& set, bool scaled);
 
-  /// Has the trial that is due and the one after it decoded, and puts what is decoded into textures. Throws
-  /// InputError when a picture cannot be read.
+  /// Has what the trial that is due and the one after it show decoded, and puts what is decoded into
+  /// textures. Throws InputError when a picture cannot be read.
   void prepare(const Trial& due, const std::optional<Trial>& after);
 
-  /// The trial's picture when it is ready to be shown.
+  /// A picture when it is ready to be shown.
   [[nodiscard]] const Texture* find(const Trial& trial) const;
 
   /// Where the objects of the trial's scene are, in the frame that is on the screen.
@@ -50,7 +50,7 @@ class PictureStore {
 
   const RenderedSet& set_;
   bool scaled_;
-  std::array<Slot, 3> slots_;
+  std::vector<Slot> slots_;  ///< three, or six of tasks that show two different pictures
   std::int64_t clock_ = 0;
   std::map<std::string, std::vector<ObjectMap>> objects_;  ///< by scene; of each frame of a clip
   std::optional<Trial> playing_ = {};

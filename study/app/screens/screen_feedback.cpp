@@ -1,6 +1,7 @@
 #include <array>
 
 #include "study/app/pictures/picture_store.h"
+#include "study/app/screens/screen_task.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trial_view.h"
 #include "window/look.h"
@@ -25,21 +26,23 @@ Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
     look_towards(stage, *trial, screen.right_index);
   const TrialPlace place = trial_place(stage);
   if (const std::optional<Trial> trial = trial_on_screen(visit)) {
-    if (const Texture* picture = stage.pictures.find(*trial)) show_picture(stage, *trial, *picture, place);
-    if (screen.right_index >= 1) {
+    const Texture* picture = stage.pictures.find(*trial);
+    if (asks_for_alternatives(stage.set))
+      draw_task_feedback(stage, place, *trial);
+    else if (picture != nullptr)
+      show_picture(stage, *trial, *picture, place);
+    if (screen.right_index >= 1 && !asks_for_alternatives(stage.set)) {
       const ObjectMap& objects = stage.pictures.objects(*trial);
       const auto index = static_cast<std::size_t>(screen.right_index - 1);
       draw_bracket(stage, place, seen_frames(stage, *trial).at(index));
       draw_bracket(stage, place, objects.right_eye_frames.at(index));
     }
   }
-  constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
   const TrainingDefinition& training = stage.set.study.training;
-  const std::string text =
-      screen.right_index >= 1
-          ? fill_in(screen.right() ? training.feedback_right : training.feedback_wrong,
-                    {{"object", stage.phrase(sides.at(static_cast<std::size_t>(screen.right_index - 1)))}})
-          : "";
+  const std::string text = screen.right_index >= 1
+                               ? fill_in(screen.right() ? training.feedback_right : training.feedback_wrong,
+                                         {{"object", name_of_right(stage, screen.right_index)}})
+                               : "";
   draw_question(stage, place, Font::body, text, 0.9);
   const bool used =
       stage.ui.button_in({"continue", stage.phrase(Phrase::continue_button), Ui::ButtonKind::leading},

@@ -21,6 +21,7 @@ std::string screen_name(const Screen& screen) {
 std::string phase_name(const Phase& phase) {
   return std::visit(
       Overloaded{[](const Grey&) { return "grey"; }, [](const AwaitingImage&) { return "awaiting"; },
+                 [](const Viewing&) { return "viewing"; }, [](const Gap&) { return "gap"; },
                  [](const Choosing&) { return "choosing"; }, [](const Rating&) { return "rating"; },
                  [](const Storing&) { return "storing"; }, [](const OnBreak&) { return "break"; },
                  [](const Done&) { return "done"; }},

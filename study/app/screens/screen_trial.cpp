@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "study/app/pictures/picture_store.h"
+#include "study/app/screens/answer_row.h"
+#include "study/app/screens/screen_task.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trial_view.h"
 #include "support/running/overloaded.h"
@@ -51,30 +53,9 @@ struct TrialOnScreen {
 constexpr int first_object_place = highest_rating;
 constexpr int places = highest_rating + objects_per_stimulus;
 
-bool uses(const Stage& stage) {
-  return stage.input.key && !stage.input.key->repeated &&
-         (stage.input.pressed(Key::enter) || stage.input.pressed(Key::space));
-}
-
 bool arrows(const Stage& stage) {
   return stage.input.pressed(Key::left) || stage.input.pressed(Key::right) || stage.input.pressed(Key::up) ||
          stage.input.pressed(Key::down);
-}
-
-/// Moves the keyboard's place within [first, last]; Tab and arrows go round.
-void move_focus(Stage& stage, int first, int last) {
-  if (!stage.input.key) return;
-  const bool back = stage.input.pressed(Key::left) || stage.input.pressed(Key::up) ||
-                    (stage.input.pressed(Key::tab) && stage.input.key->shift);
-  const bool on = !back && (stage.input.pressed(Key::right) || stage.input.pressed(Key::down) ||
-                            stage.input.pressed(Key::tab));
-  if (!back && !on) return;
-  int& focus = stage.drafts.trial_focus;
-  const int count = last - first + 1;
-  if (focus < first || focus > last)
-    focus = on ? first : last;
-  else
-    focus = first + (focus - first + (on ? 1 : count - 1)) % count;
 }
 
 Outcome choose(const TrialOnScreen& trial) {
@@ -93,8 +74,8 @@ Outcome choose(const TrialOnScreen& trial) {
   if (trial.clicked()) chosen = hovered;
   if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus && !trial.turns())
     chosen = digit;
-  if (trial.turns() && uses(stage)) chosen = trial.object_in_middle();
-  if (focused >= 1 && uses(stage)) chosen = focused;
+  if (trial.turns() && uses_focus(stage)) chosen = trial.object_in_middle();
+  if (focused >= 1 && uses_focus(stage)) chosen = focused;
   if (chosen == 0) return std::nullopt;
   return Event(ObjectChosen{chosen, stage.input.now_ns});
 }
@@ -152,12 +133,12 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
         font,
         {rect.x_px + (rect.width_px - size.width_px) / 2, rect.y_px + (rect.height_px - size.height_px) / 2},
         text, look::ink);
-    if ((stage.input.mouse_pressed && hovered) || (focus == i && uses(stage))) rating = i + 1;
+    if ((stage.input.mouse_pressed && hovered) || (focus == i && uses_focus(stage))) rating = i + 1;
   }
   if (const int digit = stage.input.digit(); digit >= 1 && digit <= highest_rating) rating = digit;
   if (rating != 0) return Event(RatingGiven{rating, stage.input.now_ns});
   int again = trial.clicked() ? hovered_object : 0;
-  if (focus >= first_object_place && uses(stage)) again = focus - first_object_place + 1;
+  if (focus >= first_object_place && uses_focus(stage)) again = focus - first_object_place + 1;
   if (again != 0) return Event(ObjectChosen{again, stage.input.now_ns});
   return std::nullopt;
 }
@@ -231,6 +212,7 @@ void draw_middle(const TrialOnScreen& trial) {
 Outcome draw_trial(const Session& session, Stage& stage) {
   const std::optional<Trial> due = current_trial(session.trials);
   if (!due) return std::nullopt;
+  if (asks_for_alternatives(stage.set)) return draw_task_trial(session, stage);
   take_view(session, *due, stage);
   const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due), look_at(stage, *due),
                             seen_frames(stage, *due)};
@@ -238,36 +220,37 @@ Outcome draw_trial(const Session& session, Stage& stage) {
   const auto show = [&] {
     if (picture != nullptr) show_picture(stage, *due, *picture, trial.place);
   };
-  const Outcome outcome = std::visit(Overloaded{[&](const Grey&) -> Outcome {
-                                                  stage.drafts.trial_focus = -1;
-                                                  draw_fixation(stage, trial.objects.two_eyes);
-                                                  return std::nullopt;
-                                                },
-                                                [&](const AwaitingImage&) -> Outcome {
-                                                  stage.drafts.trial_focus = -1;
-                                                  stage.drafts.mouse_at_onset = stage.input.mouse;
-                                                  if (picture == nullptr)
-                                                    draw_fixation(stage, trial.objects.two_eyes);
-                                                  show();
-                                                  return std::nullopt;
-                                                },
-                                                [&](const Choosing& phase) -> Outcome {
-                                                  show();
-                                                  const std::int64_t ready_ns =
-                                                      phase.onset_ns + session.pace.minimum_viewing_ns;
-                                                  if (monotonic_ns() < ready_ns) return std::nullopt;
-                                                  draw_middle(trial);
-                                                  return choose(trial);
-                                                },
-                                                [&](const Rating& phase) -> Outcome {
-                                                  show();
-                                                  draw_middle(trial);
-                                                  return rate(trial, phase);
-                                                },
-                                                [](const Storing&) -> Outcome { return std::nullopt; },
-                                                [](const OnBreak&) -> Outcome { return std::nullopt; },
-                                                [](const Done&) -> Outcome { return std::nullopt; }},
-                                     session.phase);
+  const Outcome outcome =
+      std::visit(Overloaded{[&](const Grey&) -> Outcome {
+                              stage.drafts.trial_focus = -1;
+                              draw_fixation(stage, trial.objects.two_eyes);
+                              return std::nullopt;
+                            },
+                            [&](const AwaitingImage&) -> Outcome {
+                              stage.drafts.trial_focus = -1;
+                              stage.drafts.mouse_at_onset = stage.input.mouse;
+                              if (picture == nullptr) draw_fixation(stage, trial.objects.two_eyes);
+                              show();
+                              return std::nullopt;
+                            },
+                            [](const Viewing&) -> Outcome { return std::nullopt; },  // of other tasks
+                            [](const Gap&) -> Outcome { return std::nullopt; },
+                            [&](const Choosing& phase) -> Outcome {
+                              show();
+                              const std::int64_t ready_ns = phase.onset_ns + session.pace.minimum_viewing_ns;
+                              if (monotonic_ns() < ready_ns) return std::nullopt;
+                              draw_middle(trial);
+                              return choose(trial);
+                            },
+                            [&](const Rating& phase) -> Outcome {
+                              show();
+                              draw_middle(trial);
+                              return rate(trial, phase);
+                            },
+                            [](const Storing&) -> Outcome { return std::nullopt; },
+                            [](const OnBreak&) -> Outcome { return std::nullopt; },
+                            [](const Done&) -> Outcome { return std::nullopt; }},
+                 session.phase);
   let_go(stage);
   return outcome;
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "study/app/pictures/picture_place.h"
+#include "study/trials/trial_picture.h"
 
 namespace seamline::study::app {
 
@@ -16,8 +17,8 @@ std::string Stage::phrase(Phrase which,
 DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile) {
   std::array<char, 256> machine{};
   if (::gethostname(machine.data(), machine.size() - 1) != 0) machine[0] = '\0';
-  const Size picture_px{static_cast<double>(stage.set.manifest.width_px),
-                        static_cast<double>(stage.set.manifest.height_px)};
+  const auto [width_px, height_px] = shown_size_px(stage.set);
+  const Size picture_px{static_cast<double>(width_px), static_cast<double>(height_px)};
   const double scale =
       place_trial(stage.screen_px, picture_px, stage.ui.em(), picture_corner(stage.set.study)).scale;
   return {.machine = machine.data(),

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "window/characters.h"
 
 namespace seamline::study::app {
@@ -16,6 +17,10 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
                                   {"training.feedback_wrong", study.training.feedback_wrong}};
   for (const std::string& label : study.session.rating_labels)
     texts.push_back({"session.rating_labels", label});
+  if (study.task) {
+    for (const std::string& answer : study.task->answers) texts.push_back({"task.answers", answer});
+    for (const std::string& label : study.task->labels) texts.push_back({"task.labels", label});
+  }
   for (const FormField& field : study.form) {
     const std::string where = "form." + field.name;
     texts.push_back({where, field.label});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "study/app/pictures/picture_store.h"
+#include "study/trials/trial_picture.h"
 #include "window/look.h"
 
 namespace seamline::study::app {
@@ -20,7 +21,8 @@ Size shown_size(const Stage& stage) {
     const std::array<int, 2>& view_px = look_at(stage, *stage.looking.trial)->view_px;
     return size(view_px[0], view_px[1]);
   }
-  return size(stage.set.manifest.width_px, stage.set.manifest.height_px);
+  const auto [width_px, height_px] = shown_size_px(stage.set);
+  return size(width_px, height_px);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "study/log/online/online_tables.h"
 
+#include <string>
+
 #include "study/log/log_schema.h"
 
 namespace seamline::study {
@@ -8,8 +10,8 @@ void add_online_tables(SQLite::Database& database) {
   const int version = schema_version_of(database);
   if (has_online_tables(version)) return;
   database.exec(online_tables_sql());
-  const int grown = log_schema_version_with(true, knows_reflection(version));
-  database.exec(grown == newest_log_schema_version ? "PRAGMA user_version = 6" : "PRAGMA user_version = 5");
+  database.exec("PRAGMA user_version = " + std::to_string(log_schema_version_with(
+                                               true, knows_reflection(version), knows_tasks(version))));
 }
 
 }  // namespace seamline::study

@@ -185,16 +185,28 @@ std::optional<RenderedSet> find_set(const SalvagedLog& log, const fs::path& give
   return std::nullopt;
 }
 
-/// What the recovered log is made of: its artifacts decide, and whether anybody took part in a browser.
+constexpr std::size_t trials_columns = 4;  ///< of a study that names no task
+
+/// Whether a trial says what is right in it.
+bool has_tasks(const SalvagedLog& log) {
+  const auto trials = log.find("trials");
+  return trials != log.end() &&
+         std::any_of(trials->second.begin(), trials->second.end(), [](const LogRow& row) {
+           return row.size() > trials_columns && !std::holds_alternative<std::monostate>(row[trials_columns]);
+         });
+}
+
+/// What the recovered log is made of: its artifacts and task decide, and whether anybody took part in a
+/// browser.
 int schema_version_for(const SalvagedLog& log) {
-  const bool online = has_browsers(log);
+  const bool online = has_browsers(log), task = has_tasks(log);
   const std::string word_of_4(word(Artifact::reflection));
   if (const auto stimuli = log.find("stimuli"); stimuli != log.end())
     for (const LogRow& row : stimuli->second)
       for (const auto& value : row)
         if (const auto* text = std::get_if<std::string>(&value); text != nullptr && *text == word_of_4)
-          return log_schema_version_with(online, true);
-  return log_schema_version_with(online, false);
+          return log_schema_version_with(online, true, task);
+  return log_schema_version_with(online, false, task);
 }
 
 void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
@@ -212,7 +224,9 @@ LogRecovery recover_log(const fs::path& damaged, const fs::path& out, const fs::
   check_is_file(damaged, EmptyFile::refuse);
   check_is_free(out);
   const TemporaryFolder scratch(out);
-  const SalvagedLog log = salvage_log(damaged, scratch.path());
+  SalvagedLog log = salvage_log(damaged, scratch.path());
+  if (!has_tasks(log))  // read by the words of a log that has them
+    for (LogRow& row : log["trials"]) row.resize(std::min(row.size(), trials_columns));
   const std::optional<RenderedSet> set = find_set(log, set_folder);
   LogRecovery recovery;
   const fs::path made = scratch.path() / "recovered.sqlite";

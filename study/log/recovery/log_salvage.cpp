@@ -253,7 +253,8 @@ fs::path copy_of(const fs::path& damaged, const fs::path& scratch, bool with_ahe
 SalvagedLog salvage_log(const fs::path& damaged, const fs::path& scratch) {
   const bool has_ahead = fs::exists(ahead_file(damaged));
   SalvagedLog best;
-  for (const int new_schema : {0, 3, 4, 5, 6, 2})  // as they are, or a version's, the likely ones first
+  for (const int new_schema :
+       {0, 3, 4, 5, 6, 2, 7, 8, 9, 10})  // as they are, or a version's, the likely ones first
     for (const bool with_ahead : {true, false}) {
       if (with_ahead && !has_ahead) continue;
       Reading reading = read_all(copy_of(damaged, scratch, with_ahead, new_schema));

@@ -198,7 +198,7 @@ WebSummary export_web(const WebRequest& request) {
   const int slots = slots_of(set, request);
   for (int slot = 0; !rules.quest_plus && slot < slots; ++slot) {
     stop_if_interrupted();
-    files.add(order_file(slot), order_text(names, pictures, decided_trials(rules, slot, {})));
+    files.add(order_file(slot), order_text({names, pictures, rules.task}, decided_trials(rules, slot, {})));
   }
   const std::string font = add_font(set, set.study.session.font, files);
   const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);

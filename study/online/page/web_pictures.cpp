@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/trial_picture.h"
 #include "support/files/atomic_file.h"
@@ -64,7 +65,8 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
   std::vector<Trial> trials;
   for (const TrialKind kind : every_trial_kind) {
     if (kind == TrialKind::attention && set.study.catches.attention == 0) continue;
-    if (kind == TrialKind::reference && set.study.catches.reference == 0) continue;
+    const bool beside = facts_of(set.study.task.get()).draws_right;  // the reference is shown with each
+    if (kind == TrialKind::reference && set.study.catches.reference == 0 && !beside) continue;
     for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
       trials.push_back({.kind = kind, .stimulus = i});
   }

@@ -8,7 +8,10 @@
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/people/language_definition.h"
+#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
+#include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"
 #include "study/visit/visit_script.h"
 #include "support/files/hash.h"
@@ -22,6 +25,25 @@ Json trial_json(const ShownNames& names, const WebPictures& pictures, const Tria
   return {{"kind", word(trial.kind)},
           {"stimulus_id", names.name_of(trial)},
           {"picture", pictures.file.at({trial.kind, trial.stimulus})}};
+}
+
+/// With the pictures that the trial shows, where these are several: nothing else says which is right.
+Json trial_json(const WebParts& parts, const Trial& trial) {
+  Json json = trial_json(parts.names, parts.pictures, trial);
+  const std::vector<Trial> shown = shown_pictures(parts.task, trial);
+  if (shown.size() < 2) return json;
+  json["pictures"] = Json::array();
+  for (const Trial& one : shown) json["pictures"].push_back(parts.pictures.file.at({one.kind, one.stimulus}));
+  json["picture"] = json["pictures"].front();
+  return json;
+}
+
+Json task_json(const StudyDefinition& study, const SessionTask& task) {
+  return {{"kind", word(task.facts.kind)},   {"alternatives", task.facts.alternatives},
+          {"pictures", task.facts.pictures}, {"exposure_ns", task.exposure_ns},
+          {"gap_ns", task.gap_ns},           {"chooses", task.facts.chooses},
+          {"rates", task.facts.rates},       {"pair_gap_px", pair_gap_px},
+          {"answers", study.task->answers},  {"labels", study.task->labels}};
 }
 
 Json texts_json(const StudyDefinition& study) {
@@ -79,7 +101,7 @@ Json training_json(const WebStudy& web, const VisitScript& script) {
   Json trials = Json::array();
   for (std::size_t i = 0; i < script.training.size(); ++i) {
     Json trial = {{"training_index", i}};
-    trial.update(trial_json(web.names, web.pictures, script.training[i]));
+    trial.update(trial_json(WebParts{web.names, web.pictures, web.rules.task}, script.training[i]));
     trial["right_index"] = script.training_right[i];
     trials.push_back(std::move(trial));
   }
@@ -206,6 +228,7 @@ std::string web_study_text(const WebStudy& web) {
     for (const LanguageDefinition& language : study.languages->languages)
       json["languages"].push_back({{"tag", language.tag}, {"file", language_file(language.tag)}});
   }
+  if (study.task) json["task"] = task_json(study, script.pace.task);
   return json.dump(1) + "\n";
 }
 
@@ -228,11 +251,11 @@ std::string language_file(const std::string& tag) {
   return "languages/" + tag + ".json";
 }
 
-std::string order_text(const ShownNames& names, const WebPictures& pictures, std::span<const Trial> trials) {
+std::string order_text(const WebParts& parts, std::span<const Trial> trials) {
   std::string text = "[";
   for (std::size_t i = 0; i < trials.size(); ++i) {
     Json trial = {{"trial_index", i}};
-    trial.update(trial_json(names, pictures, trials[i]));
+    trial.update(trial_json(parts, trials[i]));
     text += (i == 0 ? "\n" : ",\n") + trial.dump();
   }
   return text + "\n]\n";

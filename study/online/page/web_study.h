@@ -37,9 +37,15 @@ struct WebStudy {
 /// objects.
 [[nodiscard]] std::string web_study_text(const WebStudy& web);
 
+/// What the trials of a page are told by.
+struct WebParts {
+  const ShownNames& names;
+  const WebPictures& pictures;
+  const TaskFacts& task;
+};
+
 /// `orders/SLOT.json`: the trials of a slot, as the window has them.
-[[nodiscard]] std::string order_text(const ShownNames& names, const WebPictures& pictures,
-                                     std::span<const Trial> trials);
+[[nodiscard]] std::string order_text(const WebParts& parts, std::span<const Trial> trials);
 
 /// `orders/0000.json` of slot 0.
 [[nodiscard]] std::string order_file(int slot);

@@ -3,7 +3,7 @@ import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patien
 import { NotNow } from "./keeping/verdict.js";
 import { unpackMap } from "./core/place.js";
 
-const MOST_DECODED = 3;
+const MOST_DECODED = 6; // a trial may show two, and the next one two others
 
 /** SHA-256 in hexadecimal; null where the browser has none to offer (no https, no localhost). */
 async function sha256(bytes) {

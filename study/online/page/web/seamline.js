@@ -69,7 +69,9 @@ function readStudy(json) {
   if (json.format !== FORMAT) throw new Error("study.json is of another version");
   const sizes = json.looks?.map((look) => look.view_px) ?? [[json.width_px, json.height_px]];
   const largest = (side) => Math.max(...sizes.map((size) => size[side]));
-  return { ...json, picture: { width: largest(0), height: largest(1) } };
+  const pair = json.task?.kind === "pair";
+  const width = pair ? 2 * json.width_px + json.task.pair_gap_px : largest(0);
+  return { ...json, picture: { width, height: largest(1) } };
 }
 
 /** What draws views of panoramas, proved by what it draws; null where the study has none. Throws where it cannot. */
@@ -125,7 +127,7 @@ class Study {
       form: study.form,
       instruction_pages: study.instructions.length,
       training: study.training,
-      pace: study.pace,
+      pace: { ...study.pace, task: study.task },
     };
     this.screen = watchScreen(document.getElementById("probe"), (kind, detail) => this.note(kind, detail));
     this.pictures = makePictures(study.pictures, { away: this.away, progress: () => this.#showStatus() });

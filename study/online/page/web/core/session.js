@@ -2,6 +2,10 @@
 // Times are monotonic nanoseconds, whole numbers.
 import { afterAnswer, currentTrial } from "./trials.js";
 
+// What a trial asks of a study that names no task (stimuli/definition/parts/task_definition.h).
+const PAPERS_TASK = { kind: "object", alternatives: 3, pictures: 1, exposure_ns: 0, gap_ns: 0, chooses: true, rates: true };
+export const taskOf = (pace) => pace.task ?? PAPERS_TASK;
+
 /** Where the next picture begins. */
 const beforeImage = (pace) =>
   pace.inter_trial_ns > 0 ? { name: "grey", since_ns: null } : { name: "awaiting" };
@@ -13,25 +17,67 @@ function afterGrey(phase, event, pace) {
   return event.now_ns - phase.since_ns < pace.inter_trial_ns ? phase : { name: "awaiting" };
 }
 
+function afterShown(event, phase, task) {
+  if (task.pictures > 1) return { name: "viewing", onset_ns: event.now_ns, picture: phase.picture ?? 0 };
+  if (!task.chooses) return { name: "rating", onset_ns: event.now_ns, chosen_index: 0, choice_ns: 0 };
+  return { name: "choosing", onset_ns: event.now_ns };
+}
+
+function afterViewing(phase, event, pace) {
+  const task = taskOf(pace);
+  if (event.type === "picture_taken") return beforeImage(pace);
+  if (event.type !== "tick" || event.now_ns - phase.onset_ns < task.exposure_ns) return phase;
+  if (phase.picture + 1 === task.pictures) return { name: "choosing", onset_ns: phase.onset_ns };
+  return { name: "gap", since_ns: phase.onset_ns + task.exposure_ns, picture: phase.picture + 1 };
+}
+
+function afterGap(phase, event, pace) {
+  if (event.type === "picture_taken") return beforeImage(pace);
+  if (event.type !== "tick" || event.now_ns - phase.since_ns < taskOf(pace).gap_ns) return phase;
+  return { name: "awaiting", picture: phase.picture };
+}
+
+/** Whether the picture of a trial is seen at a time while the answer is awaited. */
+export const isPictureSeen = (task, onset_ns, now_ns) =>
+  task.pictures === 1 && (task.exposure_ns === 0 || now_ns - onset_ns < task.exposure_ns);
+
 const isChoice = (event, onset_ns, pace) =>
-  event.index >= 1 && event.index <= 3 && event.now_ns >= onset_ns &&
+  event.index >= 1 && event.index <= taskOf(pace).alternatives && event.now_ns >= onset_ns &&
   event.now_ns - onset_ns >= pace.minimum_viewing_ns;
 
-function afterChoice(phase, event, pace) {
+function afterChoice(phase, event, session) {
+  const pace = session.pace;
   if (event.type === "picture_taken") return beforeImage(pace);
   if (event.type !== "object_chosen" || !isChoice(event, phase.onset_ns, pace)) return phase;
+  const chosen = { chosen_index: event.index, choice_ns: event.now_ns - phase.onset_ns };
+  if (taskOf(pace).rates) return { name: "rating", onset_ns: phase.onset_ns, ...chosen };
+  const answer = { trial_index: session.trials.answered, ...chosen, rating: 1, rating_ns: chosen.choice_ns };
+  return { name: "storing", answer };
+}
+
+/** The answer of a task without a choice: whether anything was seen is the rating's to say. */
+function afterOnlyRating(phase, event, session) {
+  if (event.type !== "rating_given" || !(event.rating >= 0 && event.rating <= 4)) return phase;
+  const rating_ns = event.now_ns - phase.onset_ns;
+  if (rating_ns < session.pace.minimum_viewing_ns) return phase;
+  const seen = event.rating > 0;
   return {
-    name: "rating",
-    onset_ns: phase.onset_ns,
-    chosen_index: event.index,
-    choice_ns: event.now_ns - phase.onset_ns,
+    name: "storing",
+    answer: {
+      trial_index: session.trials.answered,
+      chosen_index: seen ? 1 : 2,
+      rating: seen ? event.rating : 1,
+      choice_ns: rating_ns,
+      rating_ns,
+    },
   };
 }
 
 function afterRating(phase, event, session) {
   if (event.type === "picture_taken") return beforeImage(session.pace);
+  if (!taskOf(session.pace).chooses) return afterOnlyRating(phase, event, session);
   if (event.type === "object_chosen") {
-    const again = afterChoice({ name: "choosing", onset_ns: phase.onset_ns }, event, session.pace);
+    const again = afterChoice({ name: "choosing", onset_ns: phase.onset_ns }, event, session);
     return again.name === "rating" ? again : phase;
   }
   if (event.type !== "rating_given" || !(event.rating >= 1 && event.rating <= 4)) return phase;
@@ -79,9 +125,13 @@ export function nextSession(session, event) {
     case "grey":
       return becomes(afterGrey(phase, event, session.pace));
     case "awaiting":
-      return event.type === "image_shown" ? becomes({ name: "choosing", onset_ns: event.now_ns }) : session;
+      return event.type === "image_shown" ? becomes(afterShown(event, phase, taskOf(session.pace))) : session;
+    case "viewing":
+      return becomes(afterViewing(phase, event, session.pace));
+    case "gap":
+      return becomes(afterGap(phase, event, session.pace));
     case "choosing":
-      return becomes(afterChoice(phase, event, session.pace));
+      return becomes(afterChoice(phase, event, session));
     case "rating":
       return becomes(afterRating(phase, event, session));
     case "storing":

@@ -3,6 +3,7 @@ import { bracketBars, objectAt, placeTrial } from "../core/place.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import * as looking from "../core/looking.js";
+import { drawTaskFeedback, drawTaskTrial } from "./task_trial.js";
 import { element, svg } from "./dom.js";
 
 const SIDES = ["left_object", "middle_object", "right_object"];
@@ -512,11 +513,15 @@ function drawTrial(app, display, isPractice) {
   };
 }
 
-export const drawTraining = (app, display) => drawTrial(app, display, true);
-export const drawStudyTrial = (app, display) => drawTrial(app, display, false);
+const hasAlternatives = (app) => (app.study.task?.kind ?? "object") !== "object";
+const drawAny = (app, display, isPractice) =>
+  hasAlternatives(app) ? drawTaskTrial(app, display, isPractice) : drawTrial(app, display, isPractice);
+export const drawTraining = (app, display) => drawAny(app, display, true);
+export const drawStudyTrial = (app, display) => drawAny(app, display, false);
 
 /** The practice picture once more, with corners around the object that was inserted. */
 export function drawFeedback(app, display) {
+  if (hasAlternatives(app)) return drawTaskFeedback(app, display);
   const { trial, chosen_index } = app.visit.screen;
   const view = viewOf(app, trial);
   const stage = makeStage(app, display, view.size_px);

@@ -1,0 +1,126 @@
+#include "stimuli/definition/parts/task_definition.h"
+
+#include <fmt/core.h>
+
+namespace seamline::inline stimuli {
+
+std::string_view word(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::object:
+      return "object";
+    case TaskKind::pair:
+      return "pair";
+    case TaskKind::interval:
+      return "interval";
+    case TaskKind::yes_no:
+      return "yes_no";
+    case TaskKind::rating:
+      return "rating";
+  }
+  return {};
+}
+
+TaskFacts facts_of(const TaskDefinition* task) {
+  if (task == nullptr) return {};
+  const TaskKind kind = task->kind;
+  switch (kind) {
+    case TaskKind::object:
+      return {.rates = task->second_question};
+    case TaskKind::pair:
+      return {.kind = kind,
+              .alternatives = 2,
+              .chance = 0.5,
+              .draws_right = true,
+              .rates = task->second_question};
+    case TaskKind::interval:
+      return {.kind = kind,
+              .alternatives = task->pictures,
+              .chance = 1.0 / task->pictures,
+              .pictures = task->pictures,
+              .draws_right = true,
+              .rates = task->second_question};
+    case TaskKind::yes_no:
+      return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .rates = false};
+    case TaskKind::rating:
+      return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .chooses = false};
+  }
+  return {};
+}
+
+std::vector<std::string> impairment_labels() {
+  return {"Imperceptible", "Perceptible, but not annoying", "Slightly annoying", "Annoying", "Very annoying"};
+}
+
+TaskTexts usual_texts(const TaskDefinition& task) {
+  const std::string second =
+      task.second_question
+          ? "\n\nAfter that you are asked how noticeable the insertion was: press 1 to 4. If "
+            "you saw nothing, choose the lowest one."
+          : "";
+  const std::string end = "\n\nPress Esc for a pause. A few practice pictures come first.";
+  const std::string inserted =
+      "An object may have been inserted into a picture by a computer, and something about its light, its "
+      "shadow or its edge may be wrong.\n\n";
+  switch (task.kind) {
+    case TaskKind::object:
+      return {};
+    case TaskKind::pair:
+      return {.question = "Into which of the two pictures was an object inserted?",
+              .hint = "Click a picture or an answer, or press 1 or 2",
+              .instructions = "Each time you see two pictures of the same place, side by side. " + inserted +
+                              "Choose the picture with the inserted object: click it, or press 1 for left, 2 "
+                              "for right. Often it will be hard to tell. Then guess." +
+                              second + end,
+              .feedback_right = "Correct. It was: {object}.",
+              .feedback_wrong = "No. It was: {object}.",
+              .answers = {"Left", "Right"}};
+    case TaskKind::interval:
+      return {.question = "Into which of the pictures was an object inserted?",
+              .hint = task.pictures == 2 ? "Click an answer, or press 1 or 2"
+                                         : "Click an answer, or press 1, 2 or 3",
+              .instructions =
+                  fmt::format("Each time you see {} pictures of the same place, one after another. ",
+                              task.pictures == 2 ? "two" : "three") +
+                  inserted +
+                  "Press the number of the picture with the inserted object: 1 for the first, 2 for the "
+                  "second" +
+                  (task.pictures == 2 ? "" : ", 3 for the third") +
+                  ". Often it will be hard to tell. Then guess." + second + end,
+              .feedback_right = "Correct. It was: {object}.",
+              .feedback_wrong = "No. It was: {object}.",
+              .answers = task.pictures == 2 ? std::vector<std::string>{"First", "Second"}
+                                            : std::vector<std::string>{"First", "Second", "Third"}};
+    case TaskKind::yes_no:
+      return {.question = "Was an object inserted into this picture?",
+              .hint = "Click an answer, or press 1 or 2",
+              .instructions = inserted +
+                              "Press 1 if you think that an object was inserted, and 2 if nothing was. In "
+                              "some pictures nothing was." +
+                              end,
+              .feedback_right = "Correct: something was inserted.",
+              .feedback_wrong = "No, something was inserted.",
+              .answers = {"Yes", "No"}};
+    case TaskKind::rating:
+      return {.question = "How do you judge this picture?",
+              .hint = "Click an answer, or press 1, 2, 3, 4 or 5",
+              .instructions = inserted +
+                              "Judge each picture: click one of the five answers, or press 1 to 5. In some "
+                              "pictures nothing was inserted." +
+                              end,
+              .feedback_right = "Something was inserted into this picture.",
+              .feedback_wrong = "Something was inserted into this picture."};
+  }
+  return {};
+}
+
+std::string canonical_text(const TaskDefinition* task) {
+  if (task == nullptr) return {};
+  std::string out = fmt::format("task {} exposure {} second question {} repetitions {}\n", word(task->kind),
+                                task->exposure_s, task->second_question ? "yes" : "no", task->repetitions);
+  if (task->kind == TaskKind::interval)
+    out += fmt::format("task pictures {} gap {}\n", task->pictures, task->gap_s);
+  for (const std::string& label : task->labels) out += "task label " + label + "\n";
+  return out;
+}
+
+}  // namespace seamline::inline stimuli

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace seamline::inline stimuli {
+
+/// What a trial asks.
+enum class TaskKind {
+  object,    ///< one picture: which of its three objects was inserted?
+  pair,      ///< reference and stimulus side by side: in which of the two was an object inserted?
+  interval,  ///< pictures one after another, one of them the stimulus and the others its reference: which
+             ///< one?
+  yes_no,    ///< one picture, the stimulus or (in catch trials) its reference: was an object inserted?
+  rating     ///< one picture, judged on five labels, with nothing to choose
+};
+inline constexpr std::array<TaskKind, 5> every_task_kind = {
+    TaskKind::object, TaskKind::pair, TaskKind::interval, TaskKind::yes_no, TaskKind::rating};
+[[nodiscard]] std::string_view word(TaskKind kind);
+
+/// `[task]` of a study. A study without it asks for the object, once a stimulus, and then for a rating.
+struct TaskDefinition {
+  TaskKind kind = TaskKind::object;
+  int pictures = 2;             ///< interval: shown one after another, 2 or 3
+  double exposure_s = 0;        ///< how long a picture is seen; 0: until the answer (never of `interval`)
+  double gap_s = 0.5;           ///< interval: grey between two pictures
+  bool second_question = true;  ///< after the choice: how noticeable was it? Never of yes_no and rating
+  /// What the alternatives are called, below the picture; of `object` and `rating` none. Can be edited in a
+  /// set.
+  std::vector<std::string> answers = {};
+  std::vector<std::string> labels = {};  ///< rating: five, from nothing seen to most noticeable
+  int repetitions = 1;                   ///< how often each stimulus is shown to a participant
+};
+
+/// What follows from a task, in one place.
+struct TaskFacts {
+  TaskKind kind = TaskKind::object;
+  int alternatives = 3;  ///< to choose among; of yes_no and rating 2: something is there (1), or nothing (2)
+  /// How often somebody who sees nothing is right. 0 where only reference trials tell: how often people see
+  /// something where nothing is.
+  double chance = 1.0 / 3;
+  int pictures = 1;           ///< one after another in a trial
+  bool draws_right = false;   ///< which alternative is right is drawn for each trial
+  bool right_is_yes = false;  ///< the first alternative is right wherever something was inserted
+  bool chooses = true;        ///< there is a choice
+  bool rates = true;          ///< there is a rating
+};
+
+/// Of a study's task; null: the task of a study that names none.
+[[nodiscard]] TaskFacts facts_of(const TaskDefinition* task);
+
+/// The labels of the rating task where the study names none: the impairment scale of ITU-R BT.500, turned
+/// round so that 0 is nothing seen.
+[[nodiscard]] std::vector<std::string> impairment_labels();
+
+/// What is asked, told and hinted where the study file does not say it.
+struct TaskTexts {
+  std::string question = {}, hint = {}, instructions = {}, feedback_right = {}, feedback_wrong = {};
+  std::vector<std::string> answers = {};
+};
+[[nodiscard]] TaskTexts usual_texts(const TaskDefinition& task);
+
+/// The meaning of a task as text, for the study's hash; empty for null.
+[[nodiscard]] std::string canonical_text(const TaskDefinition* task);
+
+}  // namespace seamline::inline stimuli

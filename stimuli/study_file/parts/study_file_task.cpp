@@ -1,0 +1,154 @@
+#include "stimuli/study_file/parts/study_file_task.h"
+
+#include <fmt/core.h>
+
+#include <set>
+#include <variant>
+
+#include "stimuli/definition/parts/task_definition.h"
+#include "support/text/error.h"
+
+namespace seamline::inline stimuli {
+namespace {
+
+TaskKind read_kind(const TomlTable& task) {
+  std::string wanted;
+  const std::string text = task.has("kind") ? task.text("kind") : std::string();
+  for (const TaskKind kind : every_task_kind) {
+    if (word(kind) == text) return kind;
+    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", word(kind));
+  }
+  throw task.complaint("kind", wanted, text.empty() ? "nothing" : "\"" + text + "\"");
+}
+
+/// A key that means nothing for the task is no key to be passed over.
+void refuse_unless(const TomlTable& task, const char* key, bool has_meaning, TaskKind kind,
+                   const char* belongs_to) {
+  if (!has_meaning && task.has(key))
+    throw task.complaint(key, std::string("kind = ") + belongs_to + " where it is set",
+                         "kind = \"" + std::string(word(kind)) + "\"");
+}
+
+std::vector<std::string> read_task_labels(const TomlTable& task) {
+  if (!task.has("labels")) return impairment_labels();
+  std::vector<std::string> labels = task.texts("labels");
+  const std::set<std::string> different(labels.begin(), labels.end());
+  if (labels.size() != 5 || different.size() != 5 || different.contains(""))
+    throw task.complaint("labels", "five texts that differ, from nothing seen to most noticeable",
+                         fmt::format("{}, {} of them different", labels.size(), different.size()));
+  return labels;
+}
+
+std::vector<std::string> read_answers(const TomlTable& task, const TaskDefinition& definition) {
+  std::vector<std::string> usual = usual_texts(definition).answers;
+  if (!task.has("answers")) return usual;
+  if (usual.empty())
+    throw task.complaint("answers", "kind = \"pair\", \"interval\" or \"yes_no\" where they are set",
+                         "kind = \"" + std::string(word(definition.kind)) + "\"");
+  std::vector<std::string> answers = task.texts("answers");
+  const std::set<std::string> different(answers.begin(), answers.end());
+  if (answers.size() != usual.size() || different.size() != usual.size() || different.contains(""))
+    throw task.complaint("answers", fmt::format("{} texts that differ", usual.size()),
+                         fmt::format("{}, {} of them different", answers.size(), different.size()));
+  return answers;
+}
+
+TaskDefinition read_task_table(const TomlTable& table) {
+  TaskDefinition task;
+  task.kind = read_kind(table);
+  const bool interval = task.kind == TaskKind::interval;
+  const bool second = task.kind == TaskKind::object || task.kind == TaskKind::pair || interval;
+  refuse_unless(table, "pictures", interval, task.kind, "\"interval\"");
+  refuse_unless(table, "gap_s", interval, task.kind, "\"interval\"");
+  refuse_unless(table, "labels", task.kind == TaskKind::rating, task.kind, "\"rating\"");
+  refuse_unless(table, "second_question", second, task.kind, "\"object\", \"pair\" or \"interval\"");
+  refuse_unless(table, "exposure_s", task.kind != TaskKind::object, task.kind,
+                "\"pair\", \"interval\", \"yes_no\" or \"rating\"");
+  if (interval) {
+    task.pictures = table.integer("pictures", task.pictures, {2, 3, "pictures"});
+    task.gap_s = table.number("gap_s", task.gap_s, {0.05, 60, "s"});
+  }
+  task.exposure_s = table.number("exposure_s", interval ? 0.5 : 0, {interval ? 0.05 : 0, 600, "s"});
+  task.second_question = second && table.boolean("second_question", task.kind == TaskKind::object);
+  if (task.kind == TaskKind::rating) task.labels = read_task_labels(table);
+  task.answers = read_answers(table, task);
+  task.repetitions = table.integer("repetitions", task.repetitions, {1, 1000, "repetitions"});
+  table.finish();
+  return task;
+}
+
+/// What the study asks for beside its task, and the task cannot give.
+void check_task(const TomlTable& study, const StudyDefinition& definition) {
+  const TaskDefinition& task = *definition.task;
+  const std::string kind = "kind = \"" + std::string(word(task.kind)) + "\"";
+  const TaskFacts facts = facts_of(&task);
+  if (!std::holds_alternative<ConstantDefinition>(definition.procedure)) {
+    if (task.repetitions > 1)
+      throw study.complaint("task.repetitions",
+                            "1 beside procedure = \"quest_plus\", which repeats as it needs",
+                            fmt::format("{}", task.repetitions));
+    if (task.kind != TaskKind::object)
+      throw study.complaint("procedure", "\"constant\" beside a [task] of " + kind, "\"quest_plus\"");
+  }
+  if (facts.right_is_yes && definition.catches.reference == 0)
+    throw study.complaint("catch.reference",
+                          "at least one reference trial beside a [task] of " + kind +
+                              ": nothing else tells how often people see something where nothing is",
+                          "0");
+}
+
+/// The study's own words stay.
+void set_usual_texts(const TomlTable& study, StudyDefinition& definition) {
+  const TaskDefinition& task = *definition.task;
+  if (task.kind == TaskKind::object) return;
+  const TaskTexts texts = usual_texts(task);
+  const auto says = [&](const char* table, const char* key) {
+    const auto found = study.table(table);
+    return found && found->has(key);
+  };
+  if (!says("session", "question")) definition.session.question = texts.question;
+  if (!study.has("instructions")) definition.instructions = {{.text = texts.instructions, .pictures = {}}};
+  const Phrase hint = task.kind == TaskKind::rating ? Phrase::rating_hint : Phrase::choice_hint;
+  definition.texts.try_emplace(hint, texts.hint);
+  if (!says("training", "feedback_right")) definition.training.feedback_right = texts.feedback_right;
+  if (!says("training", "feedback_wrong")) definition.training.feedback_wrong = texts.feedback_wrong;
+}
+
+}  // namespace
+
+void read_task(const TomlTable& study, StudyDefinition& definition) {
+  const auto table = study.table("task");
+  if (!table) return;
+  definition.task = std::make_shared<const TaskDefinition>(read_task_table(*table));
+  check_task(study, definition);
+  set_usual_texts(study, definition);
+}
+
+void check_task_alone(const TomlTable& study, const StudyDefinition& definition) {
+  if (!definition.task) return;
+  bool turns = definition.look != nullptr;
+  for (const ConditionDefinition& condition : definition.conditions)
+    turns = turns || condition.look != nullptr;
+  if (definition.clip) throw study.complaint("clip", "stills beside a [task]", "a table [clip]");
+  if (turns) throw study.complaint("look", "whole pictures beside a [task]", "a table [look]");
+}
+
+void require_papers_task(const StudyDefinition& study, const std::string& command) {
+  const TaskFacts facts = facts_of(study.task.get());
+  const bool repeats = study.task && study.task->repetitions > 1;
+  if (facts.kind == TaskKind::object && facts.rates && !repeats) return;
+  throw input_error({.file = study.file.string(),
+                     .field = "task",
+                     .wanted = "no [task] (`" + command +
+                               "` simulates one choice among three objects a stimulus, with a rating)",
+                     .found = "kind = \"" + std::string(word(facts.kind)) + "\"" +
+                              (repeats ? fmt::format(", repetitions = {}", study.task->repetitions) : "")});
+}
+
+std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,
+                                                     const std::filesystem::path& said_to_be) {
+  const auto table = TomlTable::parse(text, said_to_be).table("task");
+  return table ? std::make_shared<const TaskDefinition>(read_task_table(*table)) : nullptr;
+}
+
+}  // namespace seamline::inline stimuli

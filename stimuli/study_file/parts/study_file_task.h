@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "stimuli/definition/study_definition.h"
+#include "support/files/toml_table.h"
+
+namespace seamline::inline stimuli {
+
+/// Reads `[task]` of a study into `definition.task`, and gives question, instructions and feedback the task's
+/// own words where the file says nothing of them. Call it once session, catch trials, procedure and what
+/// people are told are read. Throws InputError where a key has no meaning for the task, or the study asks for
+/// something that the task cannot give.
+void read_task(const TomlTable& study, StudyDefinition& definition);
+
+/// Throws InputError where a study with a task has clips or views that turn, which no task but the paper's
+/// knows.
+void check_task_alone(const TomlTable& study, const StudyDefinition& definition);
+
+/// The task of a study file's text, as a log keeps it; null: it names none. Looks at nothing else.
+[[nodiscard]] std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,
+                                                                   const std::filesystem::path& said_to_be);
+
+/// Throws InputError where a study names a task that a command cannot simulate: it asks for a choice among
+/// three objects, and then for a rating.
+void require_papers_task(const StudyDefinition& study, const std::string& command);
+
+}  // namespace seamline::inline stimuli

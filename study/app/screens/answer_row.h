@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/app/screens/stage.h"
+#include "window/geometry.h"
+
+namespace seamline::study::app {
+
+/// A row of numbered answers in the strip below a picture.
+struct AnswerRow {
+  std::string id;                   ///< of its buttons in the trace: `id/1`, `id/2`, ...
+  std::vector<std::string> labels;  ///< shown with their numbers from 1
+  int focus = -1;                   ///< the one that the keyboard is on, from 0; -1: none
+};
+
+/// Draws the row, and returns the answer from 0 that was clicked, or used by Enter or Space; -1: none. Digits
+/// are the caller's: what they mean depends on the question.
+[[nodiscard]] int draw_answer_row(Stage& stage, const Rect& questions, const AnswerRow& row);
+
+/// Whether Enter or Space was pressed anew.
+[[nodiscard]] bool uses_focus(const Stage& stage);
+
+/// Moves the keyboard's place within [first, last]; Tab and arrows go round.
+void move_focus(Stage& stage, int first, int last);
+
+}  // namespace seamline::study::app

@@ -1,0 +1,168 @@
+#include "study/app/screens/screen_task.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "stimuli/definition/parts/task_definition.h"
+#include "study/app/pictures/picture_store.h"
+#include "study/app/screens/answer_row.h"
+#include "study/app/screens/trial_view.h"
+#include "study/trials/right_rule.h"
+#include "support/running/overloaded.h"
+
+namespace seamline::study::app {
+namespace {
+
+TaskFacts task_of(const RenderedSet& set) {
+  return facts_of(set.study.task.get());
+}
+
+/// A trial while it is on the screen.
+struct TaskTrial {
+  Stage& stage;
+  TrialPlace place;
+};
+
+/// Where the pictures that are seen at the same time stand: the whole picture, or both halves of a pair.
+std::vector<Rect> trial_pictures(const Stage& stage, const TrialPlace& place) {
+  if (task_of(stage.set).kind != TaskKind::pair) return {place.picture};
+  const Rect& all = place.picture;
+  const double width_px = std::round(stage.set.manifest.width_px * place.scale);
+  return {{all.x_px, all.y_px, width_px, all.height_px},
+          {all.right_px() - width_px, all.y_px, width_px, all.height_px}};
+}
+
+/// Draws what a trial shows; of pictures one after another, number `picture` from 0.
+void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, int picture) {
+  const std::vector<Trial> shown = shown_pictures(task_of(stage.set), trial);
+  const std::vector<Rect> places = trial_pictures(stage, place);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t which = places.size() > 1 ? i : static_cast<std::size_t>(picture);
+    if (const Texture* texture = stage.pictures.find(shown.at(which)))
+      stage.canvas().picture(*texture, places[i]);
+  }
+}
+
+/// A choice among the task's alternatives, by their names, or by the picture itself in a pair.
+Outcome choose_answer(const TaskTrial& trial) {
+  Stage& stage = trial.stage;
+  const std::vector<std::string>& answers = stage.set.study.task->answers;
+  const int count = static_cast<int>(answers.size());
+  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::choice_hint), 4.85);
+  move_focus(stage, 0, count - 1);
+  int chosen = 1 + draw_answer_row(stage, trial.place.questions,
+                                   {.id = "answer", .labels = answers, .focus = stage.drafts.trial_focus});
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= count) chosen = digit;
+  const std::vector<Rect> sides = trial_pictures(stage, trial.place);
+  for (std::size_t i = 0; sides.size() > 1 && stage.input.mouse_pressed && i < sides.size(); ++i)
+    if (sides[i].contains(stage.input.mouse)) chosen = static_cast<int>(i) + 1;
+  if (chosen == 0) return std::nullopt;
+  stage.drafts.trial_focus = -1;
+  return Event(ObjectChosen{chosen, stage.input.now_ns});
+}
+
+/// The labels of a task with nothing to choose: rating 0 is the first.
+Outcome rate_alone(const TaskTrial& trial) {
+  Stage& stage = trial.stage;
+  const std::vector<std::string>& labels = stage.set.study.task->labels;
+  const int count = static_cast<int>(labels.size());
+  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
+  move_focus(stage, 0, count - 1);
+  int taken = draw_answer_row(stage, trial.place.questions,
+                              {.id = "rating", .labels = labels, .focus = stage.drafts.trial_focus});
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= count) taken = digit - 1;
+  if (taken < 0) return std::nullopt;
+  return Event(RatingGiven{taken, stage.input.now_ns});
+}
+
+/// How noticeable was the chosen alternative? The choice stands.
+Outcome rate_answer(const TaskTrial& trial) {
+  Stage& stage = trial.stage;
+  const auto& labels = stage.set.study.session.rating_labels;
+  draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
+  move_focus(stage, 0, highest_rating - 1);
+  int rating =
+      1 + draw_answer_row(
+              stage, trial.place.questions,
+              {.id = "rating", .labels = {labels.begin(), labels.end()}, .focus = stage.drafts.trial_focus});
+  if (const int digit = stage.input.digit(); digit >= 1 && digit <= highest_rating) rating = digit;
+  if (rating == 0) return std::nullopt;
+  return Event(RatingGiven{rating, stage.input.now_ns});
+}
+
+/// Draws the picture while it is seen, and asks once the question is open.
+Outcome ask(const Session& session, const TaskTrial& trial, const Trial& due, std::int64_t onset_ns) {
+  Stage& stage = trial.stage;
+  const std::int64_t now_ns = monotonic_ns();
+  if (is_picture_seen(session.pace.task, onset_ns, now_ns + next_frame_ns(stage.display)))
+    show_pictures(stage, trial.place, due, 0);
+  if (now_ns < onset_ns + session.pace.minimum_viewing_ns) return std::nullopt;
+  if (std::holds_alternative<Choosing>(session.phase)) return choose_answer(trial);
+  return session.pace.task.facts.chooses ? rate_answer(trial) : rate_alone(trial);
+}
+
+}  // namespace
+
+bool asks_for_alternatives(const RenderedSet& set) {
+  return task_of(set).kind != TaskKind::object;
+}
+
+bool pictures_are_ready(const Stage& stage, const Trial& trial) {
+  const std::vector<Trial> shown = shown_pictures(task_of(stage.set), trial);
+  return std::all_of(shown.begin(), shown.end(),
+                     [&](const Trial& one) { return stage.pictures.find(one) != nullptr; });
+}
+
+std::int64_t next_frame_ns(const DisplayInfo& display) {
+  return static_cast<std::int64_t>(1.5e9 / (display.refresh_hz > 0 ? display.refresh_hz : 60));
+}
+
+Outcome draw_task_trial(const Session& session, Stage& stage) {
+  const std::optional<Trial> due = current_trial(session.trials);
+  if (!due) return std::nullopt;
+  const TaskTrial trial{stage, trial_place(stage)};
+  const bool two_eyes = stage.pictures.objects(*due).two_eyes;
+  const auto grey = [&]() -> Outcome {
+    stage.drafts.trial_focus = -1;
+    draw_fixation(stage, two_eyes);
+    return std::nullopt;
+  };
+  return std::visit(
+      Overloaded{[&](const Grey&) -> Outcome { return grey(); },
+                 [&](const Gap&) -> Outcome { return grey(); },
+                 [&](const AwaitingImage& phase) -> Outcome {
+                   if (!pictures_are_ready(stage, *due)) return grey();
+                   stage.drafts.trial_focus = -1;
+                   show_pictures(stage, trial.place, *due, phase.picture);
+                   return std::nullopt;
+                 },
+                 [&](const Viewing& phase) -> Outcome {
+                   show_pictures(stage, trial.place, *due, phase.picture);
+                   return std::nullopt;
+                 },
+                 [&](const Choosing& phase) { return ask(session, trial, *due, phase.onset_ns); },
+                 [&](const Rating& phase) { return ask(session, trial, *due, phase.onset_ns); },
+                 [](const Storing&) -> Outcome { return std::nullopt; },
+                 [](const OnBreak&) -> Outcome { return std::nullopt; },
+                 [](const Done&) -> Outcome { return std::nullopt; }},
+      session.phase);
+}
+
+void draw_task_feedback(Stage& stage, const TrialPlace& place, const Trial& trial) {
+  const int right = std::max(0, trial.right_index - 1);
+  show_pictures(stage, place, trial, task_of(stage.set).pictures > 1 ? right : 0);
+}
+
+std::string name_of_right(const Stage& stage, int right_index) {
+  constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
+  const auto at = static_cast<std::size_t>(right_index - 1);
+  const TaskDefinition* task = stage.set.study.task.get();
+  return task != nullptr && at < task->answers.size() ? task->answers[at] : stage.phrase(sides.at(at));
+}
+
+}  // namespace seamline::study::app

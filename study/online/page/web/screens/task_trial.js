@@ -1,0 +1,323 @@
+// Trials of tasks other than the paper's: pairs, intervals, yes or no, ratings (study/app/screens/screen_task.cpp).
+import { placeTrial } from "../core/place.js";
+import { isPictureSeen, taskOf } from "../core/session.js";
+import { currentTrial, trialsAhead } from "../core/trials.js";
+import { nanoseconds } from "../core/messages.js";
+import { element, svg } from "./dom.js";
+
+/** The stage of a picture: everything is placed in pixels of the screen. */
+function makeStage(app, display) {
+  const fixation = svg("path", { class: "fixation" });
+  const overlay = svg("svg", { class: "overlay", "aria-hidden": "true" }, fixation);
+  const question = element("h1", { id: "title" });
+  const hint = element("p", { class: "hint" });
+  const answers = element("div", { class: "answers" });
+  const questions = element("div", { class: "questions" }, question, hint, answers);
+  const node = element("div", { class: "stage" }, overlay, questions);
+  const isPair = app.study.task?.kind === "pair";
+  display.append(node);
+  const stage = { node, overlay, fixation, question, hint, answers, questions, images: [], place: null };
+
+  /** Puts everything where it belongs; the picture at whole pixels of the screen, as large as it is. */
+  stage.layOut = () => {
+    const ratio = devicePixelRatio;
+    const size = app.screen.size();
+    const place = placeTrial(size, app.study.picture, app.em());
+    stage.place = place;
+    overlay.setAttribute("viewBox", "0 0 " + size.width + " " + size.height);
+    const x = place.x + Math.round(place.width / 2);
+    const y = place.y + Math.round(place.height / 2);
+    fixation.setAttribute("d", `M${x - 12} ${y - 1}h24v2h-24zM${x - 1} ${y - 12}h2v24h-2z`);
+    questions.style.top = place.questions_y / ratio + "px";
+    stage.images.forEach((image, at) => {
+      image.style.left = (place.x + (isPair ? at * (place.width - app.study.width_px) : 0)) / ratio + "px";
+      image.style.top = place.y / ratio + "px";
+      image.style.width = app.study.width_px / ratio + "px";
+      image.style.height = place.height / ratio + "px";
+    });
+  };
+
+  /** The pictures of a trial: side by side in a pair, else one over the other. */
+  stage.put = (images) => {
+    stage.images.forEach((image) => image.remove());
+    // A picture that is shown twice needs an element for each.
+    stage.images = images.map((image, at) => (images.indexOf(image) === at ? image : image.cloneNode()));
+    for (const image of stage.images) {
+      image.className = "picture";
+      image.alt = "";
+      image.draggable = false;
+      node.prepend(image);
+    }
+    stage.layOut();
+    app.screen.watchPicture(stage.images[0]);
+  };
+
+  /** Shows one of the pictures that stand over each other, or both of a pair; -1: none. */
+  stage.show = (which) =>
+    stage.images.forEach((image, at) => image.classList.toggle("visible", which >= 0 && (isPair || at === which)));
+
+  return stage;
+}
+
+/** The files that a trial shows: one, or several side by side or one after another. */
+const picturesOf = (trial) => trial.pictures ?? [trial.picture];
+const picturesReady = (app, trial) => Promise.all(picturesOf(trial).map((file) => app.pictures.ready(file)));
+
+/** The picture of a pair at a place: 1 left, 2 right, or 0. */
+function sideAt(study, x, y) {
+  if (y < 0 || y >= study.picture.height || x < 0 || x >= study.picture.width) return 0;
+  if (x < study.width_px) return 1;
+  return x >= study.picture.width - study.width_px ? 2 : 0;
+}
+
+function progressBar(app, done, all) {
+  const bar = element("div", { class: "progress", "aria-hidden": "true" }, element("div"));
+  bar.firstChild.style.width = (all > 0 ? (100 * done) / all : 0) + "%";
+  return [bar, element("p", { class: "progress-words" }, app.phrase("progress", { done, all }))];
+}
+
+/** Draws the trial that is due, of the practice or of the study, from the grey before it to its answer. */
+export function drawTaskTrial(app, display, isPractice) {
+  const session = () => (isPractice ? app.visit.training : app.visit.session);
+  const trial = currentTrial(session().trials);
+  if (trial === null) return {}; // all are answered, and the completion is being stored
+  const stage = makeStage(app, display);
+  const detail = isPractice ? "practice" : "";
+  let picture = null; // what is shown, once it is decoded
+  const task = taskOf(session().pace);
+  let ratings = []; // the buttons of the row of answers
+  let asked = ""; // the phase whose question stands there
+  let shownWith = null; // the frame that shows the picture has begun
+  let frame = null;
+  let lateFrames = 0;
+  let lastFrame = null;
+  let open = true;
+
+  const { answered, most } = session().trials;
+  if (isPractice)
+    stage.node.append(
+      element("p", { class: "practice" }, app.phrase("training_hint", { done: answered + 1, all: most }))
+    );
+  else stage.node.append(...progressBar(app, answered, most));
+
+  const step = (event) => app.step(event);
+  const choose = (index, event) => {
+    const before = session();
+    step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
+    if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
+  };
+  const rate = (rating, event) => {
+    const before = session();
+    step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
+    if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
+  };
+
+  const phase = () => session().phase;
+  const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
+
+  /** A row of numbered answers; `take(index from 1, event)` hears which. */
+  function showRow(name, labels, take) {
+    ratings = labels.map((label, at) =>
+      element(
+        "button",
+        { type: "button", class: "rating", id: name + "-" + (at + 1), onclick: (event) => take(at + 1, event) },
+        at + 1 + "\u2002" + label
+      )
+    );
+    const group = element("div", { class: "ratings", role: "group", "aria-labelledby": "title" }, ...ratings);
+    stage.answers.replaceChildren(group);
+    tightenRatings();
+  }
+
+  function showQuestion() {
+    stage.question.textContent = app.study.question;
+    stage.hint.textContent = app.phrase("choice_hint");
+    stage.answers.replaceChildren();
+    showRow("answer", task.answers, choose);
+  }
+
+  const takeRating = (digit, event) => rate(task.chooses ? digit : digit - 1, event);
+
+  function showRatings() {
+    const question = task.chooses ? app.study.rating_question : app.study.question;
+    stage.question.textContent = question;
+    stage.hint.textContent = app.phrase("rating_hint");
+    showRow("rating", task.chooses ? app.study.rating_labels : task.labels, takeRating);
+    app.say(question);
+  }
+
+  /** Labels that are too long for one line get two, in the small type. */
+  function tightenRatings() {
+    const group = stage.answers.querySelector(".ratings");
+    if (!group) return;
+    stage.questions.hidden = false;
+    group.classList.remove("tight");
+    group.classList.toggle("tight", group.scrollWidth > group.clientWidth);
+  }
+
+  /** What is drawn now is seen a frame later, and what is due within half a frame of that is due then. */
+  const whenSeen = (now) => nanoseconds(now + 1500 / (app.screen.refreshHz() || 60));
+
+  /** Which of the trial's pictures is seen, from 0; -1: none. */
+  function shownPicture(now, answering) {
+    if (now.name === "viewing") return now.picture;
+    if (now.name === "awaiting" && shownWith !== null) return now.picture ?? 0;
+    if (answering && isPictureSeen(task, now.onset_ns, whenSeen(performance.now()))) return 0;
+    return -1;
+  }
+
+  /** What the phase shows. */
+  function update() {
+    const now = phase();
+    const answering = ["choosing", "rating"].includes(now.name);
+    const visible = shownPicture(now, answering);
+    stage.show(visible);
+    stage.fixation.classList.toggle("visible", visible < 0 && ["grey", "awaiting", "gap"].includes(now.name));
+    const opened = isOpen(nanoseconds(performance.now()));
+    const asking = (now.name === "rating" && (task.chooses || opened)) || (now.name === "choosing" && opened);
+    if (asking && asked !== now.name) {
+      asked = now.name;
+      if (now.name === "rating") {
+        showRatings();
+      } else {
+        showQuestion();
+        app.say(app.study.question);
+      }
+    }
+    stage.questions.hidden = !asking;
+    if (["grey", "awaiting", "viewing", "gap"].includes(now.name)) {
+      ratings = [];
+      asked = "";
+    }
+    const timed = ["grey", "awaiting", "viewing", "gap"].includes(now.name);
+    const ending = answering && task.exposure_ns > 0 && visible >= 0; // the exposure
+    if (open && frame === null && (timed || ending || (answering && !asking)))
+      frame = requestAnimationFrame(onFrame);
+  }
+
+  /** Runs while something changes by itself: grey, the picture's first frame, the least time of viewing. */
+  function onFrame(now) {
+    frame = null;
+    if (!open) return;
+    const period = 1000 / (app.screen.refreshHz() || 60);
+    if (lastFrame !== null && now - lastFrame > 1.5 * period && now - lastFrame < 1000) ++lateFrames;
+    lastFrame = now;
+    if (phase().name === "grey") step({ type: "tick", now_ns: nanoseconds(now) });
+    if (["viewing", "gap"].includes(phase().name)) step({ type: "tick", now_ns: whenSeen(now) });
+    if (phase().name === "awaiting") {
+      if (shownWith !== null) {
+        // The frame before this one had the picture, so it is on the screen now.
+        shownWith = null;
+        app.note("shown", detail, now);
+        if (lateFrames > 0) app.note("late_frames", String(lateFrames), now);
+        lateFrames = 0;
+        lastFrame = null;
+        step({ type: "image_shown", now_ns: nanoseconds(now) });
+      } else if (picture && app.guard.problem() === null) {
+        shownWith = now;
+      }
+    }
+    if (phase().name !== "awaiting") shownWith = null;
+    if (open) update();
+  }
+
+  /** A pair is answered by the picture itself, too. */
+  const onPress = (event) => {
+    if (event.button !== 0 || event.target.closest("button") || app.guard.problem() !== null) return;
+    if (task.kind !== "pair" || phase().name !== "choosing" || stage.questions.hidden) return;
+    const ratio = devicePixelRatio;
+    const side = sideAt(app.study, event.clientX * ratio - stage.place.x, event.clientY * ratio - stage.place.y);
+    if (side > 0) choose(side, event);
+  };
+
+  /** Arrows go round the answers. */
+  function moveFocus(back) {
+    const places = ratings;
+    if (places.length === 0) return;
+    const at = places.indexOf(document.activeElement);
+    const next = at < 0 ? (back ? places.length - 1 : 0) : (at + (back ? places.length - 1 : 1)) % places.length;
+    places[next].focus();
+  }
+  const onKey = (event) => {
+    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden) return;
+    if (app.guard.problem() !== null) return;
+    const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;
+    const back = event.key === "ArrowLeft" || event.key === "ArrowUp";
+    if (digit > 0 && phase().name === "choosing") choose(digit, event);
+    else if (digit > 0 && phase().name === "rating") takeRating(digit, event);
+    else if ((back || event.key === "ArrowRight" || event.key === "ArrowDown")) moveFocus(back);
+    else return;
+    event.preventDefault();
+  };
+
+  const layOut = () => {
+    stage.layOut();
+    if (ratings.length > 0) tightenRatings();
+  };
+  stage.node.addEventListener("pointerdown", onPress);
+  document.addEventListener("keydown", onKey);
+  const stopWatching = app.screen.onChange(layOut);
+  stage.questions.hidden = true;
+  stage.layOut();
+
+  const ahead = trialsAhead(session().trials);
+  const all = [...ahead, ...(isPractice ? trialsAhead(app.visit.session.trials) : [])];
+  app.pictures.want(all.flatMap(picturesOf));
+  const loadingWords = setTimeout(() => app.showLoading(true), 400);
+  picturesReady(app, trial).then((ready) => {
+    clearTimeout(loadingWords);
+    app.showLoading(false);
+    if (!open) return;
+    picture = ready;
+    stage.put(ready.map((one) => one.image));
+    update();
+    const next = ahead[1];
+    if (next) picturesReady(app, next).catch(() => {}); // decoded while this one is looked at
+  }, app.failed);
+  update();
+
+  return {
+    update,
+    close() {
+      open = false;
+      clearTimeout(loadingWords);
+      app.showLoading(false);
+      if (frame !== null) cancelAnimationFrame(frame);
+      document.removeEventListener("keydown", onKey);
+      stopWatching();
+      app.screen.watchPicture(null);
+    },
+  };
+}
+
+/** The pictures of the practice once more. */
+export function drawTaskFeedback(app, display) {
+  const { trial, chosen_index } = app.visit.screen;
+  const stage = makeStage(app, display);
+  const right = trial.right_index;
+  const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
+  const task = taskOf(app.script.pace);
+  const name = right > 0 ? (task.answers[right - 1] ?? "") : "";
+  stage.question.textContent = right > 0 ? app.fill(text, { object: name }) : "";
+  const button = element(
+    "button",
+    { type: "button", id: "continue", class: "leading", onclick: () => app.step({ type: "continued" }) },
+    app.phrase("continue")
+  );
+  stage.answers.append(button);
+  stage.hint.remove();
+  stage.layOut();
+  const stopWatching = app.screen.onChange(() => stage.layOut());
+  picturesReady(app, trial).then((ready) => {
+    stage.put(ready.map((one) => one.image));
+    stage.show(task.pictures > 1 ? Math.max(0, right - 1) : 0);
+  }, app.failed);
+  app.say(stage.question.textContent);
+  app.focus(button);
+  return {
+    close() {
+      stopWatching();
+      app.screen.watchPicture(null);
+    },
+  };
+}

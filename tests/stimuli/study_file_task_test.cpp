@@ -1,0 +1,102 @@
+// `[task]` of a study file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/study_file/parts/study_file_task.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/text/error.h"
+#include "tests/complaint.h"
+#include "tests/stimuli/study_of_no_files.h"
+
+namespace seamline {
+namespace {
+
+using testing::HasSubstr;
+
+StudyDefinition study_with_task(const std::string& tables, const std::string& top = "") {
+  return read_study_text(test::study_of_no_files(top, tables), "study.toml");
+}
+
+std::string complaint_of_task(const std::string& tables, const std::string& top = "") {
+  return test::complaint_of([&] { (void)study_with_task(tables, top); });
+}
+
+TEST(StudyFileTask, AStudyThatNamesNoneAsksForOneOfThreeObjects) {
+  const StudyDefinition study = study_with_task("");
+  EXPECT_EQ(study.task, nullptr);
+  const TaskFacts facts = facts_of(study.task.get());
+  EXPECT_EQ(facts.alternatives, 3);
+  EXPECT_EQ(facts.chance, 1.0 / 3);
+  EXPECT_TRUE(facts.chooses && facts.rates && !facts.draws_right);
+  EXPECT_THAT(canonical_text(study), testing::Not(HasSubstr("task")));
+}
+
+TEST(StudyFileTask, ChanceFollowsFromTheAlternatives) {
+  for (const auto& [tables, chance] : std::vector<std::pair<std::string, double>>{
+           {"[task]\nkind = \"pair\"\n", 0.5},
+           {"[task]\nkind = \"interval\"\n", 0.5},
+           {"[task]\nkind = \"interval\"\npictures = 3\n", 1.0 / 3}}) {
+    const TaskFacts facts = facts_of(study_with_task(tables).task.get());
+    EXPECT_EQ(facts.chance, chance) << tables;
+    EXPECT_EQ(facts.chance * facts.alternatives, 1) << tables;
+    EXPECT_TRUE(facts.draws_right);
+    EXPECT_FALSE(facts.rates);
+  }
+}
+
+TEST(StudyFileTask, EveryKeyIsPartOfTheHash) {
+  std::set<std::string> hashes;
+  const std::vector<std::string> tasks = {"",
+                                          "[task]\nkind = \"object\"\nrepetitions = 2\n",
+                                          "[task]\nkind = \"pair\"\n",
+                                          "[task]\nkind = \"pair\"\nsecond_question = true\n",
+                                          "[task]\nkind = \"pair\"\nexposure_s = 1\n",
+                                          "[task]\nkind = \"interval\"\n",
+                                          "[task]\nkind = \"interval\"\ngap_s = 1\n",
+                                          "[task]\nkind = \"interval\"\npictures = 3\n"};
+  for (const std::string& task : tasks) hashes.insert(study_hash(study_with_task(task)));
+  EXPECT_EQ(hashes.size(), tasks.size());
+}
+
+TEST(StudyFileTask, TheTextOfAStudySaysItsTaskAlone) {
+  const std::string text = test::study_of_no_files("", "[task]\nkind = \"interval\"\nrepetitions = 7\n");
+  const auto task = read_task_text(text, "a log");
+  ASSERT_NE(task, nullptr);
+  EXPECT_EQ(canonical_text(task.get()),
+            canonical_text(study_with_task("[task]\nkind = \"interval\"\nrepetitions = 7\n").task.get()));
+  EXPECT_EQ(read_task_text(test::study_of_no_files("", ""), "a log"), nullptr);
+}
+
+TEST(StudyFileTask, TheStudysOwnWordsStay) {
+  EXPECT_THAT(study_with_task("[task]\nkind = \"pair\"\n").session.question, HasSubstr("two pictures"));
+  EXPECT_EQ(study_with_task("[task]\nkind = \"pair\"\n[session]\nquestion = \"Which?\"\n").session.question,
+            "Which?");
+  EXPECT_EQ(study_with_task("[task]\nkind = \"object\"\n").session.question, SessionDefinition{}.question);
+}
+
+TEST(StudyFileTask, RefusesWhatTheTaskCannotGive) {
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"match\"\n"), HasSubstr("\"interval\" or \"yes_no\""));
+  EXPECT_THAT(complaint_of_task("[task]\npictures = 2\n"), HasSubstr("task.kind"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\npictures = 2\n"), HasSubstr("task.pictures"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"object\"\nexposure_s = 1\n"), HasSubstr("task.exposure_s"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"interval\"\nexposure_s = 0\n"),
+              HasSubstr("task.exposure_s"));
+  EXPECT_THAT(
+      complaint_of_task("[task]\nkind = \"yes_no\"\nsecond_question = false\n[catch]\nreference = 9\n"),
+      HasSubstr("task.second_question"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"yes_no\"\n"), HasSubstr("catch.reference"));
+  EXPECT_THAT(
+      complaint_of_task("[task]\nkind = \"rating\"\nlabels = [\"a\", \"b\"]\n[catch]\nreference = 9\n"),
+      HasSubstr("task.labels"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\n[quest_plus]\nmax_shows_per_image = 1\n",
+                                "procedure = \"quest_plus\""),
+              HasSubstr("procedure"));
+}
+
+}  // namespace
+}  // namespace seamline
