@@ -138,8 +138,11 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
 
 void check_looks(const TomlTable& study_table, const StudyDefinition& study) {
   const auto has_panorama = [](const SceneDefinition& scene) { return is_panorama(scene); };
-  if (std::any_of(study.scenes.begin(), study.scenes.end(), has_panorama))
-    return check_panoramas(study_table, study);
+  const bool panoramas = std::any_of(study.scenes.begin(), study.scenes.end(), has_panorama);
+  if (panoramas && study.task)
+    throw study_table.complaint("task", "the task \"object\" in a study of panoramas, and no table [task]",
+                                "a table [task]");
+  if (panoramas) return check_panoramas(study_table, study);
   for (const ConditionDefinition& condition : list_conditions(study))
     if (look_of(study, condition) != nullptr)
       throw study_table.complaint(
