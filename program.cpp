@@ -13,6 +13,7 @@
 #include "renderer/commands/pictures/x3d_options.h"
 #include "stability/commands.h"
 #include "study/commands/commands.h"
+#include "study/online/commands/ask_command.h"
 #include "study/online/commands/export_command.h"
 #include "study/online/commands/serve_command.h"
 #include "support/files/assets.h"
@@ -36,7 +37,7 @@ struct CommandGroup {
 
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups = {
-      {"A study", {"demo", "check", "render", "verify", "study", "serve", "analyze"}},
+      {"A study", {"demo", "check", "render", "verify", "study", "serve", "ask", "analyze"}},
       {"Before it", {"plan", "predict", "freeze"}},
       {"Answers", {"log", "import", "merge", "export", "fit"}},
       {"Photographs", {"place", "composite", "picture", "flip", "views"}},
@@ -104,6 +105,7 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   live::add_live_commands(*app);
 #endif
   study::online::add_serve_command(*app);
+  study::online::add_ask_command(*app);
   study::online::add_gathering_commands(*app);
   study::online::add_export_command(*app, [](CLI::App& command) {
     const renderer::X3dExport x3d = renderer::add_x3d_options(command);

@@ -129,6 +129,7 @@ const std::map<std::string, std::string> short_ways = {
     {"lab person", "--sensor tof_160x120 --out {out}"},
     {"lab field", "{in}/cube.gltf --out {out}.png"},
     {"lab bench", "--quick --only capture --threads 1"},
+    {"ask", "{study} --log {out}.sqlite --participant p01"},
     {"serve", "--make-tokens 1 --tokens {out}"},
     {"import", "{out}.sqlite {in}/line.jsonl --set {set}"},
     {"merge", "{in}/other.sqlite {log}"},

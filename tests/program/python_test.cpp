@@ -51,6 +51,21 @@ TEST_F(Python, ThresholdsAreThoseOfTheReport) {
   EXPECT_EQ(compared, 4);
 }
 
+/// documentation/how-to/other_programs.md as its readers type it.
+TEST_F(Python, AnotherProgramRunsASessionThatIsAnalysed) {
+  test::write_text(folder / "session.py",
+                   test::example_of("documentation/how-to/other_programs.md", "python", 0));
+  const std::string quick = (std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli/quick.toml").string();
+  const std::string path = std::filesystem::path(SEAMLINE_PROGRAM).parent_path().string();
+  const Outcome asked =
+      in_folder("PATH=" + path + ":$PATH python3 session.py " + quick + " asked.sqlite p01 2>&1");
+  ASSERT_EQ(asked.status, 0) << asked.output;
+  EXPECT_THAT(asked.output, HasSubstr(" answers"));
+  const Outcome report = in_folder(SEAMLINE_PROGRAM " analyze asked.sqlite --out asked 2>&1");
+  EXPECT_EQ(report.status, 0) << report.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "asked/thresholds.json"));
+}
+
 TEST_F(Python, MeansOfAnswersAreThoseOfTheReport) {
   const Outcome outcome = python(1);
   ASSERT_EQ(outcome.status, 0) << outcome.output;
