@@ -21,7 +21,7 @@ StudyDefinition samples_study(const std::string& varied, const std::string& top 
   return read_study_text(text, "study.toml");
 }
 
-std::string complaint(const std::string& varied, const std::string& top = levels) {
+std::string complaint_of_budget(const std::string& varied, const std::string& top = levels) {
   return test::complaint_of([&] { (void)samples_study(varied, top); });
 }
 
@@ -47,23 +47,28 @@ TEST(BudgetedStudy, BudgetsAreOtherStudies) {
 }
 
 TEST(BudgetedStudy, WhatItCannotHaveIsRefusedByName) {
-  EXPECT_THAT(complaint("", "[level]\nquantity = \"depth_samples\"\nvalues = [2000]\n"),
+  EXPECT_THAT(complaint_of_budget("", "[level]\nquantity = \"depth_samples\"\nvalues = [2000]\n"),
               HasSubstr("wanted W x W / 2 samples of an even width W, such as 2048 (64 x 32), found 2000"));
   const std::string budgeted = "[depth]\nreduction = \"budgeted\"\n";
-  EXPECT_THAT(complaint(budgeted + "reduction_factor = 4\n"),
+  EXPECT_THAT(complaint_of_budget(budgeted + "reduction_factor = 4\n"),
               HasSubstr("depth.reduction_factor: wanted a reduction from a finer map"));
-  EXPECT_THAT(complaint(budgeted + "jumps = \"cut\"\n"), HasSubstr("beside reduction = \"budgeted\""));
-  EXPECT_THAT(complaint(budgeted + "repair = \"median\"\n"), HasSubstr("depth.repair: wanted \"none\""));
-  EXPECT_THAT(complaint(budgeted + "noise = { model = \"generic\", relative_sigma = 0.1 }\n"),
+  EXPECT_THAT(complaint_of_budget(budgeted + "jumps = \"cut\"\n"),
+              HasSubstr("beside reduction = \"budgeted\""));
+  EXPECT_THAT(complaint_of_budget(budgeted + "repair = \"median\"\n"),
+              HasSubstr("depth.repair: wanted \"none\""));
+  EXPECT_THAT(complaint_of_budget(budgeted + "noise = { model = \"generic\", relative_sigma = 0.1 }\n"),
               HasSubstr("depth.noise: wanted no noise"));
-  EXPECT_THAT(complaint(budgeted + "range_m = [0.5, 5]\n"), HasSubstr("depth.range_m: wanted no range"));
-  EXPECT_THAT(complaint(budgeted, std::string("mesh = \"full\"\n") + levels), HasSubstr("mesh: wanted nothing beside"));
-  EXPECT_THAT(complaint("depth_width_px = 64\n"), HasSubstr("depth_width_px"));
-  EXPECT_THAT(complaint("[depth]\nsource = \"pinhole\"\nsize_px = [320, 240]\nfield_of_view_deg = 60\n"),
-              HasSubstr("wanted a panorama, because depth_samples is the level"));
-  EXPECT_THAT(complaint(budgeted,
-                        "depth_width_px = 64\n[level]\nquantity = \"mesh_tolerance\"\nvalues = "
-                        "[0.001, 0.01]\n"),
+  EXPECT_THAT(complaint_of_budget(budgeted + "range_m = [0.5, 5]\n"),
+              HasSubstr("depth.range_m: wanted no range"));
+  EXPECT_THAT(complaint_of_budget(budgeted, std::string("mesh = \"full\"\n") + levels),
+              HasSubstr("mesh: wanted nothing beside"));
+  EXPECT_THAT(complaint_of_budget("depth_width_px = 64\n"), HasSubstr("depth_width_px"));
+  EXPECT_THAT(
+      complaint_of_budget("[depth]\nsource = \"pinhole\"\nsize_px = [320, 240]\nfield_of_view_deg = 60\n"),
+      HasSubstr("wanted a panorama, because depth_samples is the level"));
+  EXPECT_THAT(complaint_of_budget(budgeted,
+                                  "depth_width_px = 64\n[level]\nquantity = \"mesh_tolerance\"\nvalues = "
+                                  "[0.001, 0.01]\n"),
               HasSubstr("wanted another level than mesh_tolerance"));
 }
 

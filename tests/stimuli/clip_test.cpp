@@ -38,7 +38,7 @@ StudyDefinition read_clips(const std::string& text) {
   return read_study_text(text, "moving.toml");
 }
 
-std::string complaint_of(const std::string& text) {
+std::string complaint_of_clip(const std::string& text) {
   try {
     static_cast<void>(read_clips(text));
   } catch (const InputError& error) {
@@ -144,16 +144,17 @@ TEST(Clips, ADelayOfOneFrameIsTheDepthOfTheFrameBefore) {
 }
 
 TEST(Clips, WhatCannotBeIsRefusedByName) {
-  EXPECT_NE(complaint_of(clip_study(widths, line)).find("[clip]"), std::string::npos);
-  EXPECT_NE(complaint_of(clip_study(widths, "", clip_table)).find("an object with a path"),
-            std::string::npos);
-  EXPECT_NE(complaint_of(clip_study(widths, "rest = true\n" + line, clip_table)).find("one of rest and path"),
+  EXPECT_NE(complaint_of_clip(clip_study(widths, line)).find("[clip]"), std::string::npos);
+  EXPECT_NE(complaint_of_clip(clip_study(widths, "", clip_table)).find("an object with a path"),
             std::string::npos);
   EXPECT_NE(
-      complaint_of(clip_study(widths, line, "[clip]\nquestion = \"after\"\n")).find("a loop has no end"),
+      complaint_of_clip(clip_study(widths, "rest = true\n" + line, clip_table)).find("one of rest and path"),
       std::string::npos);
   EXPECT_NE(
-      complaint_of(
+      complaint_of_clip(clip_study(widths, line, "[clip]\nquestion = \"after\"\n")).find("a loop has no end"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint_of_clip(
           clip_study("depth_width_px = 64\n[level]\nquantity = \"depth_frames_per_s\"\nvalues = [1, 2]", ""))
           .find("[clip]"),
       std::string::npos);
