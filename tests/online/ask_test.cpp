@@ -17,7 +17,7 @@ namespace {
 using test::complaint_of;
 using testing::HasSubstr;
 
-std::string adaptive_text() {
+std::string adaptive_text_of_ask() {
   std::string text = online_study_text("64, 128, 256, 512, 1024", "");
   text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
   text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 3\nmax_trials = 12\n");
@@ -64,7 +64,7 @@ class AskTest : public testing::Test {
 };
 
 TEST_F(AskTest, ABrokenSessionIsTheSessionThatWasNot) {
-  const AskRequest one = request(adaptive_text());
+  const AskRequest one = request(adaptive_text_of_ask());
   const int answered = run_broken(one);
   EXPECT_GT(answered, 5);
   // The same answers in one call lead to the same questions.

@@ -17,7 +17,7 @@ TaskFacts facts_of_kind(TaskKind kind, bool second_question = false, int picture
   return facts_of(&task);
 }
 
-Session session_of(const TaskFacts& task) {
+Session task_session_of(const TaskFacts& task) {
   ConstantProcedure procedure{.order = std::vector<int>(3)};
   std::iota(procedure.order.begin(), procedure.order.end(), 0);
   return begin_session(
@@ -30,38 +30,38 @@ bool is(const Session& session) {
   return std::holds_alternative<Wanted>(session.phase);
 }
 
-Session after(Session session, const std::vector<Event>& events) {
+Session after_task_events(Session session, const std::vector<Event>& events) {
   for (const Event& event : events) session = next(std::move(session), event);
   return session;
 }
 
 TEST(TaskSession, AnIntervalShowsItsPicturesOneAfterAnotherAndThenAsks) {
-  Session session = next(session_of(facts_of_kind(TaskKind::interval)), ImageShown{.now_ns = 1000});
-  ASSERT_TRUE(is<Viewing>(session));
-  EXPECT_TRUE(is<Viewing>(next(session, Tick{.now_ns = 1499})));
-  EXPECT_TRUE(is<Viewing>(next(session, ObjectChosen{.index = 1, .now_ns = 1400})));
+  Session session = next(task_session_of(facts_of_kind(TaskKind::interval)), ImageShown{.now_ns = 1000});
+  ASSERT_TRUE(in_task_phase<Viewing>(session));
+  EXPECT_TRUE(in_task_phase<Viewing>(next(session, Tick{.now_ns = 1499})));
+  EXPECT_TRUE(in_task_phase<Viewing>(next(session, ObjectChosen{.index = 1, .now_ns = 1400})));
   session = next(session, Tick{.now_ns = 1500});
-  ASSERT_TRUE(is<Gap>(session));
+  ASSERT_TRUE(in_task_phase<Gap>(session));
   EXPECT_EQ(std::get<Gap>(session.phase).since_ns, 1500);
-  EXPECT_TRUE(is<Gap>(next(session, Tick{.now_ns = 1799})));
+  EXPECT_TRUE(in_task_phase<Gap>(next(session, Tick{.now_ns = 1799})));
   session = next(session, Tick{.now_ns = 1800});
-  ASSERT_TRUE(is<AwaitingImage>(session));
+  ASSERT_TRUE(in_task_phase<AwaitingImage>(session));
   EXPECT_EQ(std::get<AwaitingImage>(session.phase).picture, 1);
-  session = after(session, {ImageShown{.now_ns = 1810}, Tick{.now_ns = 2310}});
-  ASSERT_TRUE(is<Choosing>(session));
+  session = after_task_events(session, {ImageShown{.now_ns = 1810}, Tick{.now_ns = 2310}});
+  ASSERT_TRUE(in_task_phase<Choosing>(session));
   session = next(session, ObjectChosen{.index = 2, .now_ns = 3000});
-  ASSERT_TRUE(is<Storing>(session));
+  ASSERT_TRUE(in_task_phase<Storing>(session));
   EXPECT_EQ(
       std::get<Storing>(session.phase).answer,
       (TrialAnswer{.trial_index = 0, .chosen_index = 2, .rating = 1, .choice_ns = 1190, .rating_ns = 1190}));
 }
 
 TEST(TaskSession, APauseBeginsTheTrialAgain) {
-  const Session viewing = next(session_of(facts_of_kind(TaskKind::interval)), ImageShown{.now_ns = 0});
+  const Session viewing = next(task_session_of(facts_of_kind(TaskKind::interval)), ImageShown{.now_ns = 0});
   const Session gap = next(viewing, Tick{.now_ns = 500});
   for (const Session& session : {viewing, gap}) {
     const Session again = next(session, PictureTaken{});
-    ASSERT_TRUE(is<AwaitingImage>(again));
+    ASSERT_TRUE(in_task_phase<AwaitingImage>(again));
     EXPECT_EQ(std::get<AwaitingImage>(again.phase).picture, 0);
     EXPECT_EQ(current_trial(again.trials), current_trial(session.trials));
   }
@@ -72,31 +72,32 @@ TEST(TaskSession, OnlyTheTasksAlternativesAreChoices) {
       {TaskKind::object, 3}, {TaskKind::pair, 2}, {TaskKind::yes_no, 2}};
   for (const auto& [kind, count] : alternatives) {
     const Session choosing =
-        next(session_of(facts_of_kind(kind, kind == TaskKind::object)), ImageShown{.now_ns = 0});
+        next(task_session_of(facts_of_kind(kind, kind == TaskKind::object)), ImageShown{.now_ns = 0});
     for (const int index : {0, count + 1})
-      EXPECT_TRUE(is<Choosing>(next(choosing, ObjectChosen{.index = index, .now_ns = 50})));
-    EXPECT_FALSE(is<Choosing>(next(choosing, ObjectChosen{.index = count, .now_ns = 50})));
+      EXPECT_TRUE(in_task_phase<Choosing>(next(choosing, ObjectChosen{.index = index, .now_ns = 50})));
+    EXPECT_FALSE(in_task_phase<Choosing>(next(choosing, ObjectChosen{.index = count, .now_ns = 50})));
   }
 }
 
 TEST(TaskSession, ASecondQuestionFollowsOnlyWhereItIsAsked) {
   for (const bool second : {false, true}) {
-    const Session session = after(session_of(facts_of_kind(TaskKind::pair, second)),
-                                  {ImageShown{.now_ns = 0}, ObjectChosen{.index = 1, .now_ns = 50}});
-    EXPECT_EQ(is<Rating>(session), second);
-    EXPECT_EQ(is<Storing>(session), !second);
+    const Session session =
+        after_task_events(task_session_of(facts_of_kind(TaskKind::pair, second)),
+                          {ImageShown{.now_ns = 0}, ObjectChosen{.index = 1, .now_ns = 50}});
+    EXPECT_EQ(in_task_phase<Rating>(session), second);
+    EXPECT_EQ(in_task_phase<Storing>(session), !second);
   }
 }
 
 TEST(TaskSession, ARatingAloneSaysWhetherAnythingWasSeen) {
-  const Session rating = next(session_of(facts_of_kind(TaskKind::rating)), ImageShown{.now_ns = 0});
-  ASSERT_TRUE(is<Rating>(rating));
-  EXPECT_TRUE(is<Rating>(next(rating, ObjectChosen{.index = 1, .now_ns = 50})));
-  EXPECT_TRUE(is<Rating>(next(rating, RatingGiven{.rating = 5, .now_ns = 50})));
-  EXPECT_TRUE(is<Rating>(next(rating, RatingGiven{.rating = 2, .now_ns = 9})));  // too soon
+  const Session rating = next(task_session_of(facts_of_kind(TaskKind::rating)), ImageShown{.now_ns = 0});
+  ASSERT_TRUE(in_task_phase<Rating>(rating));
+  EXPECT_TRUE(in_task_phase<Rating>(next(rating, ObjectChosen{.index = 1, .now_ns = 50})));
+  EXPECT_TRUE(in_task_phase<Rating>(next(rating, RatingGiven{.rating = 5, .now_ns = 50})));
+  EXPECT_TRUE(in_task_phase<Rating>(next(rating, RatingGiven{.rating = 2, .now_ns = 9})));  // too soon
   for (int label = 0; label <= 4; ++label) {
     const Session stored = next(rating, RatingGiven{.rating = label, .now_ns = 50});
-    ASSERT_TRUE(is<Storing>(stored));
+    ASSERT_TRUE(in_task_phase<Storing>(stored));
     const TrialAnswer& answer = std::get<Storing>(stored.phase).answer;
     EXPECT_EQ(answer.chosen_index == 1 ? answer.rating : 0, label);
     EXPECT_GE(answer.rating, 1);
