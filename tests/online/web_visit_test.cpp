@@ -113,6 +113,8 @@ std::string name_of(const Screen& screen) {
 std::string name_of(const Phase& phase) {
   return std::visit(Overloaded{[](const Grey&) -> std::string { return "grey"; },
                                [](const AwaitingImage&) -> std::string { return "awaiting"; },
+                               [](const Viewing&) -> std::string { return "viewing"; },
+                               [](const Gap&) -> std::string { return "gap"; },
                                [](const Choosing&) -> std::string { return "choosing"; },
                                [](const Rating& now) {
                                  return fmt::format("rating {} {}", now.chosen_index, now.choice_ns);

@@ -26,7 +26,7 @@ Session task_session_of(const TaskFacts& task) {
 }
 
 template <class Wanted>
-bool is(const Session& session) {
+bool in_task_phase(const Session& session) {
   return std::holds_alternative<Wanted>(session.phase);
 }
 
