@@ -152,7 +152,9 @@ SharingTest test_parallel_ratings(const JointFit& fit, const JointData& data) {
 const SharingTest* most_refused(const std::vector<SharingTest>& tests) {
   const SharingTest* worst = nullptr;
   for (const SharingTest& test : tests)
-    if (test.block != nullptr && test.p < (worst == nullptr ? refused_sharing_p : worst->p)) worst = &test;
+    if (test.block != nullptr && std::isfinite(test.p) &&
+        test.p < (worst == nullptr ? refused_sharing_p : worst->p))
+      worst = &test;
   return worst;
 }
 

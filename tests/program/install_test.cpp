@@ -53,7 +53,8 @@ TEST(Install, EveryPartIsWhereOtherSoftwareHasIt) {
   std::set<std::string> in_stimuli;  // no sources
   for (const auto& entry : fs::directory_iterator(prefix / "share/seamline/stimuli"))
     in_stimuli.insert(entry.path().extension().string());
-  EXPECT_EQ(in_stimuli, std::set<std::string>{".toml"});
+  EXPECT_EQ(in_stimuli, (std::set<std::string>{"", ".toml"})) << "study files, and the folder texts";
+  EXPECT_TRUE(fs::is_regular_file(prefix / "share/seamline/stimuli/texts/de.toml"));
 }
 
 TEST(Install, FindsItsOwnFilesFromAnyFolderThroughLinksAndBesideAnother) {

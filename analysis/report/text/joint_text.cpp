@@ -34,7 +34,8 @@ std::vector<std::string> sharing_sentences(const JointAnalysis& joint) {
                                     list_of_tests(joint.refused_sharing)));
   std::vector<SharingTest> still;  // shared, although refused
   for (const SharingTest& test : joint.sharing)
-    if (test.p < small_p && (test.block == nullptr || joint.fit.model.sharing.*test.block))
+    if (std::isfinite(test.p) && test.p < small_p &&
+        (test.block == nullptr || joint.fit.model.sharing.*test.block))
       still.push_back(test);
   if (!still.empty())
     sentences.push_back(fmt::format(

@@ -7,6 +7,7 @@
 #include "stimuli/definition/clip_frames.h"
 #include "stimuli/set/clip_file.h"
 #include "stimuli/set/clip_set.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/files/image.h"
@@ -20,7 +21,7 @@ ClipRecord write_clip(const fs::path& set_folder, const std::string& name, const
                       const std::vector<std::string>& pictures, double frames_per_s) {
   std::optional<ClipWriter> writer;
   for (const std::string& picture : pictures) {
-    const ByteImage frame = read_bytes_image(set_folder / picture);
+    const ByteImage frame = read_bytes_image(path_in_set(set_folder, picture));
     if (!writer)
       writer.emplace(ClipShape{.width_px = frame.width_px,
                                .height_px = frame.height_px,

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_writer.h"
 #include "study/online/messages/message.h"
@@ -69,7 +70,7 @@ AskJson question_of(const RenderedSet& set, const Trial& trial, int index, int m
                       {"condition", shown.stimulus.condition},
                       {"level", shown.stimulus.level}};
   if (!shown.image.empty() && trial.kind == TrialKind::stimulus)
-    question["picture"] = (set.folder / shown.image).string();
+    question["picture"] = path_in_set(set.folder, shown.image).string();
   return question;
 }
 
