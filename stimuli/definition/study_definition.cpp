@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/views/look_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/views/look_definition.h"
 #include "support/files/hash.h"
 
 namespace seamline::inline stimuli {

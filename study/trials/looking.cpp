@@ -12,7 +12,7 @@ namespace seamline::study {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180;
-constexpr double least_gap_ms = 1000.0 / 30;  // between poses
+constexpr double least_gap_ms = 1000.0 / 30;   // between poses
 constexpr std::size_t most_text_bytes = 3900;  // of an event's 4000
 
 double clamp_to(double value, const std::array<double, 2>& limits) {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/definition/looks/study_look.h"
-#include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
 #include "study/trials/right_rule.h"

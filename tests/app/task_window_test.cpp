@@ -1,0 +1,99 @@
+// Pairs, intervals, yes or no, and ratings in the real program on a real (virtual) screen: the log holds what
+// was pressed, and the first question of each is saved as a picture.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "picture_set.h"
+#include "study/log/log.h"
+#include "window_driver.h"
+
+namespace seamline::study::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TaskSitting {
+  const char* kind;
+  const char* more;
+  int alternatives;  ///< 0: a rating alone
+  int trials;
+};
+
+void PrintTo(const TaskSitting& sitting, std::ostream* out) {
+  *out << sitting.kind;
+}
+
+struct TaskPress {
+  int chosen = 0, rating = 0;
+};
+
+class TaskWindow : public testing::TestWithParam<TaskSitting> {};
+
+/// Does what the screen asks for, until it says thanks; returns what was pressed, by trial.
+std::map<int, TaskPress> sit_through(test::WindowDriver& window, const test::XServer& server,
+                                     const fs::path& picture) {
+  const TaskSitting& sitting = TaskWindow::GetParam();
+  std::map<int, TaskPress> pressed;
+  for (int look = 0; look < 20000 && window.running(); ++look) {
+    const std::optional<test::Line> line = window.now();
+    const std::string screen = line ? line->value("screen", "") : "";
+    const std::string phase = line ? line->value("phase", "") : "";
+    if (screen == "thanks") return pressed;
+    if (screen == "consent") window.keys("Tab Tab Return");
+    if (screen == "instructions" || screen == "ready" || screen == "break") window.key("Return");
+    if (phase == "choosing" || phase == "rating") {
+      const int trial = line->value("trial", -1);
+      if (pressed.empty()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));  // the server copies after the swap
+        write_png(picture, server.picture());
+      }
+      TaskPress& press = pressed[trial];
+      const int choice = sitting.alternatives == 0 ? 0 : 1 + trial % sitting.alternatives;
+      const int key = sitting.alternatives == 0 ? 1 + trial % 5 : 1 + trial % 4;
+      (phase == "choosing" ? press.chosen : press.rating) = phase == "choosing" ? choice : key;
+      window.key(std::to_string(phase == "choosing" ? choice : key));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  throw std::runtime_error("the sitting did not end: " + window.output());
+}
+
+TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
+  if (const std::string missing = test::what_is_missing(); !missing.empty()) GTEST_SKIP() << missing;
+  const TaskSitting& sitting = GetParam();
+  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "app" / "task" / sitting.kind;
+  fs::remove_all(folder);
+  (void)test::write_picture_set(
+      folder / "set",
+      {.session = "inter_trial_s = 0.05\n",
+       .top = "participant_form = false",
+       .more = fmt::format("[task]\nkind = \"{}\"\n{}[consent]\ntext = \"Discs.\"\n[training]\ntrials = 0\n"
+                           "[[instructions.page]]\ntext = \"Press a digit.\"\n",
+                           sitting.kind, sitting.more)});
+  const test::XServer server(folder / "screen", 1024, 768);
+  test::keep_display_profile(folder / "run" / "config", 1024, 768);
+  test::WindowDriver window(server,
+                            {.set = folder / "set", .log = folder / "log.sqlite", .folder = folder / "run"});
+  const std::map<int, TaskPress> pressed = sit_through(window, server, folder / "question.png");
+  EXPECT_EQ(static_cast<int>(pressed.size()), sitting.trials);
+  window.kill();
+  const LogContents log = read_log(folder / "log.sqlite");
+  EXPECT_EQ(log.answers.size(), 6U);  // three discs at two widths
+  for (const Answer& answer : log.answers) {
+    const TaskPress& press = pressed.at(answer.trial_index);
+    if (sitting.alternatives > 0) EXPECT_EQ(answer.chosen_index, press.chosen);
+    if (sitting.alternatives == 0) EXPECT_EQ(answer.rating, press.rating - 1);
+  }
+}
+
+constexpr const char* with_references = "[catch]\nreference = 2\n";
+INSTANTIATE_TEST_SUITE_P(, TaskWindow,
+                         testing::Values(TaskSitting{"pair", "", 2, 6},
+                                         TaskSitting{"interval", "exposure_s = 0.2\ngap_s = 0.1\n", 2, 6},
+                                         TaskSitting{"yes_no", with_references, 2, 8},
+                                         TaskSitting{"rating", with_references, 0, 8}),
+                         [](const auto& info) { return std::string(info.param.kind); });
+
+}  // namespace
+}  // namespace seamline::study::app
