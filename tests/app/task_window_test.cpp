@@ -82,8 +82,11 @@ TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
   EXPECT_EQ(log.answers.size(), 6U);  // three discs at two widths
   for (const Answer& answer : log.answers) {
     const TaskPress& press = pressed.at(answer.trial_index);
-    if (sitting.alternatives > 0) EXPECT_EQ(answer.chosen_index, press.chosen);
-    if (sitting.alternatives == 0) EXPECT_EQ(answer.rating, press.rating - 1);
+    if (sitting.alternatives > 0) {
+      EXPECT_EQ(answer.chosen_index, press.chosen);
+    } else {
+      EXPECT_EQ(answer.rating, press.rating - 1);
+    }
   }
 }
 
